@@ -131,8 +131,8 @@ def torn(out: Path) -> int:
 def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> bool:
     """Tell what became of a dataset; whether it is as it should be."""
     data = Dataset(out)
-    config = data.manifest.config
-    sound = [request for request in map(config.request, range(config.items)) if fault_of(request) >= len(FAULTS)]
+    config, tried = data.manifest.config, data.manifest.positions
+    sound = [request for request in map(config.request, range(tried)) if fault_of(request) >= len(FAULTS)]
     wanted = {request.id for request in sound if steady(request).item is not None}
     ids = Counter(item.id for item in data)
     quarantined = data.manifest.refused["quarantined"].total
@@ -140,11 +140,11 @@ def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> bool:
     print(
         f"{name}: {len(wanted & ids.keys()) / len(wanted):.2%} of {len(wanted)} others finished, "
         f"{len(wanted - ids.keys())} lost, {twice} twice, {broken} torn, "
-        f"{quarantined} of {config.items - len(sound)} faults quarantined; "
+        f"{len(data)} of {config.items} asked for, {quarantined} of {tried - len(sound)} faults quarantined; "
         f"{'the same bytes' if same else 'OTHER BYTES'}",
         flush=True,
     )
-    return same and not (wanted - ids.keys() or twice or broken)
+    return same and len(data) == config.items and not (wanted - ids.keys() or twice or broken)
 
 
 def killed(out: Path, items: int, kills: int) -> tuple[int, int]:

@@ -32,7 +32,7 @@ def test_no_symbol_is_found_in_what_stands_for_another(benchmark: ModuleType) ->
 def test_a_coordinate_may_be_negative(benchmark: ModuleType) -> None:
     """√(x²) is no x there, in whatever way it is rewritten."""
     bindings = tuple(Binding(numbers=(x,), answer=3.0 * abs(x)) for x in (-2.0, -1.5, 0.7))
-    formula = FormulaRecord(latex=r"3 \sqrt{x^{2}}", symbols=("x",), units=("m",), bindings=bindings)
+    formula = FormulaRecord(latex=r"3 \sqrt{x^{2}}", symbols=("x",), units=("m",), unit="m", bindings=bindings)
     assert len(list(benchmark.rewritings(formula))) >= 3
     for text in list(benchmark.rewritings(formula))[2:]:
         assert benchmark.value(text, {"x": -2.0}) == pytest.approx(6.0), text

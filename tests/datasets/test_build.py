@@ -13,6 +13,8 @@ from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refus
 from sim2reason.datasets.places.here import cores
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.request import LARGEST
+from sim2reason.datasets.store import count
+from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]
@@ -24,13 +26,13 @@ def test_a_dataset_is_its_shards_a_card_and_a_manifest(make: Make, tmp_path: Pat
     files = [f"data/train-{n:05}-of-00005.parquet" for n in range(5)]
     assert list(contents(tmp_path / "data")) == ["README.md", *files, MANIFEST, SHARDS]
     assert manifest == load(tmp_path / "data")
-    assert manifest.rows == 94  # the maker finds no draw for one
-    assert manifest.counts["recipe"] == {"incline": 47, "pulley": 47}
-    assert manifest.counts["kind"] == {"state": 94}
+    assert (manifest.rows, manifest.positions) == (95, 96)  # the maker finds no draw for one
+    assert manifest.counts["recipe"] == {"incline": 47, "pulley": 48}
+    assert manifest.counts["kind"] == {"state": 95}
 
 
 def test_items_come_in_the_order_of_their_positions(data: Path, config: Config) -> None:
-    wanted = [config.request(k).id for k in range(95)]
+    wanted = [config.request(k).id for k in range(96)]
     wanted.remove("incline-easy-numeric-0-3")
     assert [item.id for item in Dataset(data)] == wanted
 
@@ -51,7 +53,7 @@ def test_refused_draws_are_counted_by_recipe_and_filter(make: Make, config: Conf
     from fake_makers import steady
 
     manifest = make()
-    made = [steady(config.request(k)).rejected for k in range(95) if config.request(k).recipe == "pulley"]
+    made = [steady(config.request(k)).rejected for k in range(96) if config.request(k).recipe == "pulley"]
     assert manifest.rejected["pulley"]["degenerate"] == sum(m.get("degenerate", 0) for m in made)
 
 
@@ -63,14 +65,14 @@ def test_a_bad_item_is_quarantined_and_no_other_is_lost(make: Make, maker: str, 
     (problem,) = manifest.refused["quarantined"].first
     assert (problem.recipe, problem.index, problem.seed) == ("pulley", 7, 0)
     assert problem.reason == (reason or "raised ValueError: a defect of two lines")
-    assert manifest.rows == 93
+    assert (manifest.rows, manifest.positions) == (95, 97)
 
 
 def test_an_item_that_hangs_is_quarantined(make: Make) -> None:
     manifest = make(workers=2, patience=3.0, maker="fake_makers:hanging", items=20)
     (problem,) = manifest.refused["quarantined"].first
     assert problem.reason == "hung its worker, twice"
-    assert manifest.rows == 18
+    assert (manifest.rows, manifest.positions) == (20, 22)
 
 
 FLAKY = """
@@ -93,12 +95,55 @@ def test_one_crash_by_chance_leaves_no_trace(make: Make, tmp_path: Path, monkeyp
     manifest = make(workers=2, maker="flaky_maker:make")
     assert (tmp_path / "seen").exists()
     assert not manifest.refused["quarantined"].total
-    assert manifest.rows == 94
+    assert (manifest.rows, manifest.positions) == (95, 96)
 
 
-def test_an_item_must_bear_the_id_of_its_request(make: Make) -> None:
-    manifest = make(maker="fake_makers:impostor", items=3)
-    assert [p.reason for p in manifest.refused["quarantined"].first] == ["made an item of another id: other"] * 3
+def test_an_item_must_bear_the_id_of_its_request(make: Make, tmp_path: Path) -> None:
+    with pytest.raises(DatasetError, match=r"0 problems of 3 asked for, and 200 more tries gave nothing new; ask for"):
+        make(maker="fake_makers:impostor", items=3, shard=500)
+    manifest = load(tmp_path / "data")
+    assert manifest.refused["quarantined"].first[0].reason == "made an item of another id: other"
+    assert manifest.refused["quarantined"].total == manifest.positions == 200
+
+
+def test_only_what_there_is_stands_and_is_an_error(make: Make, tmp_path: Path, contents: Contents) -> None:
+    """There are a dozen problems, however often and in what steps more are asked for."""
+    for name, steps in (("at_once", [60]), ("grown", [10, 40, 60, 60])):
+        for items in steps:
+            if items <= 10:
+                assert make(name, maker="fake_makers:few", items=items, shard=100).rows == items
+                continue
+            with pytest.raises(DatasetError, match=rf"12 problems of {items} asked for, and 200 more tries"):
+                make(name, maker="fake_makers:few", items=items, shard=100)
+    whole = contents(tmp_path / "at_once")
+    assert contents(tmp_path / "grown") == whole
+    assert len(Dataset(tmp_path / "at_once")) == 12
+    assert verify(tmp_path / "at_once").faults == ()
+
+
+@pytest.mark.parametrize("cut", [*range(1, 8, 2)])
+def test_a_run_that_is_interrupted_while_it_makes_up_ends_in_the_same_bytes(
+    tmp_path: Path, config: Config, contents: Contents, cut: int
+) -> None:
+    """After any batch, of the first round or a later one; half of all items repeat others, and one split is small."""
+    split = {"test": 0.1, "train": 0.9}
+    twins = config.model_copy(update={"items": 30, "maker": "fake_makers:twins", "shard": 20, "split": split})
+    calls = 0
+
+    def interrupt(steps: int) -> None:
+        nonlocal calls
+        del steps
+        calls += 1
+        if calls > cut:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        build(tmp_path / "cut", twins, workers=1, advance=interrupt)
+    build(tmp_path / "cut", twins, workers=2)
+    manifest = build(tmp_path / "whole", twins, workers=1)
+    assert (manifest.rows, manifest.shards) == (30, 3)
+    assert contents(tmp_path / "cut") == contents(tmp_path / "whole")
+    assert all(count(path) for path in (tmp_path / "whole/data").iterdir())
 
 
 @pytest.mark.parametrize("maker", ["nowhere:make", "fake_makers:missing", "fake_makers"])
@@ -111,7 +156,7 @@ def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:twins")
     found = list(refused(tmp_path / "data", "duplicates"))
     assert found[0].reason == "same as incline-easy-numeric-0-0"
-    assert manifest.rejected["pulley"]["distinct: same"] == sum(p.recipe == "pulley" for p in found) == 23
+    assert manifest.rejected["pulley"]["distinct: same"] == sum(p.recipe == "pulley" for p in found) == 47
     prompts = [item.prompt for item in Dataset(tmp_path / "data")]
     assert len(prompts) == len(set(prompts)) == manifest.rows
 
@@ -130,7 +175,7 @@ def test_a_shard_of_a_dataset_with_duplicates_is_remade_to_the_same_bytes(
 ) -> None:
     make(maker="fake_makers:twins")
     whole = contents(tmp_path / "data")
-    (tmp_path / "data/data/train-00001-of-00005.parquet").unlink()
+    (tmp_path / "data/data/train-00001-of-00010.parquet").unlink()
     make(maker="fake_makers:twins")
     assert contents(tmp_path / "data") == whole
 
@@ -304,12 +349,12 @@ def test_a_file_in_place_of_a_shard_stays_where_a_dataset_grows_past_its_name(ma
 
 def test_a_dataset_grows_to_the_bytes_of_a_larger_one(make: Make, tmp_path: Path, contents: Contents) -> None:
     for maker in ("steady", "twins"):
-        make("small", maker=f"fake_makers:{maker}")
-        kept = (tmp_path / "small/data/train-00001-of-00005.parquet").stat().st_mtime_ns
+        small = make("small", maker=f"fake_makers:{maker}").shards
+        kept = (tmp_path / f"small/data/train-00001-of-{small:05}.parquet").stat().st_mtime_ns
         make("small", items=130, maker=f"fake_makers:{maker}")
-        make("large", items=130, maker=f"fake_makers:{maker}")
+        large = make("large", items=130, maker=f"fake_makers:{maker}").shards
         assert contents(tmp_path / "small") == contents(tmp_path / "large")
-        assert (tmp_path / "small/data/train-00001-of-00007.parquet").stat().st_mtime_ns == kept
+        assert (tmp_path / f"small/data/train-00001-of-{large:05}.parquet").stat().st_mtime_ns == kept
         shutil.rmtree(tmp_path / "small")
         shutil.rmtree(tmp_path / "large")
 

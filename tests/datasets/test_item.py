@@ -57,7 +57,10 @@ def symbolic() -> Item:
         Binding(numbers=(angle, 9.8), answer=9.8 * math.sin(angle))
         for angle in (math.radians(30.0), math.radians(42.5))
     )
-    formula = FormulaRecord(latex=r"g \sin\theta", symbols=(r"\theta", "g"), units=("deg", "m/s^2"), bindings=bindings)
+    units = "rad", "m/s^2"
+    formula = FormulaRecord(
+        latex=r"g \sin\theta", symbols=(r"\theta", "g"), units=units, unit="m/s^2", bindings=bindings
+    )
     return made.model_copy(update={"answer": Answer(value=4.9, unit="m/s^2", formula=formula)})
 
 
@@ -79,11 +82,28 @@ def test_a_formula_is_graded_at_its_bindings(symbolic: Item, said: str, reward: 
 def test_a_binding_is_said_in_the_units_of_the_text(symbolic: Item) -> None:
     formula = symbolic.answer.formula
     assert formula is not None
-    assert formula.given() == {r"\theta": "30.0°", "g": "9.8 m/s²"}
+    assert formula.given() == {r"\theta": "30°", "g": "9.8 m/s²"}
     assert formula.given(1) == {r"\theta": "42.5°", "g": "9.8 m/s²"}
     assert symbolic.answer.told == r"$g \sin\theta$, which here is 4.9 m/s²"
 
 
 def test_each_symbol_has_a_number() -> None:
+    numbers = (Binding(numbers=(1.0, 2.0), answer=1.0),)
     with pytest.raises(ValidationError, match="each symbol"):
-        FormulaRecord(latex="g", symbols=("g",), units=("m/s^2",), bindings=(Binding(numbers=(1.0, 2.0), answer=1.0),))
+        FormulaRecord(latex="g", symbols=("g",), units=("m/s^2",), unit="m/s^2", bindings=numbers)
+
+
+def test_a_formula_has_no_unit_that_needs_a_factor() -> None:
+    numbers = (Binding(numbers=(30.0,), answer=30.0),)
+    for units, unit in ((("deg",), "rad"), (("rad",), "deg"), (("km/s",), "m/s"), (("mC",), "C")):
+        with pytest.raises(ValidationError, match=r"numbers of formulas are not in (deg|km/s|mC); give them in"):
+            FormulaRecord(latex="x", symbols=("x",), units=units, unit=unit, bindings=numbers)
+
+
+def test_a_record_of_an_earlier_version_is_told_in_the_units_of_its_numbers(symbolic: Item) -> None:
+    """They had the units in which texts say the numbers, and none for the answers."""
+    answer = symbolic.answer.model_dump(mode="json")
+    del answer["formula"]["unit"]
+    answer["formula"]["units"] = ["deg", "m/s^2"]
+    assert Answer.model_validate(answer) == symbolic.answer
+    assert Answer.model_validate(symbolic.answer.model_dump(mode="json")) == symbolic.answer

@@ -1,3 +1,4 @@
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -19,17 +20,46 @@ NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), 
 @given(NAMES, st.integers(0, 200), st.integers(1, 50))
 def test_every_position_has_a_request_of_its_own(recipes: tuple[str, ...], items: int, shard: int) -> None:
     config = Config(items=items, recipes=recipes, shard=shard)
-    requests = [config.request(k) for number in range(config.shards) for k in config.positions(number)]
+    ranges = [config.positions(number, items) for number in range(config.shards(items))]
+    requests = [config.request(k) for positions in ranges for k in positions]
     assert [config.position(config.named(request.id)) for request in requests] == list(range(items))
     assert len({request.id for request in requests}) == items
     counts = [sum(request.recipe == recipe for request in requests) for recipe in recipes]
-    assert max(counts) - min(counts) <= 3  # even, up to one round of three difficulties
+    assert max(counts) - min(counts) <= 1
+
+
+@given(st.integers(1, 15), st.integers(1, 3), st.integers(1, 4), st.data())
+def test_any_first_few_are_spread_over_all(recipes: int, levels: int, modes: int, data: st.DataObject) -> None:
+    """Over recipes as evenly as can be, over the rest nearly so; and within each recipe."""
+    names = [tuple(f"{what}{n}" for n in range(count)) for what, count in (("r", recipes), ("d", levels), ("m", modes))]
+    config = Config(items=1, recipes=names[0], difficulties=names[1], modes=names[2])
+    cells = recipes * levels * modes
+    dealt = [(r.recipe, r.difficulty, r.mode) for r in map(config.request, range(cells))]
+    assert len(set(dealt)) == cells
+    first = dealt[: data.draw(st.integers(1, cells))]
+    for place, most in enumerate((1, 2, 2)):
+        counts = [sum(cell[place] == name for cell in first) for name in names[place]]
+        assert max(counts) - min(counts) <= most, (place, counts)
+    for recipe in names[0]:
+        for place in (1, 2):
+            counts = [sum(cell[0] == recipe and cell[place] == name for cell in first) for name in names[place]]
+            assert max(counts) - min(counts) <= 1, (recipe, place, counts)
+
+
+def test_as_many_as_there_are_recipes_are_of_all_of_them() -> None:
+    recipes = tuple(f"r{n}" for n in range(15))
+    config = Config(items=15, recipes=recipes, modes=("numeric", "reverse", "symbolic"))
+    requests = [config.request(k) for k in range(15)]
+    assert {r.recipe for r in requests} == set(recipes)
+    for name in ("difficulty", "mode"):
+        assert sorted(Counter(getattr(r, name) for r in requests).values()) == [5, 5, 5]
 
 
 def test_indices_run_from_zero_in_every_cell() -> None:
     config = Config(items=12, recipes=("a", "b"), difficulties=("easy", "hard"))
     assert config.request(0) == Request("a", "easy", "numeric", 0, 0)
-    assert config.request(3) == Request("b", "hard", "numeric", 0, 0)
+    assert config.request(1) == Request("b", "hard", "numeric", 0, 0)
+    assert config.request(3) == Request("b", "easy", "numeric", 0, 0)
     assert config.request(4) == Request("a", "easy", "numeric", 0, 1)
 
 
@@ -41,19 +71,21 @@ def test_a_recipe_named_twice_is_dealt_twice_a_round() -> None:
 
 def test_shards_are_named_as_the_hub_does() -> None:
     config = Config(items=1001, recipes=("a",))
-    assert [config.positions(n) for n in range(config.shards)] == [range(500), range(500, 1000), range(1000, 1001)]
-    assert file_name(2, config.shards) == "data/train-00002-of-00003.parquet"
+    assert config.shards(1001) == 3
+    assert [config.positions(n, 1001) for n in range(3)] == [range(500), range(500, 1000), range(1000, 1001)]
+    assert file_name(2, 3) == "data/train-00002-of-00003.parquet"
 
 
 def test_positions_are_not_counted_out() -> None:
     config = Config(items=LARGEST, recipes=("a", "b"))
-    assert config.positions(config.shards - 1).stop == LARGEST
+    assert config.positions(config.shards(LARGEST) - 1, LARGEST).stop == LARGEST
     assert config.position(config.request(LARGEST - 1)) == LARGEST - 1
 
 
 def test_a_request_of_another_configuration_has_no_position() -> None:
     config = Config(items=12, recipes=("a", "b"))
-    for request in (config.request(12), Request("c", "easy", "numeric", 0, 0), Request("a", "easy", "numeric", 1, 0)):
+    assert config.position(config.request(12)) == 12  # it may have to take the place of another
+    for request in (Request("c", "easy", "numeric", 0, 0), Request("a", "easy", "numeric", 1, 0)):
         with pytest.raises(DrawError, match="no item of this dataset"):
             config.position(request)
 
@@ -97,6 +129,7 @@ def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
         config_hash="0",
         versions={},
         rows=0,
+        positions=0,
         counts={},
         cells=(),
         rejected={},

@@ -120,7 +120,10 @@ def items() -> list[Item]:
     from sim2reason.datasets.request import Request
 
     bindings = tuple(Binding(numbers=(angle, 9.8), answer=9.8 * np.sin(angle)) for angle in (0.5, 0.6, 0.7, 0.8))
-    formula = FormulaRecord(latex=r"g\sin\theta", symbols=(r"\theta", "g"), units=("deg", "m/s^2"), bindings=bindings)
+    units = "rad", "m/s^2"
+    formula = FormulaRecord(
+        latex=r"g\sin\theta", symbols=(r"\theta", "g"), units=units, unit="m/s^2", bindings=bindings
+    )
     answers = (
         Answer(value=-9.81, unit="N", sign="up"),
         Answer(value=3.0, unit="", tolerance=0.001),

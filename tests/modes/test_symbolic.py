@@ -39,7 +39,7 @@ from sim2reason.modes.parts import formula_validity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variation import Variation
 from sim2reason.modes.parts.variations import EACH, Variations
-from sim2reason.prose.formula_numbers import said_in
+from sim2reason.prose.formula_numbers import counted_in, said_in
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -259,7 +259,7 @@ def test_a_prompt_is_read_back_with_the_numbers_of_a_binding(kind: str) -> None:
     assert held is not None
     for number in (0, 3):
         pairs = zip(held.symbols, held.units, held.points[number], strict=True)
-        given = {symbol: said_in(value, unit) for symbol, unit, value in pairs}
+        given = {symbol: said_in(value, counted_in(unit)) for symbol, unit, value in pairs}
         read = parse_prompt(found.prompt, given=given)
         assert read.asked.mode == "symbolic"
         assert read.answer == pytest.approx(held.values[number], rel=1e-6)

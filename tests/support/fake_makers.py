@@ -131,7 +131,7 @@ def with_answers(request: Request) -> Made:
 
 def _weight(value: float) -> Answer:
     bindings = tuple(Binding(numbers=(m, 9.8), answer=9.8 * m) for m in (value / 9.8, *(0.5 + n for n in range(8))))
-    formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), bindings=bindings)
+    formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), unit="N", bindings=bindings)
     return Answer(value=value, unit="N", formula=formula)
 
 
@@ -148,4 +148,18 @@ def masses(request: Request) -> Made:
     }
     if request.index % 5 == 0:
         changes["prompt"] = f"One of several equal texts, number {request.index // 20}."
+    return Made(made.item.model_copy(update=changes), made.rejected)
+
+
+def few(request: Request) -> Made:
+    """Steady, but of one problem that has only a dozen masses, each a tenth from the next, in no order."""
+    made = steady(request)
+    if made.item is None:
+        return made
+    number = int.from_bytes(hashlib.sha256(f"one of few {request.id}".encode()).digest()[:4], "big") % 12
+    changes = {
+        "scene": f"scene:\n  mass: {1.1**number:.3f}\n",
+        "asked": made.item.asked.model_copy(update={"time": None}),
+        "answer": made.item.answer.model_copy(update={"value": 1.1**number}),
+    }
     return Made(made.item.model_copy(update=changes), made.rejected)

@@ -24,7 +24,10 @@ An interrupted run goes on when the same command is given again, and ends in the
 Processes with --shard 1/8 to 8/8, at once or not, on any machines that share the folder, make its parts; the command
 without --shard then ends the work.
 
-Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not be; 2: wrong input.
+It makes as many as are asked for: what no draw fills, or repeats a problem, is made up for by others.
+
+Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not be; 2: wrong input, or fewer problems
+are to be had than are asked for.
 """
 
 
@@ -93,9 +96,10 @@ def command(
         if part is not None:
             number, parts = _part(part)
             made = build_part(out, config, (number, parts), **work)
-            shards = f"{len(range(number, config.shards, parts))} of {config.shards} shards"
+            shards = config.shards(config.items)
+            mine = f"{len(range(number, shards, parts))} of {shards} shards"
             remedy = f"when all {parts} parts are made, the same command without --shard ends the work"
-            click.echo(f"part {part}: {shards}, {made} problems in {out}; {remedy}", err=to_json)
+            click.echo(f"part {part}: {mine}, {made} problems in {out}; {remedy}", err=to_json)
             return 0
         manifest = build(out, config, **work)
     if to_json:
@@ -121,6 +125,8 @@ def _tell(out: Path, manifest: Manifest) -> None:
     names = sorted(counts.keys() | refused.keys())
     console.table(["recipe", "problems", "refused draws"], [(n, counts.get(n, 0), refused.get(n, 0)) for n in names])
     click.echo(f"{manifest.rows} problems in {out} (counts by filter: {out}/README.md)")
+    if more := manifest.positions - manifest.config.items:
+        console.explain(f"{more} more positions were tried, in place of those that hold no problem:")
     for kind in ("quarantined", "unfilled", "contaminated", "variants"):
         refused = manifest.refused[kind]
         for first in refused.first[:1]:

@@ -1,32 +1,24 @@
-"""Build a dataset, or go on with one: shards first, duplicates out, then the card, and the manifest last."""
+"""Build a dataset, or go on with one: items first, then the card, and the manifest last."""
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, closing
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.datasets import shard_files
 from sim2reason.datasets.atomic_files import LOCK, locked
-from sim2reason.datasets.cells import table
-from sim2reason.datasets.contamination import Benchmarks, Overlap
-from sim2reason.datasets.distinct import marks
+from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.finish import finish
-from sim2reason.datasets.histograms import counted
 from sim2reason.datasets.journal import FOLDER, Journal, RunPlan
-from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, load, merged
+from sim2reason.datasets.manifest import MANIFEST, Manifest, load
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
 from sim2reason.datasets.plan import MAKER, Config
-from sim2reason.datasets.splits import split_of
+from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
 from sim2reason.datasets.verify import verify
-from sim2reason.datasets.work_queue import WorkQueue
-from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
 
 Part = tuple[int, int]
 """Of N processes that share the work, this one's number, from 0, and N."""
-FindsOverlap = Callable[[str], Overlap | None]
-"""Finds the words that a prompt shares with a benchmark."""
 
 
 class Work(TypedDict, total=False):
@@ -39,7 +31,7 @@ class Work(TypedDict, total=False):
     patience: float
     """Seconds after which a batch counts as hung."""
     advance: Callable[[int], object]
-    """Called with the number of positions that are done."""
+    """Called with the number of positions that are done; with less than nothing where that many hold no item."""
     benchmarks: Benchmarks | None
     """The files that the configuration names, so that no problem shares a run of words with them."""
 
@@ -49,18 +41,26 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
 
     May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same bytes,
     whoever works and where. A dataset of fewer items and otherwise the same configuration is gone on with, too.
-    DatasetError if `out` holds anything else, a weight makes no sense, or `config` names other benchmarks.
+
+    Raises:
+        DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
+            fewer items are to be had than it asks for: then those there are stand in `out`, a dataset as any other.
     """
-    overlap = _overlap(config, work.get("benchmarks"))
+    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", _unseen)
     with _workers(config, work) as run, locked(out := _folder(out, config)):
-        standing = _standing(out, config)
-        if standing is not None:
-            work.get("advance", _unseen)(config.items)
-            return standing
-        journal = Journal(out, config)
-        _fill(journal, range(config.shards), run, overlap, work)
-        manifest = finish(journal)
-        journal.close()
+        manifest = _standing(out, config)
+        if manifest is not None:
+            advance(manifest.rows)
+        else:
+            journal = Journal(out, config)
+            make_all(journal, run, overlap, advance)
+            manifest = finish(journal)
+            journal.close()
+    if manifest.rows < config.items:
+        raise DatasetError(
+            f"{out}: {manifest.rows} problems of {config.items} asked for, and {config.barren} more tries gave nothing "
+            "new; ask for fewer, or for more recipes, difficulties, modes or kinds, in another folder"
+        )
     return manifest
 
 
@@ -68,21 +68,21 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
     """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
 
     `part` is this process's number, from 0, and how many there are. It gives the number of items that stand in its
-    shards, among which duplicates are not yet looked for. DatasetError if another process has the same part, or `build`
-    is at work, too.
+    shards, among which duplicates are not yet looked for, nor what is to take their place. DatasetError if another
+    process has the same part, or `build` is at work, too.
     """
     number, parts = part
     if not 0 <= number < parts:
         remedy = f"count from 1/{parts} to {parts}/{parts}" if parts > 0 else "write K/N, as in 3/8"
         raise DatasetError(f"part {number + 1}/{parts}: there is none; {remedy}")
-    numbers = range(number, config.shards, parts)
     overlap = _overlap(config, work.get("benchmarks"))
     with _workers(config, work) as run, locked(out := _folder(out, config), shared=True):
         journal = Journal(out, config, alone=False)
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
+        numbers = range(number, journal.shards, parts)
         with locked(mine):
-            _fill(journal, numbers, run, overlap, work)
+            make_positions(journal, numbers, run, overlap, work.get("advance", _unseen))
             mine.unlink()
         return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
@@ -136,54 +136,3 @@ def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
 
 def _counts(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 1
-
-
-def _fill(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, work: Work) -> None:
-    """Make those of some shards that do not stand."""
-    config, advance = journal.plan.config, work.get("advance", _unseen)
-
-    def missing() -> Iterator[int]:
-        for number in numbers:
-            if journal.stands(number) is None:
-                yield number
-            else:
-                advance(len(config.positions(number)))
-
-    queue = WorkQueue(config, missing())
-    with closing(run(queue.next)) as replies:
-        for batch, reply in replies:
-            before = queue.done
-            for number, outcomes in queue.settle(batch, reply):
-                _write(journal, overlap, number, outcomes)
-            advance(queue.done - before)
-
-
-def _write(journal: Journal, overlap: FindsOverlap, number: int, outcomes: Sequence[Attempt]) -> None:
-    """Write the files of a complete range, and keep its record."""
-    config, positions = journal.plan.config, journal.plan.config.positions(number)
-    found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
-    overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
-    made = [(position, item) for position, item in found if position not in overlaps]
-    homes = [(split_of(item, config.split), item) for _, item in made]
-    by_split = {name: [item for home, item in homes if home == name] for name in config.split}
-    requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
-    wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
-    failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
-    empty = [(each, r) for each, r in requests if not each.failure and each.item is None]
-    shard = Shard(
-        number=number,
-        positions=(positions.start, positions.stop),
-        files=shard_files.write(journal.out, journal.folder, number, config.shards, by_split),
-        counts=shard_files.counts(by_split),
-        histograms=counted(item for _, item in made),
-        rejected=merged({r.recipe: each.rejected} for each, r in requests),
-        cells=table(wanted, ((item.mode, item.kind, item.recipe) for _, item in made)),
-        quarantined=tuple(failed),
-        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
-        unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),
-    )
-    journal.note(shard, marks(made, scenes=len(config.split) > 1))
-
-
-def _why(rejected: Counts) -> str:
-    return "no draw passed: " + (", ".join(f"{name} {n}" for name, n in sorted(rejected.items())) or "none was made")

@@ -55,9 +55,12 @@ print(problems[0]["prompt"])
 ```
 
 ```python
+from pathlib import Path
+
 import pandas
 
-problems = pandas.read_parquet("OUT/{data}/{split}-00000-of-{shards:05}.parquet")
+files = sorted(Path("OUT/{data}").glob("{split}-*.parquet"))
+problems = pandas.concat(map(pandas.read_parquet, files))
 ```
 
 A response is graded by its last box, within the tolerance of the answer and in any unit that fits:
@@ -99,9 +102,15 @@ def _front(manifest: Manifest) -> Iterator[str]:
     size = next((name for limit, name in SIZES if manifest.rows < limit), LARGEST_SIZE)
     yield from ("---", f"license: {manifest.config.license}", FRONT, "size_categories:", f"- {size}")
     yield from ("configs:", "- config_name: default", "  data_files:")
-    for split in manifest.config.split:
+    for split in _splits(manifest):
         yield from (f"  - split: {split}", f"    path: {DATA}/{split}-*.parquet")
     yield from ("---", "")
+
+
+def _splits(manifest: Manifest) -> list[str]:
+    """Those that have a file; all where none has."""
+    rows = manifest.counts.get("split", {})
+    return [split for split in manifest.config.split if rows.get(split)] or [*manifest.config.split]
 
 
 def _body(manifest: Manifest) -> Iterator[str]:
@@ -109,6 +118,8 @@ def _body(manifest: Manifest) -> Iterator[str]:
     yield from ("# Physics problems by sim2reason", "")
     yield f"{manifest.rows} problems, each with an answer that two independent simulations of its scene agree on."
     yield f"Asked for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
+    if manifest.positions > config.items:
+        yield f"In place of positions without a problem, {manifest.positions - config.items} more were tried."
     yield f"Licence of the data: {config.license}."
     if len(config.split) > 1:
         yield "No two splits share a scene, or a problem up to its numbers."
@@ -116,8 +127,8 @@ def _body(manifest: Manifest) -> Iterator[str]:
         yield f"Two problems that differ in numbers only differ in one of them by {config.distance:.3g} or more of it."
     for file in config.decontaminate:
         yield f"No problem shares a run of words with the benchmark {_cell(file.name)} (SHA-256 `{file.sha256}`)."
-    split = TRAIN if TRAIN in config.split else next(iter(config.split))
-    yield USE.format(split=split, data=DATA, shards=config.shards)
+    held = _splits(manifest)
+    yield USE.format(split=TRAIN if TRAIN in held else held[0], data=DATA)
 
 
 def _shown(manifest: Manifest, pictures: Collection[str]) -> Iterator[str]:

@@ -109,9 +109,10 @@ class Dataset:
         """The shard in which the item of an id stands, if it is in the dataset; None if it can not be."""
         config = self.manifest.config
         try:
-            return config.position(config.named(name)) // config.shard
+            position = config.position(config.named(name))
         except DrawError:
             return None
+        return position // config.shard if position < self.manifest.positions else None
 
     def _places(self, file: ShardFile, wanted: Wanted) -> Sequence[int]:
         """Where in a file the items are whose columns hold what is wanted."""

@@ -1,16 +1,12 @@
-"""End a dataset whose shards all stand: leave duplicates out, count, and write list, card and manifest."""
+"""End a dataset whose items all stand: count, and write list, card and manifest."""
 
-from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 from sim2reason.datasets import card, shard_files
 from sim2reason.datasets.atomic_files import checksum, put, put_text
-from sim2reason.datasets.cells import Cell, table, together
-from sim2reason.datasets.distinct import Double, Marks, doubles, marks
+from sim2reason.datasets.cells import Cell, together
 from sim2reason.datasets.examples import chosen, example
-from sim2reason.datasets.histograms import Counted, counted
-from sim2reason.datasets.item import Item
+from sim2reason.datasets.histograms import Counted
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import (
     COUNTED,
@@ -20,30 +16,25 @@ from sim2reason.datasets.manifest import (
     Counts,
     Manifest,
     Refusal,
-    RefusedPosition,
     RefusedPositions,
     Shard,
     all_histograms,
     merged,
 )
 from sim2reason.datasets.pictures import drawn_by, put_pictures, remove_pictures
-from sim2reason.datasets.plan import Config
-from sim2reason.errors import DatasetError
+from sim2reason.datasets.shard_records import shard_of
 
 CARD = "README.md"
 
 
 def finish(journal: Journal) -> Manifest:
     """Write what is not there yet, the manifest last, and give it; whatever is held in memory is of one shard."""
-    out, config = journal.out, journal.plan.config
-    for number, found in doubles(partial(_marks, journal), config.shards, config.items, config.distance):
-        _leave_out(journal, number, found)
-    totals = _Totals()
+    out, totals = journal.out, _Totals()
 
     def write(path: Path) -> None:
         with path.open("w", encoding="utf-8", newline="\n") as file:
-            for number in range(config.shards):
-                shard = _shard(journal, number)
+            for number in range(journal.shards):
+                shard = shard_of(journal, number)
                 totals.add(shard)
                 file.write(f"{shard.model_dump_json()}\n")
 
@@ -56,7 +47,7 @@ def finish(journal: Journal) -> Manifest:
 def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
     """Write the card and its pictures, and give the manifest that knows them."""
     out, config = journal.out, journal.plan.config
-    shards = (_shard(journal, number) for number in range(config.shards))
+    shards = (shard_of(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)
     shown = [example(item, config) for item in chosen(shard_files.items(out, first) if first else ())]
     pictures = put_pictures(out, journal.folder, manifest.histograms, shown)
@@ -96,71 +87,12 @@ class _Totals:
             config_hash=plan.config.digest(plan.versions),
             versions=plan.versions,
             rows=self.rows,
+            positions=journal.positions,
             counts=self.counts,
             histograms=self.histograms,
             cells=self.cells,
             rejected=self.rejected,
             refused=self.refused,
-            shards=plan.config.shards,
+            shards=journal.shards,
             files={},
         )
-
-
-def _shard(journal: Journal, number: int) -> Shard:
-    """The record of a shard that stands."""
-    shard = journal.shard(number)
-    if shard is None:
-        raise DatasetError(f"{journal.folder}: the record of shard {number} is gone; give the same command again")
-    return shard
-
-
-def _marks(journal: Journal, number: int) -> Marks:
-    """What no other item may share with those of a shard, read from its files where it was not kept."""
-    config = journal.plan.config
-    known, shard = journal.marks(number), _shard(journal, number)
-    if known is None or len(known.table) != shard.rows:
-        known = marks(_placed(journal, shard), scenes=len(config.split) > 1)
-        journal.keep(number, known)
-    return known
-
-
-def _placed(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
-    """The items of a shard with their positions, in order."""
-    config, items = journal.plan.config, shard_files.items(journal.out, shard)
-    named = ((config.position(config.named(item.id)), item) for item in items)
-    return sorted(named, key=lambda pair: pair[0])
-
-
-def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
-    """Write a shard again without its duplicates."""
-    config, shard, gone = journal.plan.config, _shard(journal, number), {each.position for each in found}
-    kept = [(position, item) for position, item in _placed(journal, shard) if position not in gone]
-    ids = {item.id for _, item in kept}
-    by_split = {
-        file.split: [item for item in shard_files.read(journal.out, file) if item.id in ids] for file in shard.files
-    }
-    asked = [((cell.mode, cell.kind, cell.recipe), cell.asked) for cell in shard.cells]
-    changed = {
-        "files": shard_files.write(journal.out, journal.folder, number, config.shards, by_split),
-        "counts": shard_files.counts(by_split),
-        "histograms": counted(item for _, item in kept),
-        "cells": table(asked, ((item.mode, item.kind, item.recipe) for _, item in kept)),
-        "duplicates": _left_out(shard.duplicates, config, [each for each in found if not each.alike]),
-        "variants": _left_out(shard.variants, config, [each for each in found if each.alike]),
-    }
-    journal.note(shard.model_copy(update=changed), marks(kept, scenes=len(config.split) > 1))
-
-
-def _left_out(
-    before: Sequence[RefusedPosition], config: Config, found: Sequence[Double]
-) -> tuple[RefusedPosition, ...]:
-    """Those of a shard that were left out before, and more of them, in order."""
-    more = [
-        RefusedPosition.of(
-            each.position,
-            config.request(each.position),
-            f"{'like' if each.alike else 'same as'} {config.request(each.first).id}",
-        )
-        for each in found
-    ]
-    return tuple(sorted([*before, *more], key=lambda each: each.position))

@@ -1,7 +1,8 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
 import json
-from typing import Annotated, Self
+from collections.abc import Sequence
+from typing import Annotated, Self, cast
 
 from pydantic import (
     BaseModel,
@@ -16,7 +17,7 @@ from pydantic import (
 from pydantic_core import from_json
 
 from sim2reason.dsl.measures import join_unit
-from sim2reason.prose.formula_numbers import said_in
+from sim2reason.prose.formula_numbers import counted_in, said_in
 
 
 class Record(BaseModel):
@@ -45,13 +46,15 @@ class Binding(Record):
 
 
 class FormulaRecord(Record):
-    """An answer as a formula. Its bindings count angles in radians and lengths in metres, as formulas do."""
+    """An answer as a formula, with numbers for its symbols. They are in coherent units: rad, m/s, kg, C, or au, yr."""
 
     latex: str
     symbols: tuple[str, ...]
     """All that the prompt has, in LaTeX without dollars; the formula may do without some."""
     units: tuple[str, ...]
-    """Those of the symbols, as the scene's file has them: angles in degrees."""
+    """Those of the symbols' numbers in `bindings`: with them the formula needs no factor of conversion."""
+    unit: str
+    """That of the answers in `bindings`: ``rad`` where the item's own answer is in degrees."""
     bindings: tuple[Binding, ...]
     """The first has the scene's own numbers."""
 
@@ -59,6 +62,9 @@ class FormulaRecord(Record):
     def _complete(self) -> Self:
         if any(len(held) != len(self.symbols) for held in (self.units, *(each.numbers for each in self.bindings))):
             raise ValueError("each symbol has a unit, and a number in each binding")
+        for unit in (self.unit, *self.units):
+            if counted_in(unit) != unit:
+                raise ValueError(f"numbers of formulas are not in {unit}; give them in {counted_in(unit)}")
         return self
 
     @property
@@ -73,6 +79,10 @@ class FormulaRecord(Record):
         return {symbol: said_in(number, unit) for symbol, unit, number in pairs}
 
 
+def _keyed(value: object) -> dict[str, object]:
+    return cast("dict[str, object]", value) if isinstance(value, dict) else {}
+
+
 class Answer(Record):
     """The answer: `value` in `unit`, right within the relative `tolerance`; or a `formula`, whose value that is."""
 
@@ -83,6 +93,17 @@ class Answer(Record):
     """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
     formula: FormulaRecord | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_earlier_versions(cls, value: object) -> object:
+        """A formula without `unit` has the units in which texts say its numbers, as records once had them."""
+        answer = _keyed(value)
+        formula = _keyed(answer.get("formula"))
+        if not formula or "unit" in formula:
+            return value
+        units = [counted_in(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
+        return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
 
     @property
     def told(self) -> str:

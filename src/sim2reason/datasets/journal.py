@@ -69,6 +69,23 @@ class Journal:
             self._claim()  # another part may have begun at the same moment
         if manifest is not None:
             self._open_again(manifest)
+        self.positions = max(config.items, self._last_position())
+        """How many positions are to be tried: as many as items are asked for, and more where some hold none."""
+
+    @property
+    def shards(self) -> int:
+        """How many ranges these positions are cut into."""
+        return self.plan.config.shards(self.positions)
+
+    def range(self, number: int) -> range:
+        """The positions of the shard of that number."""
+        return self.plan.config.positions(number, self.positions)
+
+    def _last_position(self) -> int:
+        """The position behind the last one that was tried, by the records."""
+        numbers = (int(path.stem) for path in self.folder.glob("*.json") if path.stem.isdecimal())
+        last = self.shard(max(numbers, default=0))
+        return last.positions[1] if last is not None else 0
 
     def _claim(self) -> Manifest | None:
         """The manifest of a finished dataset that this plan goes on with, if there is one."""
@@ -108,14 +125,15 @@ class Journal:
             remove_pictures(self.out, manifest.files)
 
     def stands(self, number: int) -> Shard | None:
-        """The record of a shard if all its files stand undamaged; they get the names of this plan."""
-        shard = self.shard(number)
-        wanted = self.plan.config.positions(number)
-        if shard is None or shard.positions != (wanted.start, wanted.stop):
+        """The record of a shard if all its files stand undamaged; they get the names of this plan.
+
+        It may be one of fewer positions than the shard is to have: the first of them.
+        """
+        shard, wanted = self.shard(number), self.range(number)
+        if shard is None or shard.positions[0] != wanted.start or shard.positions[1] > wanted.stop:
             return None
         renamed = tuple(
-            file.model_copy(update={"name": file_name(number, self.plan.config.shards, file.split)})
-            for file in shard.files
+            file.model_copy(update={"name": file_name(number, self.shards, file.split)}) for file in shard.files
         )
         for before, file in zip(shard.files, renamed, strict=True):
             target = self.out / file.name
@@ -158,12 +176,12 @@ class Journal:
         for file in before.files if before is not None else ():
             path = self._path(file)
             if file.name not in names and checksum(path) == file.sha256:
-                path.unlink()  # of a smaller dataset, whose last shard this one contains
+                path.unlink()  # of a split of which no item is left
         self._save(shard)
 
     def close(self) -> None:
         """The manifest stands: what is ours in the folder goes, and it, if that leaves it empty."""
-        for number in range(self.plan.config.shards):
+        for number in range(self.shards):
             self._record(number).unlink(missing_ok=True)
             self._marks(number).unlink(missing_ok=True)
         (self.folder / PLAN).unlink(missing_ok=True)

@@ -14,6 +14,7 @@ from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked
+from sim2reason.prose.formula_numbers import counted_in
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
@@ -71,14 +72,20 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
 def answer_of(found: CertifiedQuestion) -> Answer:
     """The record of its answer."""
     question, tolerance = found.question, found.candidate.tolerance
-    formula = _formula_of(question.formula) if question.formula is not None else None
+    formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
     return Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=tolerance, formula=formula)
 
 
-def _formula_of(formula: Formula) -> FormulaRecord:
+def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
+    """The record of a formula for an answer that is asked for in `unit`."""
     pairs = zip(formula.points, formula.values, strict=True)
-    bindings = tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs)
-    return FormulaRecord(latex=formula.latex, symbols=formula.symbols, units=formula.units, bindings=bindings)
+    return FormulaRecord(
+        latex=formula.latex,
+        symbols=formula.symbols,
+        units=tuple(map(counted_in, formula.units)),
+        unit=counted_in(unit),
+        bindings=tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs),
+    )
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

@@ -119,6 +119,9 @@ class Manifest(Record):
     config_hash: str
     versions: dict[str, str]
     rows: int
+    """As many as were asked for, or fewer where nothing more was left to be had."""
+    positions: int
+    """How many positions were tried, in order; those that hold no item are made up for by later ones."""
     counts: dict[str, Counts]
     """Items by recipe, difficulty, mode, kind, quantity and split."""
     histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])

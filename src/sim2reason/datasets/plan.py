@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
-from itertools import product
-from math import isclose
+from itertools import product, starmap
+from math import isclose, lcm
 from numbers import Real
 from typing import Annotated, cast
 
@@ -29,6 +29,7 @@ from sim2reason.recipes import DIFFICULTIES
 MAKER = "sim2reason.datasets.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
+BARREN, TURNS = 200, 2  # positions, and turns over all cells: a cell of which one in 50 is new seems barren with 2 %
 LARGEST_SHARD = 100_000  # rows: what a process holds in memory at once, some 300 MB
 DATA = "data"
 """The folder of all shards."""
@@ -90,7 +91,11 @@ Maker = Callable[[Request], Made]
 
 
 class Config(Record):
-    """The configuration of a dataset: with the versions it decides every byte."""
+    """The configuration of a dataset: with the versions it decides every byte.
+
+    Positions from 0 on without end are dealt to recipes, difficulties and modes. A dataset has the first `items` of
+    those that hold an item that none before them makes superfluous.
+    """
 
     items: Annotated[int, Ge(0), Le(LARGEST)]
     recipes: Annotated[tuple[str, ...], MinLen(1)]
@@ -152,10 +157,28 @@ class Config(Record):
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
-        return tuple(product(self.recipes, self.difficulties, self.modes))
+        """All of recipe, difficulty and mode, so that each is about as often as others among the first few, too.
+
+        Pairs of difficulty and mode form blocks, in which both change from each pair to the next and every difficulty,
+        and every mode, is as often as any other. Each turn goes over all recipes. A recipe has the next pair of its
+        block in each turn, and is one pair ahead of the recipe before it.
+        """
+        levels, modes = len(self.difficulties), len(self.modes)
+        block = lcm(levels, modes)
+
+        def cell(turn: int, place: int) -> tuple[str, str, str]:
+            step, shift = (turn + place) % block, turn // block + place // block
+            return self.recipes[place], self.difficulties[step % levels], self.modes[(step + shift) % modes]
+
+        return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
+
+    @property
+    def barren(self) -> int:
+        """So many positions in a row without a new item mean that there is nothing left to be had."""
+        return max(BARREN, TURNS * len(self._cells))
 
     def request(self, position: int) -> Request:
-        """Deal positions round robin to every recipe, difficulty and mode; a recipe named twice counts twice."""
+        """Deal positions in turn to every recipe, difficulty and mode; a recipe named twice counts twice."""
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
@@ -170,24 +193,23 @@ class Config(Record):
     def _weights(self) -> Weights:
         return tuple(sorted(self.weights.items()))
 
-    @property
-    def shards(self) -> int:
-        """How many ranges of positions there are, of which each stands in one file for each split."""
-        return -(-self.items // self.shard)
+    def shards(self, positions: int) -> int:
+        """How many ranges so many positions are cut into, of which each stands in one file for each split."""
+        return -(-positions // self.shard)
 
-    def positions(self, number: int) -> range:
-        """The positions of the shard of that number."""
-        return range(number * self.shard, min((number + 1) * self.shard, self.items))
+    def positions(self, number: int, end: int) -> range:
+        """The positions of the shard of that number, where there are none from `end` on."""
+        return range(number * self.shard, min((number + 1) * self.shard, end))
 
     def position(self, request: Request) -> int:
-        """Where a request stands; DrawError if it is not among those of this configuration."""
+        """Where a request stands; DrawError if no position of this configuration has it."""
         cell = request.recipe, request.difficulty, request.mode
         times = self._cells.count(cell)
         if times:
             turn, among = divmod(request.index, times)
             place = [n for n, found in enumerate(self._cells) if found == cell][among]
             position = turn * len(self._cells) + place
-            if position < self.items and self.request(position).id == request.id:
+            if self.request(position).id == request.id:
                 return position
         raise DrawError(f"{request.id}: no item of this dataset")
 

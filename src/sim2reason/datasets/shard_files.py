@@ -16,8 +16,15 @@ BySplit = Mapping[str, Sequence[Item]]
 
 
 def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> tuple[ShardFile, ...]:
-    """Put the files of the `number`-th of so many shards: one for each split, empty or not."""
-    return tuple(_write(out, scratch, file_name(number, total, split), split, found) for split, found in items.items())
+    """Put the files of the `number`-th of so many shards: one for each split that has an item in it.
+
+    Readers of the Hugging Face hub refuse a dataset that has a file without rows.
+    """
+    named = {split: file_name(number, total, split) for split in items}
+    for split, found in items.items():
+        if not found:
+            (out / named[split]).unlink(missing_ok=True)
+    return tuple(_write(out, scratch, named[split], split, found) for split, found in items.items() if found)
 
 
 def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item]) -> ShardFile:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from hashlib import blake2b
 from itertools import accumulate
 
+from sim2reason.datasets.formula_fingerprint import fingerprint
 from sim2reason.datasets.item import Item
 
 _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
@@ -13,9 +14,12 @@ _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 def problem(item: Item) -> str:
     """What is asked about what kind of scene, without any number: the same for all that a teacher would call variants.
 
-    It hangs on the scene's parts and how they are joined, and on what is asked of which of them; not on words.
+    It hangs on the scene's parts and how they are joined, and on what is asked of which of them; not on words. A
+    problem whose answer is a formula is that formula, up to a factor and the names of its symbols, whatever the scene.
     """
-    asked = item.asked
+    asked, formula = item.asked, item.answer.formula
+    if formula is not None:
+        return fingerprint(formula.latex, formula.symbols, formula.units)
     event = without_numbers(asked.event or "")
     left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
     question = item.mode, item.kind, asked.quantity, asked.subject, left_open, event

@@ -17,7 +17,15 @@ from sim2reason.datasets.item import Item
 
 TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
 BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})
-FORMULA = pa.struct({"latex": TEXT, "symbols": pa.list_(TEXT), "units": pa.list_(TEXT), "bindings": pa.list_(BINDING)})
+FORMULA = pa.struct(
+    {
+        "latex": TEXT,
+        "symbols": pa.list_(TEXT),
+        "units": pa.list_(TEXT),
+        "unit": TEXT,
+        "bindings": pa.list_(BINDING),
+    }
+)
 STEP = pa.struct({"kind": TEXT, "text": TEXT, "relations": pa.list_(TEXT), "needs": pa.list_(WHOLE)})
 SOLUTION = pa.struct({"strategy": TEXT, "derived": pa.bool_(), "text": TEXT, "steps": pa.list_(STEP)})
 SCHEMA = pa.schema(

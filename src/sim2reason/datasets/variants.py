@@ -2,7 +2,7 @@
 
 The distance of two variants is the greatest ratio of two numbers at one place, less 1. What counts is what the text
 says, the time or value that is asked about, and the answer. Numbers of other signs, and zero, make another problem, as
-words tell them (*smooth*, *at rest*). A problem in symbols says no number: its variants have the distance 0.
+words tell them (*smooth*, *at rest*). A problem in symbols says no number: two with one formula have the distance 0.
 """
 
 from collections.abc import Iterator
@@ -47,9 +47,8 @@ class Variants(NamedTuple):
 
 def variant(item: Item) -> Variant:
     """What an item is a variant of, and by which numbers."""
-    formula = item.answer.formula
-    if formula is not None:
-        return Variant("\n".join((problem(item), formula.latex, *formula.symbols)), ())
+    if item.answer.formula is not None:
+        return Variant(problem(item), ())
     values = *_stated(item), item.asked.time, item.asked.given, item.answer.value
     signs = "".join("?" if value is None else "0-+"[(value > 0) - (value < 0)] for value in values)
     return Variant(f"{problem(item)}\n{signs}", tuple(log(abs(value)) for value in values if value))

@@ -1,6 +1,6 @@
 """Find what is wrong with a dataset on disk."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from sim2reason.datasets import store
@@ -48,7 +48,7 @@ def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:
         yield f"{MANIFEST}: damaged, it is not as it was written"
     if manifest.config.digest(manifest.versions) != manifest.config_hash:
         yield f"{MANIFEST}: the configuration or the versions don't fit their hash"
-    if manifest.shards != manifest.config.shards:
+    if manifest.shards != manifest.config.shards(manifest.positions):
         yield f"{MANIFEST}: the number of shards doesn't fit the configuration"
 
 
@@ -60,11 +60,13 @@ def _files(out: Path, manifest: Manifest) -> Iterator[str]:
 
 def _shards(out: Path, manifest: Manifest) -> Iterator[str]:
     """What is wrong with the list of shards, their files, and others beside them."""
-    rows, numbers = 0, 0
+    rows, numbers, known = 0, 0, set[str]()
     try:
         for shard in shards(out):
             rows, numbers = rows + shard.rows, numbers + 1
-            names = tuple(file_name(shard.number, manifest.shards, split) for split in manifest.config.split)
+            known.update(file.name for file in shard.files)
+            splits = [split for split in manifest.config.split if any(file.split == split for file in shard.files)]
+            names = tuple(file_name(shard.number, manifest.shards, split) for split in splits)
             if shard.number != numbers - 1 or tuple(file.name for file in shard.files) != names:
                 yield f"{SHARDS}: line {numbers} doesn't fit the configuration"
             for file in shard.files:
@@ -76,7 +78,7 @@ def _shards(out: Path, manifest: Manifest) -> Iterator[str]:
         yield f"{SHARDS}: {numbers} shards instead of {manifest.shards}"
     if manifest.rows != rows:
         yield f"{MANIFEST}: the number of rows is not the sum over the shards"
-    yield from _strangers(out, manifest)
+    yield from _strangers(out, known)
 
 
 def _file(out: Path, file: ShardFile) -> Iterator[str]:
@@ -95,11 +97,8 @@ def _file(out: Path, file: ShardFile) -> Iterator[str]:
         yield f"{file.name}: {rows} rows instead of {file.rows}"
 
 
-def _strangers(out: Path, manifest: Manifest) -> Iterator[str]:
+def _strangers(out: Path, known: Collection[str]) -> Iterator[str]:
     """Parquet files beside those of the dataset."""
     for path in sorted((out / DATA).glob("*.parquet")):
-        split, _, rest = path.stem.partition("-")
-        number = int(rest[:5]) if rest[:5].isdecimal() else -1
-        ours = split in manifest.config.split and 0 <= number < manifest.shards
-        if not ours or f"{DATA}/{path.name}" != file_name(number, manifest.shards, split):
-            yield f"{DATA}/{path.name}: an extra file that the dataset does not know"
+        if (name := f"{DATA}/{path.name}") not in known:
+            yield f"{name}: an extra file that the dataset does not know"

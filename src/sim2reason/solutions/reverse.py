@@ -1,16 +1,18 @@
 """Reverse questions: the same laws, with one number unknown and a result given, solved for that number."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sim2reason.questions import Query
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.algebra.inverse import numeric_root, put, solved_for
+from sim2reason.solutions.algebra.inverse import numeric_root, put, settled, solved_for
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
@@ -75,16 +77,27 @@ class Inversion:
                     continue
             if not later:
                 raise UnsolvedError("what is given does not hang on what is unknown")
+            formula = self._short(formula)
             if len(formula.latex()) > LONG:
                 return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
             formula = put(formula, last, book.formulas[last])
         return self._numerically(at)
 
+    def _short(self, formula: Expression) -> Expression:
+        """A formula with numbers for what is known, if it is too long to be read."""
+        if len(formula.latex()) <= LONG:
+            return formula
+        return settled(formula, frozenset(self.book.hidden), self.book.worked)
+
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
-        """A formula solved for a name, in numbers if that would be too long to be read."""
-        found = solved_for(name, formula, value, self.book.values)
-        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, self.book.values)
+        """A formula solved for a name; with numbers for what is known, if it would be too long to be read otherwise."""
+        book = self.book
+        found = solved_for(name, formula, value, book.values)
+        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+            short = settled(formula, frozenset({name}), book.worked)
+            found = solved_for(name, short, value, book.values, lambda held: book.worked(held.factored()))
+        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
 
     def _numerically(self, at: str) -> str:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
@@ -98,14 +111,22 @@ class Inversion:
         step = book.open(SOLVED)
         if not self.stated:
             step.rest_on(self.goal)
-        said = f"These equations leave only ${self.unknown}$ unknown; solved numerically,"
+        said = f"These equations determine ${self.unknown}$; the numerical solution is"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
-        implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
-        plain = [(name, NumericRoot(held.residual, held.name, held.near)) for name, held in implied]
-        told = [step.closed(Symbol(name), held) for name, held in plain]
-        step.say(f"With it, {joined(told)}." if told else "")
+        self._tell_implied(step, names)
         step.close()
         return self.unknown
+
+    def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
+        """Tell the values of names that have been written without one, roots and values of special functions."""
+        told: list[str] = []
+        for name in names:
+            held = self.book.formulas[name]
+            if isinstance(held, ImplicitRoot):
+                told.append(step.closed(Symbol(name), NumericRoot(held.residual, held.name, held.near)))
+            elif isinstance(held, SpecialFunction):
+                told.append(step.closed(Symbol(name), held))
+        step.say(f"With it, {joined(told)}." if told else "")
 
     def _leading(self, at: str) -> list[str]:
         """The names on which one hangs whose values are unknown, each after those that it hangs on itself."""
@@ -124,12 +145,14 @@ class Inversion:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
         where = "So " if at != self.goal else f"With the given ${at}$, "
-        how = "found numerically, " if isinstance(found, NumericRoot) else ""
+        how = "the numerical solution is " if isinstance(found, NumericRoot) else ""
         if not self.stated:
             where = "So "
             step.rest_on(self.goal)
+        names = self._leading(self.goal) if name == self.unknown else []
         self.book.values[name] = self.book.value(found)
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
+        self._tell_implied(step, names)
         step.close()

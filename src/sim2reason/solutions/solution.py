@@ -6,6 +6,7 @@ from math import degrees
 from typing import Literal
 
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
+from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.writing.unit_latex import DEGREES
@@ -35,8 +36,8 @@ class Relation:
         text = f"{self.left.latex()} = {self.right.latex()}"
         if value is not None:
             number = with_unit(value, self.unit)
-            bare = isinstance(self.right, NumericRoot) or self.right.latex() == rounded(value)
-            plain = bare and self.unit != DEGREES
+            bare = self.right.latex() == rounded(value) and self.unit != DEGREES
+            plain = bare or isinstance(self.right, NumericRoot | SpecialFunction)
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 

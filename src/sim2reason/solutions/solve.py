@@ -12,7 +12,7 @@ from sim2reason.prose.writer import Writer
 from sim2reason.questions import KINDS, Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.algebra.evaluated import numbers
+from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
@@ -63,7 +63,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     said = {given.symbol for given in setting.lexicon.givens.values()}
     own = [symbol for symbol in setting.formula.symbols if symbol not in said]
     found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)))
-    if any(True for held in found.relations for side in (held.left, held.right) for _ in numbers(side)):
+    sides = [side for held in found.relations for side in (held.left, held.right)]
+    if any(is_special(side) or next(numbers(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
     return replace(found, formula=setting.formula.latex)
 
@@ -106,7 +107,7 @@ def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: t
         stated=tuple(name for name in book.stated if name not in book.constants),
         constants=book.constants,
         keen=book.keen,
-        phases=tuple(book.phases),
+        phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
         whole=counted,
     )
     unknown = setting.lexicon.givens.get(setting.unknown)

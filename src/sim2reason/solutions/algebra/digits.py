@@ -14,13 +14,13 @@ def shortened(value: float, digits: int = DIGITS) -> float:
 
 
 def rounded(value: float, digits: int = DIGITS) -> str:
-    """A number with so many significant digits, in LaTeX."""
+    """A number with so many significant digits, in LaTeX; with a power of ten rather than further zeros."""
     if value == 0.0:
         return "0"
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     exponent = int(power)
     if -4 < exponent < digits:
-        return f"{value:.{max(0, digits - 1 - exponent)}f}"
+        return f"{value:.{digits - 1 - exponent}f}"
     return rf"{mantissa} \times 10^{{{exponent}}}"
 
 

@@ -208,7 +208,7 @@ class Elimination:
         self._reduce(reduced, names[:-1], marks)
         step = self._open("solve")
         step.rest_on(pivot.label)
-        rest = pivot.right
+        rest = pivot.right if self.book.value(pivot.right) else ZERO
         for name, part in pivot.left.items():
             rest = added(rest, _term(part, name, -1.0)) if name != last else rest
         formula = rest / pivot.left[last]

@@ -1,91 +1,124 @@
-"""Elliptic integrals of the first kind and their inverse, by the arithmetic-geometric mean, step by step.
+"""Elliptic integrals of the first kind and their inverse, as formulas.
 
-Abramowitz and Stegun, Handbook of Mathematical Functions, 17.6 (complete: 17.6.3, incomplete: 17.6.8) and 16.4.
+Their values come from the arithmetic-geometric mean: Abramowitz and Stegun, Handbook of Mathematical Functions, 17.6
+(complete: 17.6.3, incomplete: 17.6.8) and 16.4.
 """
 
+import cmath
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
-from math import pi, sqrt
+from math import pi
 
-from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.steps import Book, Writing
-from sim2reason.solutions.writing.unit_latex import RADIANS
+from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
 
-CLOSE = 1e-11  # how far the two means are apart at last: an angle errs by as much, a speed near a turn by more
-TWO = Number(2.0)
+MEANS = 40  # steps of the arithmetic-geometric mean, at most; six suffice for nearly all moduli
+CLOSE = 1e-17  # relative: how far the two means are apart at last
 
 
-class Elliptic:
-    """F(θ, k) and its inverse for one modulus, written in a book as they are needed."""
+class SpecialFunction(Expression):
+    """A function that is not elementary; its value is found numerically or in tables."""
 
-    def __init__(self, book: Book, modulus: Expression) -> None:
-        """`modulus` is k, between 0 and 1."""
-        self.book, self.modulus = book, modulus
 
-    @cached_property
-    def means(self) -> list[tuple[Expression, Expression]]:
-        """The arithmetic and the geometric means, from 1 and k′ = √(1 − k²) on."""
-        step, other = self.book.open("means"), self.book.fresh("b", "0")
-        told = [step.result(other, Root(ONE - Power(self.modulus, 2)), "", law=True)]
-        found: list[tuple[Expression, Expression]] = [(ONE, other)]
-        a, b = 1.0, self.book.value(other)
-        while a - b > CLOSE:
-            a, b = 0.5 * (a + b), sqrt(a * b)
-            pair, said = self._next(step, *found[-1], len(found), last=a - b <= CLOSE)
-            found.append(pair)
-            told += said
-        step.say(f"Such a time is an elliptic integral. The arithmetic and geometric means from 1 and {told[0]} on:")
-        step.say(f"{joined(told[1:])}.")
-        step.close()
-        return found
+@dataclass(frozen=True, slots=True)
+class CompleteElliptic(SpecialFunction):
+    """The complete elliptic integral of the first kind, K(k), of a modulus k between 0 and 1."""
 
-    def _next(
-        self, step: Writing, a: Expression, b: Expression, number: int, *, last: bool
-    ) -> tuple[tuple[Expression, Expression], list[str]]:
-        arithmetic, geometric = self.book.fresh("a", str(number)), self.book.fresh("b", str(number))
-        told = [step.result(arithmetic, (a + b) / TWO, "", law=True)]
-        if not last:
-            told.append(step.result(geometric, Root(b if a == ONE else a * b), "", law=True))
-        return (arithmetic, arithmetic if last else geometric), told
+    modulus: Expression
 
-    @cached_property
-    def complete(self) -> Symbol:
-        """K = F(π/2) = π/(2 a)."""
-        last = self.means[-1][0]
-        said = "For a quarter oscillation the integral is"
-        return self.book.told("elliptic", said, self.book.fresh("K"), PI / (TWO * last), "")
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The modulus."""
+        return (self.modulus,)
 
-    def integral(self, angle: Symbol) -> Symbol:
-        """F(θ): tan(θ′ − θ) = (b/a) tan θ, step by step, then θ′/(2ⁿ a)."""
-        held, value = angle, self.book.values[angle.name]
-        means = self.means
-        step, told = self.book.open("landen"), list[str]()
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The integral of another modulus."""
+        (modulus,) = parts
+        return CompleteElliptic(modulus)
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """π/(2 a), a being the mean of 1 and √(1 − k²)."""
+        return _real_if(0.5 * pi / _means(self.modulus.value(at, digits))[-1][0])
+
+    def latex(self) -> str:
+        """As tables have it."""
+        return rf"\operatorname{{K}}\left({self.modulus.latex()}\right)"
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the modulus."""
+        return self.modulus.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class _OfTwo(SpecialFunction):
+    """A function of an argument and of a modulus k between 0 and 1."""
+
+    argument: Expression
+    modulus: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The argument and the modulus."""
+        return self.argument, self.modulus
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The function of others."""
+        argument, modulus = parts
+        return type(self)(argument, modulus)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of both."""
+        yield from self.argument.symbols()
+        yield from self.modulus.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class IncompleteElliptic(_OfTwo):
+    """The incomplete elliptic integral of the first kind, F(θ, k), of an angle θ in radians."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """θ′/(2ⁿ a) by Landen's transformation, tan(θ′ − θ) = (b/a) tan θ."""
+        angle = complex(self.argument.value(at, digits))
+        means = _means(self.modulus.value(at, digits))
         for a, b in means[:-1]:
-            turns = round(value / pi)
-            turned = Call("arctan", (b if a == ONE else b / a) * Call("tan", held))
-            formula = held + turned + Number(float(turns)) * PI if turns else held + turned
-            held = self.book.fresh(r"\theta")
-            told.append(step.result(held, formula, RADIANS, law=True))
-            value = self.book.values[held.name]
-        step.say(f"By Landen's transformation, {joined(told)}.")
-        step.close()
-        count = 2.0 ** (len(means) - 1)
-        below = means[-1][0] if count == 1.0 else Number(count) * means[-1][0]
-        said = "The integral up to there is"
-        return self.book.told("elliptic", said, self.book.fresh("F"), held / below, "")
+            angle += cmath.atan(b / a * cmath.tan(angle)) + pi * round(angle.real / pi)
+        return _real_if(angle / (2.0 ** (len(means) - 1) * means[-1][0]))
 
-    def amplitude(self, integral: Expression) -> Symbol:
-        """The angle θ up to which the integral is F: sin(2θ − θ′) = (c′/a′) sin θ′, from 2ⁿ a F back."""
-        means = self.means
-        count = 2.0 ** (len(means) - 1)
-        step, held = self.book.open("landen"), self.book.fresh(r"\theta")
-        told = [step.result(held, Number(count) * means[-1][0] * integral, RADIANS, law=True)]
+    def latex(self) -> str:
+        """As tables have it."""
+        return rf"\operatorname{{F}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
+
+
+@dataclass(frozen=True, slots=True)
+class Amplitude(_OfTwo):
+    """Jacobi's amplitude am(u, k), in radians: the angle whose incomplete elliptic integral of the first kind is u."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Sin(2θ − θ′) = (c′/a′) sin θ′, from 2ⁿ a u back."""
+        means = _means(self.modulus.value(at, digits))
+        angle = 2.0 ** (len(means) - 1) * means[-1][0] * complex(self.argument.value(at, digits))
         for (a, b), (mean, _) in reversed(list(pairwise(means))):
-            formula = (held + Call("arcsin", (a - b) / (TWO * mean) * Call("sin", held))) / TWO
-            held = self.book.fresh(r"\theta")
-            told.append(step.result(held, formula, RADIANS, law=True))
-        step.say(f"Landen's transformation leads back to its angle: {joined(told)}.")
-        step.close()
-        return held
+            angle = 0.5 * (angle + cmath.asin(0.5 * (a - b) / mean * cmath.sin(angle)))
+        return _real_if(angle)
+
+    def latex(self) -> str:
+        """As tables have it."""
+        return rf"\operatorname{{am}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
+
+
+def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
+    """The arithmetic and geometric means from 1 and √(1 − k²) on; ValueError unless 0 ≤ k < 1."""
+    if not 0.0 <= modulus.real < 1.0:
+        raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
+    found = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
+    while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > CLOSE:
+        a, b = found[-1]
+        found.append((0.5 * (a + b), cmath.sqrt(a * b)))
+        if found[-1][0] == a:  # as close as numbers come
+            break
+    return found
+
+
+def _real_if(value: complex) -> Scalar:
+    """A float unless there is an imaginary part, by which derivatives are taken."""
+    return value if value.imag else value.real

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from sim2reason.solutions.algebra.digits import rounded, shortened
+from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
 
 NEWTON = 6  # steps from a root that is known nearly
@@ -108,6 +109,11 @@ def numbers(held: Expression) -> Iterator[Expression]:
         return
     for part in held.parts:
         yield from numbers(part)
+
+
+def is_special(held: Expression) -> bool:
+    """Whether a formula contains a special function, of which problems in symbols have none."""
+    return isinstance(held, SpecialFunction) or any(map(is_special, held.parts))
 
 
 def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:

@@ -4,6 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from math import prod
 
 from sim2reason.solutions.algebra.digits import pure_number
 
@@ -58,17 +59,9 @@ class Expression(ABC):
         """Their sum."""
         return added(self, lifted(other))
 
-    def __radd__(self, other: "Expression | float") -> "Expression":
-        """Their sum."""
-        return added(lifted(other), self)
-
     def __sub__(self, other: "Expression | float") -> "Expression":
         """Their difference."""
         return added(self, -lifted(other))
-
-    def __rsub__(self, other: "Expression | float") -> "Expression":
-        """Their difference."""
-        return added(lifted(other), -self)
 
     def __mul__(self, other: "Expression | float") -> "Expression":
         """Their product."""
@@ -79,9 +72,18 @@ class Expression(ABC):
         return multiplied(lifted(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
-        """Their quotient."""
-        divisor = lifted(other)
-        return self if divisor == ONE or self == ZERO else Quotient(self, divisor)
+        """Their quotient, as a fraction of one storey, without fractions of numbers in its denominator."""
+        match self, lifted(other):
+            case _, divisor if divisor == ONE or self == ZERO:
+                return self
+            case _, Quotient(above, below):
+                return multiplied(self, below) / above
+            case Quotient(above, below), divisor:
+                return above / multiplied(below, divisor)
+            case _, Product((Number(x), *_)) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
+                return multiplied(Number(1.0 / x), self) / multiplied(Number(1.0 / x), divisor)
+            case _, divisor:
+                return Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
         """Its negative, term by term."""
@@ -187,10 +189,7 @@ class Product(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their product."""
-        found: Scalar = 1.0
-        for factor in self.factors:
-            found = found * factor.value(at, digits)
-        return found
+        return prod((factor.value(at, digits) for factor in self.factors), start=1.0)
 
     def latex(self) -> str:
         """Side by side; numbers in digits are kept apart by a sign."""

@@ -8,9 +8,27 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
     """A fraction without what both of its sides share."""
     if below.number is None:
         above, below = _cancelled(above, below)
+        above, below = _quotient(above, below) or (above, below)
     if below.number is not None:
         return above.scaled(1.0 / below.number).factored()
     return Quotient(above.factored(), below.factored())
+
+
+def _quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+    """A fraction of two sums, one of which is the other times a single term, without that sum; else None."""
+    for whole, part in ((above, below), (below, above)):
+        if not whole.terms or len(whole.terms) != len(part.terms):
+            continue
+        (monomial, factor), *_ = part.terms.items()
+        for term, value in whole.terms.items():
+            powers = dict(term)
+            for atom, power in monomial:
+                powers[atom] = powers.get(atom, 0) - power
+            ratio = Polynomial({tuple((atom, power) for atom, power in powers.items() if power): value / factor})
+            if min(powers.values(), default=0) >= 0 and not ratio * part - whole:
+                one = Polynomial.of(1.0)
+                return (ratio, one) if whole is above else (one, ratio)
+    return None
 
 
 def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:

@@ -201,7 +201,7 @@ def summed(parts: Iterable[Expression]) -> Expression:
 
 def squares(parts: Iterable[Expression]) -> Expression:
     """The sum of the squares, without those of zeros."""
-    return summed(Power(part, 2) for part in parts if part != ZERO)
+    return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
 def values(held: Expression, at: Mapping[str, Array]) -> Array:

@@ -4,6 +4,7 @@ from functools import singledispatch
 from typing import TypeAlias
 
 from sim2reason.solutions.algebra.digits import shortened
+from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic
 from sim2reason.solutions.algebra.evaluated import Chain, NumericRoot, Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
@@ -66,6 +67,21 @@ def _(held: Call) -> Tree:
 def _(held: Pi) -> Tree:
     del held
     return ["pi"]
+
+
+@tree.register
+def _(held: CompleteElliptic) -> Tree:
+    return ["elliptic K", tree(held.modulus)]
+
+
+@tree.register
+def _(held: IncompleteElliptic) -> Tree:
+    return ["elliptic F", tree(held.argument), tree(held.modulus)]
+
+
+@tree.register
+def _(held: Amplitude) -> Tree:
+    return ["amplitude", tree(held.argument), tree(held.modulus)]
 
 
 @tree.register

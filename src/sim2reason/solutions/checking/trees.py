@@ -1,9 +1,10 @@
 """Values and derivatives of prefix trees: ``["+", ["*", "m", "g"], 3.0]``, in which strings are symbols.
 
 Operations: ``+`` and ``*`` of any number of parts, ``/``, ``^`` with a whole exponent, ``sqrt``, ``abs``, ``sin``,
-``cos``, ``tan``, ``arcsin``, ``arccos``, ``arctan``, ``ln``, ``exp``, ``pi``; ``["worked", tree, number]``, a formula
-with the number that it is said to be; ``["root", name, tree, near]``, where a formula of `name` vanishes close to a
-number; and ``["solve", near]``, the value close to a number that makes all earlier relations hold.
+``cos``, ``tan``, ``arcsin``, ``arccos``, ``arctan``, ``ln``, ``exp``, ``pi``, ``elliptic K`` of a modulus,
+``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with the number
+that it is said to be; ``["root", name, tree, near]``, where a formula of `name` vanishes close to a number; and
+``["solve", near]``, the value close to a number that makes all earlier relations hold.
 """
 
 import math
@@ -14,6 +15,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+
+from sim2reason.solutions.checking import elliptic
 
 Tree: TypeAlias = float | str | list["Tree"]
 Values = Mapping[str, float]
@@ -41,7 +44,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]
     "exp": (math.exp, math.exp),
 }  # each with its derivative
 VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
-ARITY = {"/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
+ARITY = {**elliptic.ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
 
 
 class TreeError(ValueError):
@@ -138,6 +141,10 @@ def _power(base: Callable[[Any], Any], exponent: int) -> Callable[[Any], Any]:
 
 def _applied(operation: str, parts: list[Callable[[Any], Any]], *, vector: bool) -> Callable[[Any], Any]:
     one, other = parts[0], parts[-1]
+    if operation in elliptic.SPECIAL:
+        if vector:
+            raise TreeError(f"the operation {operation!r} can't stand here")
+        return lambda at: elliptic.SPECIAL[operation](*(part(at) for part in parts))[0]
     if operation == "/":
         return lambda at: one(at) / other(at)
     if operation in FUNCTIONS:
@@ -211,6 +218,9 @@ def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
             return reduce(_product, parts)
         case "/", ((x, over), (y, under)):
             return x / y, _combined([(1.0 / y, over), (-x / y**2, under)])
+        case name, _ if name in elliptic.SPECIAL:
+            found, by = elliptic.SPECIAL[name](*(x for x, _ in parts))
+            return found, _combined((slope, slopes) for slope, (_, slopes) in zip(by, parts, strict=True))
         case _:
             (x, slopes), *_ = parts
             function, slope = FUNCTIONS[operation]

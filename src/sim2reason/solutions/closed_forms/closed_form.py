@@ -6,6 +6,7 @@ from functools import lru_cache
 from math import inf
 
 from sim2reason.solutions.algebra.digits import simple_fraction
+from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import (
     ONE,
@@ -214,6 +215,8 @@ class Substitution:
                 found = held
             case Worked():
                 found = self.of(held.inner)
+            case SpecialFunction():
+                raise ClosedFormError("it needs a special function")
             case _ if held.parts:
                 found = plain(held.built_of([self.of(part) for part in held.parts]))
             case _:

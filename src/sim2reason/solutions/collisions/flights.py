@@ -159,7 +159,7 @@ class FreeFlights(ABC):
         if key not in self._spans:
             step, name = self.book.open(TIME), self.book.fresh("t")
             formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
-            step.say(f"Since then {step.result(name, formula, SECONDS, law=True)} have passed.")
+            step.say(f"The time since then is {step.result(name, formula, SECONDS, law=True)}.")
             step.close()
             self._spans[key] = name
         return self._spans[key]
@@ -169,7 +169,7 @@ class FreeFlights(ABC):
         if begins is None:
             return span
         step, until = self.book.open(TIME), self.book.fresh("t")
-        step.say(f"That is at {step.result(until, added(begins, span), SECONDS, law=True)}.")
+        step.say(f"The time since the start is {step.result(until, added(begins, span), SECONDS, law=True)}.")
         step.close()
         self._spans[begins.name, until.name] = span
         return until
@@ -227,7 +227,7 @@ class FreeFlights(ABC):
         if formula == ZERO:
             return NIL
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
-        says = f"Until then {self.setting.called(body)} moves by"
+        says = f"Up to then the displacement of {self.setting.called(body)} is"
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)

@@ -160,7 +160,7 @@ class Impacts(FreeFlights, ABC):
             step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
         else:
             step.say("" if known else f"{self.met(impact)}.")
-            step.say(f"Momentum is kept: {momentum}; restitution: {parting}.")
+            step.say(f"Conservation of momentum and restitution: {momentum} and {parting}.")
         step.label(f"impact {impact.number}")
         step.close()
         whole = (m + n).expression()

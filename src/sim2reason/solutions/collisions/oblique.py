@@ -60,7 +60,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
-    step.say(f"The first root is {step.result(t, formula, SECONDS)}.")
+    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}.")
     step.close()
     return flights.counted(since, t)
 
@@ -99,7 +99,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         u.append(v)
         labels.append(label)
     who = [flights.setting.called(body) for body in impact.bodies]
-    step.say(f"From {who[0]} to {who[1]}: {joined(said)}.")
+    step.say(f"Relative position and velocity of {who[1]} with respect to {who[0]}: {joined(said)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
@@ -116,10 +116,10 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     for label, x, w in zip(labels, X, u, strict=True):
         n[label] = book.fresh("n", label)
         said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
-    step.say(f"The line of centres then has the direction {joined(said)}.")
+    step.say(f"The unit vector along the line of centres is then {joined(said)}.")
     approach = book.fresh("u", r"\text{n}")
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
-    step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
+    step.say(f"The relative velocity along it is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     return n, approach
 
@@ -133,7 +133,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    said = "Momentum and restitution along it give the impulse"
+    said = "Conservation of momentum and restitution along it give the impulse"
     step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
     found: dict[int, Polynomial] = {}

@@ -53,18 +53,18 @@ class FieldEnergy:
     def work(self) -> Symbol:
         """What the electric field does."""
         if self.fields.damping is None:
-            said = "The magnetic force does no work, and that of the electric force is the kinetic energy gained,"
-            said = said if self.fields.turning is not None else "The work is the kinetic energy gained,"
+            said = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
+            said = said if self.fields.turning is not None else "By the work-energy theorem,"
             formula = self._gained()
         else:
-            said, formula = "The work of the electric force along the way is", self.potential()
+            said, formula = "The work of the electric force is", self.potential()
         return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)
 
     def lost(self) -> Symbol:
         """What the medium takes: the work of the electric force, less what is gained in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
-            said = "The work of the electric force along the way is"
+            said = "The work of the electric force is"
             work = self.book.told("work", said, self.book.fresh("W"), work, JOULES)
-        said = "The medium takes what is missing of the kinetic energy,"
+        said = "The energy lost to the medium is this work less the gain in kinetic energy,"
         return self.book.told("energy", said, self.book.fresh("Q"), work - self._gained(), JOULES)

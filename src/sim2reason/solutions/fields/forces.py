@@ -77,7 +77,7 @@ class Fields:
         if number is None:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
-        said = "The magnetic force is square to the velocity and turns it clockwise at the rate"
+        said = "The magnetic force is perpendicular to the velocity and turns it clockwise with the angular velocity"
         return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
     @cached_property
@@ -87,7 +87,7 @@ class Fields:
         if number is None or self.resists:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
-        said = "The medium slows it at the rate"
+        said = "The drag per unit mass and velocity is"
         return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
 
     @property
@@ -106,7 +106,7 @@ class Fields:
         if not square:
             return ZERO
         vx, vy = self.launch
-        said = "The medium slows it at first at the rate"
+        said = "The initial drag per unit mass and velocity is"
         formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
         return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
 
@@ -121,20 +121,20 @@ class Fields:
         axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
         strength = self._part(number, "value", axis) / self.mass
         first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
-        said = f"The electric force accelerates it along {AXES[axis]}{first} by"
+        said = f"The electric force gives it the acceleration along {AXES[axis]}{first}"
         name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
             return Drive(axis, name, frequency=frequency)
         if profile.rate:
-            growth, more = self._part(number, "rate", axis) / self.mass, "In each second that grows by"
+            growth, more = self._part(number, "rate", axis) / self.mass, "Its rate of change is"
             return Drive(axis, name, growth=self.book.told("field", more, self.book.fresh("j"), growth, latex("m/s^3")))
         if profile.slope:
             along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
             slope, more = (
                 self._part(number, "slope", axis) / self.mass,
-                f"For each metre along {AXES[along]} that grows by",
+                f"Its derivative with respect to {AXES[along]} is",
             )
             slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
             return Drive(axis, name, slope=slope, along=along)

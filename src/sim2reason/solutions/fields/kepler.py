@@ -60,7 +60,7 @@ class KeplerOrbit:
     def radius(self) -> Symbol:
         """How far away it is at the start."""
         formula = Root(squares(self.place))
-        said = f"At first the distance of {self.setting.called(self.body)} is"
+        said = f"The initial distance of {self.setting.called(self.body)} is"
         return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
 
     @cached_property
@@ -73,7 +73,7 @@ class KeplerOrbit:
         step, name = self.book.open("energy"), self.named("a")
         energy = HALF * square - self.parameter / self.radius
         law = step.law(energy, -(self.parameter / (TWO * name)))
-        step.say(f"Its energy per unit of mass is that of an ellipse with the semi-major axis ${name.name}$: {law},")
+        step.say(f"The energy per unit mass gives the semi-major axis ${name.name}$: {law},")
         step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name
@@ -82,7 +82,7 @@ class KeplerOrbit:
     def period(self) -> Symbol:
         """Kepler's third law."""
         formula = TWO * PI * Root(Power(self.axis, 3) / self.parameter)
-        return self.book.told("period", "By Kepler's third law the period is", self.named("T"), formula, SECONDS)
+        return self.book.told("period", "By Kepler's third law, the period is", self.named("T"), formula, SECONDS)
 
     @cached_property
     def mean_motion(self) -> Symbol:
@@ -99,13 +99,13 @@ class KeplerOrbit:
     def momentum(self) -> Symbol:
         """The angular momentum per unit of mass, positive about z."""
         formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
-        said = "The angular momentum per unit of mass about the centre is"
+        said = "The angular momentum per unit mass about the centre is"
         return self.book.told("angular momentum", said, self.named("h"), formula, AREAL)
 
     @cached_property
     def along(self) -> Symbol:
         """Of the product e cos E₀, the value."""
-        said = r"At the start $e \cos E$ of the eccentric anomaly is"
+        said = r"With the eccentric anomaly $E$, the initial value of $e \cos E$ is"
         return self.book.told("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
 
     @cached_property
@@ -115,7 +115,7 @@ class KeplerOrbit:
             return ZERO  # it begins at an apsis
         formula = self.dot / Root(self.parameter * self.axis)
         return self.book.told(
-            "anomaly", r"At the start $e \sin E$ of the eccentric anomaly is", self.named("q"), formula
+            "anomaly", r"With the eccentric anomaly $E$, the initial value of $e \sin E$ is", self.named("q"), formula
         )
 
     @cached_property
@@ -139,8 +139,8 @@ class KeplerOrbit:
         near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
         step = self.book.open("Kepler's equation")
         law = step.law(n * time, right)
-        step.say(f"By Kepler's equation $E$ has grown by an angle ${name.latex()}$ with {law}.")
-        step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "Found numerically,"))
+        step.say(f"By Kepler's equation, the increase ${name.latex()}$ of $E$ satisfies {law}.")
+        step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "The numerical solution is"))
         step.close()
         return name
 
@@ -149,10 +149,10 @@ class KeplerOrbit:
         if grown == TWO * PI:
             return self.period
         if grown == PI:
-            said = "From one apsis to the other it takes half of that,"
+            said = "From one apsis to the other takes half a period,"
             return self.book.told("time", said, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
-        return self.book.told("time", "By Kepler's equation that takes", self.named("t"), formula, SECONDS)
+        return self.book.told("time", "By Kepler's equation, the time is", self.named("t"), formula, SECONDS)
 
     def _grown(self, angle: Expression) -> Expression:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
@@ -167,7 +167,7 @@ class KeplerOrbit:
         formula = turn - begins
         where = "farthest" if far else "nearest"
         which = r"180^\circ" if far else "0"
-        said = f"It is {where} where $E$ is ${which}$ or whole turns more, so that $E$ has grown by"
+        said = f"It is {where} where $E$ is ${which}$, up to whole turns, so $E$ has increased by"
         return self.book.told("apsis", said, self.named(r"\eta"), formula, RADIANS)
 
     @property
@@ -189,9 +189,9 @@ class KeplerOrbit:
         step = self.book.open("distance")
         law = step.law(square, Power(distance, 2))
         who = capital(self.setting.called(self.body))
-        step.say(f"{who} is first so far from its start when $E$ has grown by ${name.latex()}$ with {law}.")
+        step.say(f"{who} first reaches this distance when the increase ${name.latex()}$ of $E$ satisfies {law}.")
         residual = square - Power(distance, 2)
-        step.say(told_root(self.book, step, name, residual, near, RADIANS, "Found numerically,"))
+        step.say(told_root(self.book, step, name, residual, near, RADIANS, "The numerical solution is"))
         step.close()
         return name
 
@@ -199,7 +199,7 @@ class KeplerOrbit:
         """The greatest distance from where it began, at which its velocity is square to the way there."""
         name, angle = self.named("d"), self.named(r"\eta")
         if self.dot == ZERO:
-            said = "It begins at an end of the major axis, from which the other end is farthest:"
+            said = "It starts at an end of the major axis, and the other end is farthest away:"
             return self.book.told("distance", said, name, TWO * self.axis, METRES)
         sine, cosine = Call("sin", angle), Call("cos", angle)
         turned = (self.radius / self.axis * cosine + self.across * sine) / self.mean_motion
@@ -214,9 +214,9 @@ class KeplerOrbit:
         near = NumericRoot(residual, angle.name, there).value(self.book.values).real
         step = self.book.open("farthest")
         law = step.law(residual, ZERO)
-        said = f"If $E$ has grown by ${angle.latex()}$, the way from the start is square to the velocity where"
+        said = f"When $E$ has increased by ${angle.latex()}$, the displacement is perpendicular to the velocity if"
         step.say(f"{said} {law}.")
-        step.say(told_root(self.book, step, angle, residual, near, RADIANS, "Found numerically,"))
+        step.say(told_root(self.book, step, angle, residual, near, RADIANS, "The numerical solution is"))
         step.close()
         return self.book.told("distance", "There the distance is", name, Root(square), METRES)
 

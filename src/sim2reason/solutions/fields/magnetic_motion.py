@@ -29,7 +29,7 @@ class Crossed(Driven):
         turned = self._turning * self.launch[1 - axis] * TURNS[axis]
         if turned == ZERO:
             return self._drive.strength
-        said = f"With the magnetic force, its acceleration along {AXES[axis]} is at first"
+        said = f"With the magnetic force, the initial acceleration along {AXES[axis]} is"
         return self.named(said, "a", "0", self._drive.strength + turned, ACCELERATION)
 
     @cached_property
@@ -37,8 +37,8 @@ class Crossed(Driven):
         """Less what the magnetic force takes."""
         assert self._drive.slope is not None
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
-        said = f"The magnetic force changes the velocity along {across} by the rate of turning times the way along"
-        said = f"{said} {along}, and so holds back; for each metre along {along} the acceleration grows by"
+        said = f"The magnetic force changes the velocity along {across} in proportion to the displacement along"
+        said = f"{said} {along}; the derivative of the acceleration with respect to {along} is"
         return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
@@ -103,22 +103,22 @@ class Turning(FieldMotion):
         if self.fields.damping is not None:
             both = Power(self.fields.damping, 2) + Power(turns, 2)
             found[i] = self.named(
-                f"In the end it drifts along {along} with", "u", along, self.fields.damping * f / both, SPEED
+                f"The terminal velocity along {along} is", "u", along, self.fields.damping * f / both, SPEED
             )
-            said = f"Along {across} it drifts with"
+            said = f"The drift velocity along {across} is"
             found[j] = self.named(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
-            said = f"The electric field keeps up a velocity along {along} as the sine of its phase, with the amplitude"
+            said = f"The forced velocity along {along} is proportional to the sine of the phase, with the amplitude"
             found[i] = self.named(said, "u", along, f * drive.frequency / gap, SPEED)
-            said = f"With it goes one along {across} as the cosine, with the amplitude"
+            said = f"The forced velocity along {across} is proportional to the cosine, with the amplitude"
             found[j] = self.named(said, "u", across, f * turns / gap * TURNS[i], SPEED)
         else:
             first = "" if drive.growth is None else " at first"
-            said = f"Electric and magnetic force cancel{first} for a drift along {across} with"
+            said = f"The electric and magnetic forces cancel{first} for the drift velocity along {across}"
             found[j] = self.named(said, "u", across, -(f / turns) * TURNS[i], SPEED)
             if drive.growth is not None:
-                said = f"As the drift grows, there is one along {along}, too, with"
+                said = f"Since this drift velocity changes, there is also one along {along},"
                 found[i] = self.named(said, "u", along, drive.growth / Power(turns, 2), SPEED)
         return found
 
@@ -128,7 +128,7 @@ class Turning(FieldMotion):
         still = [self._kept(axis, None) for axis in (0, 1)]
         found: list[Expression] = []
         for axis, begins in enumerate(self.launch):
-            said = f"What turns of the velocity is at first, along {AXES[axis]},"
+            said = f"The rotating part of the velocity initially has the {AXES[axis]} component"
             found.append(self.named(said, "w", AXES[axis], begins - still[axis], SPEED))
         return found
 
@@ -189,6 +189,6 @@ class Turning(FieldMotion):
             size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
             sizes.append(size if len(kept) == 1 else Root(square))
         one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
-        said = "What turns is in turn along the drift and against it, so that the "
+        said = "The rotating part of the velocity is alternately parallel and opposite to the drift, so the "
         said += "least speed is" if least else "greatest speed is"
         return "extremum", said, self.book.fresh("v"), one - other if least else one + other

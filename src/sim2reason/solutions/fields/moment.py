@@ -52,8 +52,10 @@ class FieldMoment:
         step = self.book.open("time")
         law = step.law(square, level)
         who = capital(self.setting.called(self.fields.body))
-        step.say(f"{who} is first so far away when {law}.")
-        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "Numerically,"))
+        step.say(f"{who} first reaches this distance when {law}.")
+        step.say(
+            told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "The numerical solution is")
+        )
         step.close()
         return name
 
@@ -64,7 +66,11 @@ class FieldMoment:
         if turns is not None and self._uniform and self._from_rest:
             size = turns if self.book.value(turns) > 0.0 else -turns
             return self.book.told(
-                "stop", "What turns of the velocity cancels the drift again after", name, TWO * PI / size, SECONDS
+                "stop",
+                "The rotating part of the velocity cancels the drift again after",
+                name,
+                TWO * PI / size,
+                SECONDS,
             )
         if len(kept) != 1 or drive is None or drive.frequency is not None:
             raise UnsolvedError("it does not move to and fro on a line by a steady force")
@@ -74,7 +80,7 @@ class FieldMoment:
             formula = -(self.fields.launch[drive.axis] / drive.strength)
             step.say(f"So {step.result(name, formula, SECONDS)}.")
         else:
-            step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "Numerically,"))
+            step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "The numerical solution is"))
         step.close()
         return name
 
@@ -88,7 +94,7 @@ class FieldMoment:
         turns = self.fields.turning
         assert turns is not None
         size = turns if self.book.value(turns) > 0.0 else -turns
-        said = "Magnetic force and circular motion give the radius of its circle,"
+        said = "The radius of its circle is the speed over the angular velocity,"
         return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
 
     @property
@@ -112,7 +118,7 @@ class FieldMoment:
             return None
         if fields.damping is None and not fields.resists:
             return self.launched
-        said = "The magnetic force does no work, so that the medium alone changes its speed, which becomes"
+        said = "The magnetic force does no work, so only the drag changes the speed:"
         return self.book.told("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
 
     @cached_property
@@ -128,7 +134,7 @@ class FieldMoment:
         begun = self.book.told("newton", "The acceleration at the start is", name, begun, ACCELERATION)
         if fields.damping is None:
             return begun
-        said = "In uniform fields the magnetic force turns the acceleration as it does a velocity, and the medium makes"
+        said = "In uniform fields the magnetic force only rotates the acceleration, and the drag makes"
         formula = fields.speed(begun, self.time)
         return self.book.told("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
 
@@ -137,7 +143,7 @@ class FieldMoment:
         assert turns is not None
         size = turns if self.book.value(turns) > 0.0 else -turns
         half = Call("arcsin", distance / (TWO * self._circle))
-        said = "It is so far away when this is the chord of the angle through which it has turned:"
+        said = "The distance is the chord of the arc covered, which gives"
         return self.book.told("chord", said, name, TWO / size * half, SECONDS)
 
     @property
@@ -152,7 +158,7 @@ class FieldMoment:
         fields = self.fields
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
-                said = "The longest chord is its diameter,"
+                said = "The greatest distance is the diameter of the circle,"
                 return self.book.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
             return self._farthest()
         if self._uniform and isinstance(self.motion, Turning):
@@ -172,7 +178,7 @@ class FieldMoment:
         kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
-        self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is square to its velocity")
+        self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is perpendicular to its velocity")
         return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
@@ -215,11 +221,11 @@ class FieldMoment:
         turning, along = self.fields.turning, AXES[axis]
         assert turning is not None
         said = (
-            f"It is fastest at the far end of the oscillation along {along}, which is centred where the force is zero:"
+            f"It is fastest at the far end of the oscillation along {along}, whose centre is where the force is zero:"
         )
         far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
         across = turning * far
-        said = f"There its velocity along {along} is zero, and across it, by the rate of turning times the way,"
+        said = f"There its velocity along {along} is zero; across it, the angular velocity times the displacement gives"
         formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
         return self.book.told("extremum", said, self.book.fresh("v"), formula, SPEED)
 
@@ -230,7 +236,7 @@ class FieldMoment:
         step = self.book.open("extremum")
         law = step.law(residual, ZERO)
         step.say(f"It is extreme where the {said}: {law}.")
-        step.say(told_root(self.book, step, time, residual, near, SECONDS, "Found numerically,"))
+        step.say(told_root(self.book, step, time, residual, near, SECONDS, "The numerical solution is"))
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:

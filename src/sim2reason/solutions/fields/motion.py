@@ -94,9 +94,9 @@ class Driven(FieldMotion):
     def _frequency(self) -> Expression:
         along = AXES[self._drive.axis]
         if self.swings:
-            said = f"Along {along} that is a harmonic oscillation with the angular frequency"
+            said = f"The motion along {along} is a harmonic oscillation with the angular frequency"
             return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
-        said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
+        said = f"Along {along} the distance from where the force is zero is a sum of exponentials with the rate"
         return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property

@@ -56,7 +56,7 @@ class OrbitPlace(ABC):
     def _written(self, kind: str, axis: int) -> Symbol:
         orbit, label = self.orbit, FIELDS[axis]
         if kind == "s":
-            formula, unit, said = self._moved(axis), METRES, f"Along {label} it has moved by"
+            formula, unit, said = self._moved(axis), METRES, f"Its displacement along {label} is"
         elif kind == "v":
             formula, unit, said = self._rate(axis), SPEED, f"Its velocity along {label} is"
         else:
@@ -70,7 +70,7 @@ class OrbitPlace(ABC):
         """From the energy: the vis-viva equation."""
         orbit = self.orbit
         formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
-        return orbit.book.told("energy", "By the same energy its speed is", orbit.named("v"), formula, SPEED)
+        return orbit.book.told("energy", "By conservation of energy, its speed is", orbit.named("v"), formula, SPEED)
 
     @cached_property
     def pull(self) -> Symbol:
@@ -129,7 +129,9 @@ class AtAnomaly(OrbitPlace):
             formula = ONE - orbit.axis / self.radius * rest
         whole, part = "displacement" if number in "12" else "velocity", "place" if number in "13" else "velocity"
         unit = {"2": SECONDS, "3": PER_SECOND}.get(number, "")
-        return orbit.book.told("weights", f"In the {whole} the first {part} counts", name, formula, unit)
+        return orbit.book.told(
+            "weights", f"In the {whole}, the coefficient of the initial {part} is", name, formula, unit
+        )
 
     def _moved(self, axis: int) -> Expression:
         return self._combined("12", axis)
@@ -157,7 +159,7 @@ class Turned(OrbitPlace):
     def _outward(self) -> Symbol:
         """How fast it recedes at the start."""
         orbit = self.orbit
-        said = "At first it recedes with"
+        said = "The initial radial velocity is"
         return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
 
     def _distance(self) -> Symbol:
@@ -165,10 +167,10 @@ class Turned(OrbitPlace):
         orbit = self.orbit
         if self._quarters == 2:
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
-            said = r"By the conic, half a turn on $\ell/r$ is as far from 1, the other way, so that"
+            said = r"By the conic, $\ell/r$ is $1 + e \cos\nu$, half a turn on with the opposite cosine, so"
         else:
             formula = self._rectum / (ONE - self._across)
-            said = r"By the conic, a right angle on $\ell/r$ is $1 - e \sin\nu$ with the first $\nu$, so that"
+            said = r"By the conic, $\ell/r$ is $1 + e \cos\nu$; a quarter turn later it is $1 - e \sin\nu$, so"
         return orbit.book.told("conic", said, orbit.named("r"), formula, METRES)
 
     @property
@@ -185,7 +187,7 @@ class Turned(OrbitPlace):
         orbit = self.orbit
         swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
         formula = orbit.parameter / swift * (self._rectum / orbit.radius - ONE)
-        return orbit.book.told("recedes", "There it recedes with", orbit.named("u"), formula, SPEED)
+        return orbit.book.told("recedes", "The radial velocity there is", orbit.named("u"), formula, SPEED)
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
@@ -208,7 +210,7 @@ class Turned(OrbitPlace):
         orbit = self.orbit
         if self._quarters == 2:
             formula = PI if orbit.dot == ZERO else PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
-            said = "The line has turned through two right angles when $E$ has grown by"
+            said = r"The line has turned through $180^\circ$ when $E$ has increased by"
         else:
             swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
             small = swift / Root(orbit.parameter * orbit.axis)
@@ -216,5 +218,5 @@ class Turned(OrbitPlace):
             formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
             if orbit.book.value(formula) <= 0.0:
                 formula = formula + TWO * PI
-            said = "The line has turned through a right angle when $E$ has grown by"
+            said = r"The line has turned through $90^\circ$ when $E$ has increased by"
         return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)

@@ -41,7 +41,7 @@ class CollisionGoal(Goal):
         if not held:
             raise UnsolvedError("there is no such collision")
         held = held if self.several else held[-1:]
-        what = "the kinetic energy lost" if self.noun is LOSS else "the size of the impulse"
+        what = "the kinetic energy lost" if self.noun is LOSS else "the magnitude of the impulse"
         if len(held) == 1:
             return finish(known, self._one(held[0]), self.noun, "", f"{what} is")
         step = known.book.open("collisions")

@@ -79,7 +79,7 @@ class PotentialEnergyGoal(Goal):
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName.of("potential energy"), known.setting.mark(body)
         size = formula if known.book.value(formula) >= 0.0 else -formula
-        what = f"the size of the change in the potential energy of {known.setting.called(body)}"
+        what = f"the magnitude of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 
 

@@ -31,7 +31,7 @@ class VectorGoal(Goal):
             formula = known.component(base, body, target.sense.vector).factored()
             return finish(known, formula, self.noun, mark, f"the {whose}, {target.sense.positive} being positive")
         formula = magnitude(known.vector(base, body), known, self.noun, body)
-        return finish(known, formula, self.noun, mark, f"so the size of the {whose} is")
+        return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 
 
 for _name, _noun in {"displacement": DISPLACEMENTS, "velocity": VELOCITIES, "acceleration": ACCELERATIONS}.items():

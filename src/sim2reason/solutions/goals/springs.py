@@ -41,11 +41,11 @@ class SpringGoal(Goal):
         if target.sense is None and self.noun not in (ENERGY, LENGTH) and known.book.value(formula) < 0.0:
             formula = -formula
         what = {
-            EXTENSION: "the change in its length from the natural one is",
+            EXTENSION: "its extension is",
             LENGTH: "its length is",
-            RATE: "its length changes at the rate",
+            RATE: "the rate of change of its length is",
             FORCE: "its force is",
-            ENERGY: "it stores",
+            ENERGY: "its energy is",
         }[self.noun]
         return finish(known, formula, self.noun, "", f"of {known.setting.springs[target.subject]}, {what}")
 

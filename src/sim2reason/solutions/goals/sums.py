@@ -196,7 +196,7 @@ class NetImpulseGoal(Goal):
             size = magnitude(parts, known, VectorName("w", VELOCITIES.unit, "change in the velocity"), body)
         formula = multiplied(known.mass(body).expression(), size)
         return finish(
-            known, formula, IMPULSES, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes"
+            known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {known.setting.called(body)}"
         )
 
 

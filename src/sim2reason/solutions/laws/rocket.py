@@ -80,7 +80,7 @@ class Burning(Way):
         if not self.waits:
             return self.first
         thrust = self.rate_of_burning * self.exhaust
-        said = "It stands on the ground till the thrust holds its weight, until its mass is"
+        said = "It stays on the ground until the thrust equals its weight, at the mass"
         return self.book.told("wait", said, self.book.fresh("m", "1"), thrust / self.gravity.expression(), KILOGRAMS)
 
     def _risen(self, time: Expression) -> Expression:
@@ -90,7 +90,9 @@ class Burning(Way):
     @cached_property
     def _wait(self) -> Symbol:
         formula = (self.first - self.full) / self.rate_of_burning
-        return self.book.told("wait", "So much fuel is burned after", self.book.fresh("t", "1"), formula, SECONDS)
+        return self.book.told(
+            "wait", "This amount of fuel has been burned after", self.book.fresh("t", "1"), formula, SECONDS
+        )
 
     @cached_property
     def burned(self) -> Symbol:

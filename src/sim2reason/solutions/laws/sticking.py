@@ -38,7 +38,9 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
         book.observed[name.name] = book.value(held)
     said = [step.verified(n, held, NEWTONS) for n, held in zip(names, (friction, most), strict=True)]
     who = capital(dynamics.setting.called(body))
-    step.say(f"{who} does stick: that takes the friction {said[0]}, and up to {said[1]} there may be.")
+    step.say(
+        f"{who} does not slip: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
+    )
     step.close()
 
 

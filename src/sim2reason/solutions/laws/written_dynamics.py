@@ -170,7 +170,7 @@ class DynamicsWriter:
                 continue
             self.pressed[symbol] = pressed
             body = self.d.setting.called(self.d.mechanism.faces[row.number].subject)
-            step.say(f"Perpendicular to its face, {body}: {step.law(Symbol(symbol), pressed.expression())}.")
+            step.say(f"Perpendicular to the surface, {body}: {step.law(Symbol(symbol), pressed.expression())}.")
             found.append(Equation("", Polynomial.of(Symbol(symbol)), pressed, NIL))
         step.close()
         return found
@@ -209,7 +209,9 @@ class DynamicsWriter:
 
     def _why(self, group: Sequence[Row]) -> str:
         if self.d.measure.values:
-            return f"Along this line no outer force acts on {self._who(group)}; their centre of mass stays where it is"
+            return (
+                f"No external force acts along this line on {self._who(group)}, so their centre of mass stays at rest"
+            )
         return capital(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
@@ -238,7 +240,7 @@ class DynamicsWriter:
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
-            return f"{self.d.setting.called(own[0])}, turning, at its rim"
+            return f"torque on {self.d.setting.called(own[0])}, divided by its radius"
         said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
         riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import atan2, cos, pi, sin, sqrt
 
 from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
@@ -39,7 +40,7 @@ class Harmonic:
         m, k = (float(self.motion.matrix(entry)[0, 0]) for entry in ("mass", "stiffness"))
         at = self.motion.givens
         if k <= 0.0:
-            raise UnsolvedError("nothing drives it back")
+            raise UnsolvedError("there is no restoring force")
         return sqrt(k / m), self.motion.load(self._free).value(at) / k, self.first.value(at)
 
     def where(self, time: float) -> tuple[float, float]:
@@ -76,7 +77,7 @@ class Harmonic:
         held = self.motion.mass(self._free, self._free)
         if len(held.terms) == 1:
             return held.expression()
-        said = f"If all that moves moved as ${self.name.name}$ does, with the same kinetic energy, its mass would be"
+        said = f"The kinetic energy is that of one body with the displacement ${self.name.name}$ and the effective mass"
         return self.book.told("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
 
     @cached_property
@@ -87,7 +88,7 @@ class Harmonic:
         held = self.motion.stiffness(self._free, self._free)
         if len(held.terms) == 1:
             return held.expression()
-        said = "Together the springs act along it like one of the stiffness"
+        said = "Together the springs act like a single spring of stiffness"
         return self.book.told("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
 
     def _fresh(self, base: str) -> Symbol:
@@ -99,7 +100,7 @@ class Harmonic:
         if self.like is not None:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
-        said = "It is driven back in proportion to how far it is from the place of balance, so it oscillates with"
+        said = "The restoring force is proportional to the displacement from equilibrium, so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
@@ -111,7 +112,7 @@ class Harmonic:
         name = self.book.fresh(self.name.name.partition("_")[0], "0")
         step = self.book.open("balance")
         law = step.law(self.stiffness * name, load.expression())
-        step.say(f"All forces balance at ${name.name}$, where {law},")
+        step.say(f"The equilibrium is at ${name.name}$, where {law},")
         held = self.motion.stiffness(self._free, self._free)
         formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
         step.say(f"so {step.result(name, formula, METRES)}.")
@@ -135,7 +136,9 @@ class Harmonic:
     def turning(self, time: float) -> Expression:
         """The place where it turns back at a time."""
         beyond = self.where(time)[0] > self.numbers[1]
-        return self.rest + self.amplitude if beyond else self.rest - self.amplitude
+        formula = self.rest + self.amplitude if beyond else self.rest - self.amplitude
+        collected = fraction(formula)
+        return formula if collected.below else collected.above.expression()
 
     def angle_of_turning(self, time: float) -> Expression:
         """The phase ωt where it turns back."""
@@ -186,5 +189,5 @@ class Harmonic:
         formula: Expression = Call("arctan", self.begun / -self.rest)
         if self.numbers[1] > 0.0:
             formula = formula + PI
-        said = "Counted from the place of balance it is $A\\cos(\\omega t - \\varphi)$ with"
+        said = "The displacement from equilibrium is $A\\cos(\\omega t - \\varphi)$ with"
         return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)

@@ -88,7 +88,7 @@ class LinearWay(Way):
     def introduce(self, names: dict[int, Symbol]) -> None:
         """Say what the free coordinates are called, and how far the others go."""
         step = self.book.open("names")
-        step.say(f"Let {joined(self._moved(names))} since the start.")
+        step.say(f"Let {joined(self._moved(names))}.")
         bound: list[str] = []
         for k, parts in self.motion.ratios.items():
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
@@ -108,8 +108,8 @@ class LinearWay(Way):
         for (way, _), held in ways.items():
             who = [self.mechanism.coordinates[i].body for i in held]
             called = self.setting.listed(who) if len(held) > 1 else self._who(held[0])
-            has = "have" if len(held) > 1 else "has"
-            said.append(f"{joined([f'${names[i].name}$' for i in held])} be how far {called} {has} moved {way}")
+            noun = "displacements" if len(held) > 1 else "displacement"
+            said.append(f"{joined([f'${names[i].name}$' for i in held])} be the {noun} of {called} {way}")
         return said
 
     def _turns_by_itself(self, k: int) -> bool:
@@ -244,7 +244,9 @@ class LinearWay(Way):
         law = step.law(pushed.expression(), gain.expression())
         assert found.symbol is not None
         formula = solved(pushed - gain, found.symbol.name)
-        step.say(f"What pulls {who} gives it its momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}.")
+        step.say(
+            f"The impulse on {who} is its change in momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}."
+        )
         step.close()
         return found.symbol
 
@@ -272,7 +274,7 @@ class LinearWay(Way):
         forces, inertia = row.forces.put(known).put(named), row.inertia.put(known)
         step = self.book.open("newton")
         who = self.setting.called(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
-        where = "" if row.kind == "newton" else "Perpendicular to its face: "
+        where = "" if row.kind == "newton" else "Perpendicular to the surface: "
         law = step.law(forces.expression(), inertia.expression())
         formula = solved(forces - inertia, found.name)
         step.say(f"{where}{capital(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")

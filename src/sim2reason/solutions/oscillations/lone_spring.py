@@ -68,7 +68,7 @@ class LoneSpring:
     @cached_property
     def length(self) -> Symbol:
         """At the start."""
-        said, name = "At first the spring is as long as", self.book.fresh(r"\ell", "1")
+        said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
         return self.book.told("length", said, name, Root(squares(self.apart)), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:

@@ -149,10 +149,10 @@ class ModeLaws:
         step.label(f"mode {mode.number}")
         rate, shares = f"$-{mode.square.latex()}$", ", ".join(f"${part.latex()}$" for part in mode.shape)
         if names:
-            where = f"{rate} times those from balance" if driven else "zero"
-            step.say(f"In one mode displacements are as {shares}, accelerations {where}:")
+            where = f"{rate} times the displacements from equilibrium" if driven else "zero"
+            step.say(f"In a normal mode the displacements are in the ratio {shares} and the accelerations are {where}:")
         else:
-            step.say(f"The acceleration is {f'{rate} times the displacement from balance' if driven else 'zero'}:")
+            step.say(f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:")
         said: list[str] = []
         for i in range(self.size) if driven else unknown:
             pulls, inertia = self.row(mode, i)
@@ -171,14 +171,16 @@ class ModeLaws:
         step = self.book.open("modes")
         step.rest_on(f"mode {mode.number}")
         if len(powers) == 2 and formula is not None:
-            step.say(f"Together they hold for {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+            step.say(f"Together they give {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
         else:
             held = self._vanishing(powers, mode.square)
-            step.say(f"They hold where the determinant of their coefficients vanishes, {step.derived(held, ZERO)}.")
+            step.say(
+                f"They have a solution where the determinant of the coefficients is zero, {step.derived(held, ZERO)}."
+            )
             if formula is not None:
                 step.say(f"One root is {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
             else:
                 near = float(self.squares[mode.number])
-                said = "Found numerically, one root is"
+                said = "Solved numerically, one root is"
                 step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
         step.close()

@@ -68,7 +68,9 @@ class NormalModes(ModeLaws):
         found = [m for m in self.modes if sizes[m.number] > FAINT * max(sizes) and self._counts(m.number, forms)]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
             step = self.book.open("modes")
-            step.say("The motion that all share has no bearing on this, so displacements are counted apart from it.")
+            step.say(
+                "The common motion of all bodies does not matter here, so displacements are measured relative to it."
+            )
             step.close()
         for mode in found:
             self._shaped(mode)
@@ -137,13 +139,13 @@ class NormalModes(ModeLaws):
         if push != ZERO and self._pushed(mode.number):
             below = own * mode.square if mode.square != ZERO else own
             unit = METRES if mode.square != ZERO else ACCELERATION
-            said = "It balances at" if mode.square != ZERO else "It is accelerated by"
+            said = "Its equilibrium is at" if mode.square != ZERO else "Its acceleration is"
             mode.rise = self.book.told("start", said, self.book.fresh("b", str(n)), push / below, unit)
         carry = shape * (self.mass @ self.begun)
         if momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max()):
             below = own * mode.rate if mode.rate is not None else own
             unit = METRES if mode.rate is not None else SPEED
-            said = "The speed at the start makes it swing by" if mode.rate is not None else "It goes on at"
+            said = "The initial velocity gives the amplitude" if mode.rate is not None else "It keeps the velocity"
             mode.swing = self.book.told("start", said, self.book.fresh("c", str(n)), momentum / below, unit)
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:

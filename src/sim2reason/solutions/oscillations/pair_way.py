@@ -40,7 +40,7 @@ class PairWay(SingleWay):
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
-        said = "The momentum is zero, so the centre of mass stays where it is. So far the two have moved apart by"
+        said = "The momentum is zero, so the centre of mass stays at rest. The relative displacement is then"
         return self.book.told("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
@@ -63,7 +63,7 @@ class PairWay(SingleWay):
         ((i, name),) = names.items()
         who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
         apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
-        step.say(f"Let ${name.name}$ be how far {who} has moved {self.towards(i)}{apart} since the start.")
+        step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}.")
         step.close()
 
     @property
@@ -104,7 +104,7 @@ class PairWay(SingleWay):
             total = total * Polynomial.of(self.clock())
         if not total and not self.along("s"):
             return NIL
-        said = f"The centre of mass moves as the momentum that is kept says; with the displacement of {self._partner()}"
+        said = f"The centre of mass moves with constant velocity; with the displacement of {self._partner()}"
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
@@ -113,7 +113,7 @@ class PairWay(SingleWay):
             return self.along("v")
         if not self.kept and not self.along("v"):
             return NIL
-        return self._balanced("v", SPEED, self.kept, f"Momentum is kept; with the velocity of {self._partner()}")
+        return self._balanced("v", SPEED, self.kept, f"Momentum is conserved; with the velocity of {self._partner()}")
 
     def acceleration(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""

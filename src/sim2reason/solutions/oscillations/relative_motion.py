@@ -32,7 +32,7 @@ class RelativeMotion:
             raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
         found = [way for way in DIRECTIONS if self._kept(way)]
         if len(found) != 1:
-            raise UnsolvedError("no momentum is kept")
+            raise UnsolvedError("no momentum is conserved")
         self.way = found[0]
         kept = 0 if self.way[0] else 1
         self.other, own = motion.free[kept], motion.free[1 - kept]
@@ -84,7 +84,7 @@ class RelativeMotion:
     def reduced(self) -> Symbol:
         """µ, told."""
         shared, both, own = self.masses
-        text = "As the momentum of all is kept along one direction, what moves relative to that has the reduced mass"
+        text = "Momentum is conserved along this direction, so the relative motion has the reduced mass"
         formula = over(own * shared - both * both, shared)
         return self.book.told("inertia", text, self.book.fresh(r"\mu"), formula, KILOGRAMS)
 

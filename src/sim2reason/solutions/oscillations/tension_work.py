@@ -31,7 +31,7 @@ def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
     rest = (steady * way.rate("s", k)).expression() + summed(_given_off(way, n) for n in pulling)
     step, who = way.book.open("work"), way.setting.called(body)
     law = step.law(found + rest, gained)
-    said = f"All that acts on {who} together gives it its kinetic energy: {law}, so"
+    said = f"The work of all forces on {who} is its kinetic energy: {law}, so"
     step.say(f"{said} {step.result(found, gained - rest, JOULES)}.")
     step.close()
     return found

@@ -26,6 +26,7 @@ from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root, squares, values
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.phases.coordinates import DEFLECTION
 from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Condition
@@ -36,7 +37,6 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
 SAMPLES = 2000  # instants of a phase at which a condition is looked at
 NOTHING = 1e-12  # in SI units: the rounding of zero
 ZERO_WITHIN = 1e-6  # of the largest value of a condition: how close to zero it must be where the phase ends
-DEFLECTION = r"\vartheta"  # begins the symbols of angles with the downward vertical
 EDGE = 1e-4  # of a phase: sign changes so close to its ends are the start, or the end itself
 
 # ---- events of the engine

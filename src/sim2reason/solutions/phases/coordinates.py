@@ -24,6 +24,7 @@ from sim2reason.solutions.writing.unit_latex import (
     SPEED,
 )
 
+DEFLECTION = r"\varphi"  # begins the symbols of angles with the downward vertical
 AXES = {0: "x", 1: "y", 2: "z"}
 SLIDE_UNITS = METRES, SPEED, ACCELERATION
 HINGE_UNITS = RADIANS, ANGULAR_SPEED, ANGULAR_ACCELERATION
@@ -92,14 +93,26 @@ def _slide(setting: Setting, k: int) -> _Choice:
     if axis is not None and body.parent is None and several:
         sense = 1.0 if coordinate.axis[axis] > 0.0 else -1.0
         origin = _given_place(setting.lexicon, k, sense)
-        if origin is not None:
+        description = _position(setting, coordinate.body, AXES[axis])
+        if origin is not None and description:
             letter = coordinate.label if len(coordinate.label) == 1 else AXES[axis]
-            return _Choice(letter, origin, sense, f"the {letter} coordinate of {who}", mark)
+            return _Choice(letter, origin, sense, description, mark)
     backwards = coordinate.speed < 0.0
     sense = -1.0 if backwards else 1.0
     way = coordinate.axis if not backwards else (-coordinate.axis[0], -coordinate.axis[1], -coordinate.axis[2])
     letter = coordinate.label if several and len(coordinate.label) == 1 else "s"
     return _Choice(letter, NIL, sense, f"the distance {_moved(setting, coordinate, way)}", mark)
+
+
+def _position(setting: Setting, body: str, axis: str) -> str:
+    """Describe a coordinate of a body whose position the text gives, or that hangs on a fixed point; else empty."""
+    who = setting.called(body)
+    if any(split(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
+        return f"the {axis} coordinate of {who}"
+    if any(line.law.row for line in setting.mechanism.lines):
+        way = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
+        return f"the {way} coordinate of {who}, measured from the point of suspension"
+    return ""
 
 
 def _moved(setting: Setting, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
@@ -169,10 +182,10 @@ def _hinge(setting: Setting, k: int) -> _Choice:
     except UnreadError:
         origin = NIL
     if origin.symbol is not None and origin == Polynomial.of(origin.symbol):
-        return _Choice(r"\vartheta", origin, side * turn, description, mark)
+        return _Choice(DEFLECTION, origin, side * turn, description, mark)
     if abs(here) < LEVEL and abs(there) < LEVEL:
         sense = -1.0 if coordinate.speed * turn < 0.0 else 1.0
-        return _Choice(r"\vartheta", NIL, sense * turn, description, mark)
+        return _Choice(DEFLECTION, NIL, sense * turn, description, mark)
     return _turned(setting, coordinate)
 
 
@@ -181,7 +194,7 @@ def _turned(setting: Setting, coordinate: Coordinate) -> _Choice:
     speeds = [c.speed for c in setting.mechanism.coordinates if c.kind == "hinge"]
     sense = -1.0 if max(speeds, key=abs) < 0.0 else 1.0  # one sense for all
     description = f"the angle through which {setting.called(coordinate.body)} has turned"
-    return _Choice(r"\varphi", NIL, sense, description, setting.mark(coordinate.body))
+    return _Choice(r"\psi", NIL, sense, description, setting.mark(coordinate.body))
 
 
 def _line(who: str) -> str:

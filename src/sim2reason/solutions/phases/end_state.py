@@ -1,5 +1,6 @@
 """What is asked for, from the state in which the last phase ends."""
 
+from sim2reason.dsl.frames import start
 from sim2reason.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
@@ -90,7 +91,8 @@ class EndState(Way):
 
     def rim(self, kind: str, body: str) -> Polynomial:
         """Return the angular rate itself: the radius counts as one."""
-        return self.rate(kind, self._equations.hinge(body))
+        turns = bool(start(self.mechanism)[body].hinges)
+        return self.rate(kind, self._equations.hinge(body)) if turns else NIL
 
     def radius(self, body: str) -> Polynomial:
         """Return one, see `rim`."""

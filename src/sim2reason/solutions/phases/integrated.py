@@ -38,6 +38,9 @@ MOST_PHASES = 8  # a longer solution would not be read
 SAME_TIME = 1e-9  # relative: an event so close to the moment asked is that moment
 NOTHING = 1e-12  # in SI units: the rounding of zero
 WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
+FORCES = frozenset(
+    {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
+)
 INTRODUCTION = "The equations of motion have no solution in elementary functions; they are integrated numerically."
 
 
@@ -142,7 +145,7 @@ class IntegratedPhases:
             self.time = refined(inner, formulas[-1], self.time, WIDTH * self.setting.time)
             stretch = replace(stretch, ends=self.time)
         until = located(inner, formulas, stretch.segment.start, stretch.ends)
-        names, forces = self._ended(inner, stretch.ends)
+        names, forces = self._ended(inner, stretch)
         if several:
             self._announce(happens)
         if inner.steady and not self._adds_up:
@@ -152,8 +155,7 @@ class IntegratedPhases:
             self._integrate(inner, until, (names, forces), stretch.ends, happens if not several else "")
         self._begin, self._places, self._rates = names.time, list(names.places), list(names.rates)
         outer = PhaseEquations(self.setting, self.book, stretch.segment, names, forces)
-        self._jump(outer, stretch)
-        return outer
+        return self._handed_on(outer, stretch)
 
     def _announce(self, happens: str) -> None:
         """Write the heading of a phase."""
@@ -163,14 +165,25 @@ class IntegratedPhases:
         step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()
 
-    def _jump(self, outer: PhaseEquations, stretch: _Stretch) -> None:
-        """Write how velocities change at the event that ends a phase, unless the moment asked is just before it."""
-        moment = self.setting.query.moment
+    def _handed_on(self, outer: PhaseEquations, stretch: _Stretch) -> PhaseEquations:
+        """Write how velocities change at the event that ends a phase, unless the moment asked is just before it.
+
+        Return the equations in the symbols of the instant that is asked about, where it is this one.
+        """
+        query, moment = self.setting.query, self.setting.query.moment
         following = next((s for s in self.setting.motion.segments if s.start == stretch.ends), None)
-        after = moment is not None and bool(moment.sided)
-        if stretch.events and following is not None and (stretch.ends < self.time or after):
-            new = write_jump(outer, following, stretch.events, self.book.phase)
-            self._rates = list(new) if new is not None else self._rates
+        asked = stretch.ends >= self.time
+        after = query.kind == "event" and moment is not None and bool(moment.sided)
+        if not stretch.events or following is None or (asked and not after):
+            return outer
+        new = write_jump(outer, following, stretch.events, self.book.phase)
+        self._rates = list(new) if new is not None else self._rates
+        if not asked:
+            return outer
+        if self.setting.target is not None and self.setting.target.quantity in FORCES:
+            raise UnsolvedError("it asks for a force or an acceleration just after an event")
+        names = outer.names if new is None else replace(outer.names, rates=new)
+        return PhaseEquations(self.setting, self.book, stretch.segment, names, outer.forces)
 
     def _inner(self, segment: Segment) -> PhaseEquations:
         """Return the equations of a segment, in a copy of the book that has their values in the middle of it."""
@@ -198,10 +211,10 @@ class IntegratedPhases:
         clause = moment.clause(self.setting.words) if isinstance(moment, Happening) else None
         return clause.statement if clause is not None else ""
 
-    def _ended(self, inner: PhaseEquations, ends: float) -> tuple[Names, dict[str, Symbol]]:
-        """Name the values at the end of a phase; the book learns them from the engine."""
+    def _ended(self, inner: PhaseEquations, stretch: _Stretch) -> tuple[Names, dict[str, Symbol]]:
+        """Name the values at the end of a phase, before what changes there; the book learns them from the engine."""
         names = self.names
-        side = ends if ends == self.time else float(np.nextafter(ends, 0.0))
+        side = float(np.nextafter(stretch.ends, 0.0)) if stretch.events else stretch.ends
         sampled = inner.sampled(np.array([side]))
         units = [HINGE_UNITS if c.kind == "hinge" else SLIDE_UNITS for c in self.mechanism.coordinates]
         places, rates, accelerations = (
@@ -317,9 +330,12 @@ class IntegratedPhases:
 
             quantity = FUNCTIONALS[query.functional].quantity.name  # type: ignore[attr-defined]
             target = replace(target, quantity=quantity) if target is not None else None
-        if target is None or target.quantity not in GOALS:
-            raise UnsolvedError(f"no way to the quantity {target.quantity if target is not None else ''}")
-        return GOALS[target.quantity].write(target, state)
+        if target is None:
+            raise UnsolvedError("the question asks for no quantity")
+        if target.quantity in GOALS:
+            return GOALS[target.quantity].write(target, state)
+        formula, noun = formula_of(end, target), VectorName.of(target.quantity)
+        return finish(state, formula, noun, "", f"the {target.quantity}")
 
 
 def _speed(lexicon: Lexicon, speed: Both) -> Expression:

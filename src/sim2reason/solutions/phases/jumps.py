@@ -13,10 +13,12 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import IMPULSE
 
 AGREES = 1e-8  # relative: how well the velocities after an impact agree with those of the engine
 CONTINUOUS = 1e-9  # relative: a velocity that changes by less at an event is continuous
+AFTER = {"v": "u", r"\omega": r"\Omega"}  # letters of rates just after an event
 
 
 class Jump:
@@ -100,7 +102,7 @@ def write_jump(
     step.say(f"{joined(laws)}.")
     for symbol in after:
         step.label(symbol.name)
-    step.say(f"Hence {joined([step.stated(symbol, book.units[symbol.name]) for symbol in after])}.")
+    step.say(f"Just after it, {joined([step.stated(symbol, book.units[symbol.name]) for symbol in after])}.")
     step.close()
     return after
 
@@ -114,8 +116,8 @@ def _said(jump: Jump, impulses: Sequence[Symbol]) -> str:
 
 
 def _fresh(book: Book, rate: Symbol, value: float) -> Symbol:
-    base, _, mark = rate.name.partition("_")
-    name = book.fresh(base + "'", mark.strip("{}"))
+    base, mark = split(rate.name)
+    name = book.fresh(AFTER[base], mark)
     book.know(name.name, value, book.units[rate.name])
     return name
 

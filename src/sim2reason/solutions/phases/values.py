@@ -61,6 +61,10 @@ def _tension(equations: PhaseEquations, target: Target) -> Expression:
     return equations.force("row", rows[0]).expression()
 
 
+def _turned(equations: PhaseEquations, target: Target) -> Expression:
+    return Absolute(equations.names.place(equations.hinge(target.subject)).expression())
+
+
 def _distance(equations: PhaseEquations, target: Target) -> Expression:
     one, other = members(target.subject)
     pairs = zip(equations.triple("place", one), equations.triple("place", other), strict=True)
@@ -73,6 +77,7 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
     "displacement": lambda equations, target: _vector(equations.displacement(target.subject), target),
     "acceleration": lambda equations, target: _vector(equations.acceleration(target.subject), target),
     "kinetic energy": _kinetic,
+    "angle turned": _turned,
     "distance": _distance,
     "extension": _extension,
     "angular velocity": _angular,

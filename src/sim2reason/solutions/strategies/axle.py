@@ -118,7 +118,7 @@ class _Turning(SwingAngle):
         inertia, moment = arm.inertia, arm.moment
         law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
         formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
-        step.say(f"{arm.noun()} turns back where the energy of its rotation has all become one of height: {law}, so")
+        step.say(f"{arm.noun()} turns back where all its kinetic energy has become potential energy: {law}, so")
         step.say(f"{step.result(name, formula, DEGREES)}.")
         step.close()
         return -name if self.extreme or self.now < 0.0 else name
@@ -136,7 +136,7 @@ class _Turning(SwingAngle):
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = squares([self.launch]) + square
-        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
+        step.say(f"By conservation of energy, {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -158,7 +158,7 @@ class _Turning(SwingAngle):
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
-        said = "The torque of gravity over the moment of inertia is the angular acceleration"
+        said = "The torque of gravity divided by the moment of inertia is the angular acceleration"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def _period(self, query: PeriodQuery) -> Symbol:
@@ -167,9 +167,7 @@ class _Turning(SwingAngle):
             return measured_period(self.book, query, self.times.frequency)
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
-        said = (
-            "Near the equilibrium the sine of a small angle is the angle itself, so that the oscillation is harmonic "
-        )
+        said = "For small angles the sine is equal to the angle, so the oscillation is harmonic "
         said += "with the angular frequency"
         formula = Root(size * self.gravity / self.arm.inertia)
         rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
@@ -256,24 +254,24 @@ class _Turning(SwingAngle):
         return self.piece.mass * self.change(begun, speed)
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "The speed is the angular speed times the distance:"),
-        "acceleration": ("_acceleration", "Towards the axle and along the circle together,"),
-        "net force": ("_force", "Mass times acceleration, towards the axle and along the circle:"),
-        "momentum": ("_momentum", "Mass times velocity is"),
-        "kinetic energy": ("_kinetic", "The energy of the motion about the axle is"),
-        "translational kinetic energy": ("_moving", "By the speed of its centre of mass that is"),
-        "rotational kinetic energy": ("_spinning", "By its moment of inertia about its centre that is"),
-        "potential energy": ("_potential", "It has risen or sunk, so"),
-        "angular momentum": ("_angular_momentum", "About its centre of mass that is"),
+        "velocity": ("_velocity", "The speed is the angular speed times the radius:"),
+        "acceleration": ("_acceleration", "From the centripetal and tangential components, the acceleration is"),
+        "net force": ("_force", "By Newton's second law, with centripetal and tangential acceleration,"),
+        "momentum": ("_momentum", "The momentum is"),
+        "kinetic energy": ("_kinetic", "The kinetic energy of the rotation about the axle is"),
+        "translational kinetic energy": ("_moving", "The kinetic energy of the motion of the centre of mass is"),
+        "rotational kinetic energy": ("_spinning", "The kinetic energy of the rotation about the centre of mass is"),
+        "potential energy": ("_potential", "The change in potential energy is"),
+        "angular momentum": ("_angular_momentum", "The angular momentum about the centre of mass is"),
         "moment of inertia": ("_own", ""),
-        "torque": ("_torque", "About its centre of mass that is"),
+        "torque": ("_torque", "The torque about the centre of mass is"),
         "angular velocity": ("_rate", ""),
         "angular acceleration": ("_growth", ""),
         "deflection": ("_deflection", ""),
-        "angle turned": ("_between", "From the start that is"),
-        "total angle": ("_swept", "Added up between turning points, that is"),
-        "impulse of the net force": ("_impulse", "Mass times the change of the velocity,"),
-        "distance travelled": ("_travelled", "The arc is the radius times all angles:"),
-        "displacement": ("_chord", "The chord between the two places is"),
-        "height": ("_rise", "It is higher than at first by"),
+        "angle turned": ("_between", "The angle turned through is"),
+        "total angle": ("_swept", "The sum of the angles between turning points is"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
+        "displacement": ("_chord", "The displacement is the chord"),
+        "height": ("_rise", "The height gained is"),
     }

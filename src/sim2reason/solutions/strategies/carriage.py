@@ -101,17 +101,17 @@ class _Asked(CarriageLaws):
         self.unloaded()
         book, c = self.book, self.carriage
         if self.lone:
-            said = "Relative to each other they oscillate as a body would that has the reduced mass"
+            said = "The relative motion is that of a body with the reduced mass"
             reduced = book.told(
                 "reduced", said, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
             )
-            said = "Near the lowest point weight drives it back in proportion to its distance from there, so"
+            said = "For small oscillations the restoring force is proportional to the displacement, so"
             formula = Root(self.mass * self.gravity / (self.length * reduced))
         else:
-            said = "As their momenta cancel, the carriage moves with the arm, whose moment of inertia counts as"
+            said = "As the momentum along the rail is zero, the carriage recoils; the effective moment of inertia is"
             formula = self.arm.inertia - Power(self.moment, 2) / c.total_mass
             reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
-            said = "For small angles the torque of gravity drives it back in proportion to the angle, so that"
+            said = "For small angles the restoring torque is proportional to the angle, so"
             formula = Root((self.moment if book.value(self.moment) > 0.0 else -self.moment) * self.gravity / reduced)
         rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(book, query, rate)
@@ -250,24 +250,24 @@ class _Asked(CarriageLaws):
         return self.arm.piece(self.subject).inertia * self.angular_acceleration
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "Along the rail and upward together, relative to the ground,"),
-        "momentum": ("_momentum", "Mass times velocity is"),
+        "velocity": ("_velocity", "From the horizontal and vertical components relative to the ground,"),
+        "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
-        "translational kinetic energy": ("_moving_energy", "By the speed of its centre that is"),
-        "rotational kinetic energy": ("_spinning", "By its moment of inertia about its centre that is"),
-        "potential energy": ("_potential", "It has risen or sunk, so"),
+        "translational kinetic energy": ("_moving_energy", "The kinetic energy of the motion of the centre of mass is"),
+        "rotational kinetic energy": ("_spinning", "The kinetic energy of the rotation about the centre of mass is"),
+        "potential energy": ("_potential", "The change in potential energy is"),
         "angular velocity": ("_turning", ""),
-        "angular momentum": ("_angular_momentum", "About its centre of mass that is"),
-        "displacement": ("_chord", "Along the rail and upward together, it is away from its place by"),
-        "height": ("_height", "It is higher than at first by"),
+        "angular momentum": ("_angular_momentum", "The angular momentum about the centre of mass is"),
+        "displacement": ("_chord", "From the horizontal and vertical components, the displacement is"),
+        "height": ("_height", "The height gained is"),
         "deflection": ("_deflection", ""),
-        "angle turned": ("_between", "From the start that is"),
-        "acceleration": ("_acceleration", "Relative to the ground that is"),
-        "net force": ("_force", "All forces on it together amount to"),
-        "tension": ("_pull", "It holds what hangs from it, which is as fast as the carriage:"),
-        "rod force": ("_rod", "It holds what it carries, which moves with the carriage:"),
+        "angle turned": ("_between", "The angle turned through is"),
+        "acceleration": ("_acceleration", "Relative to the ground, the acceleration is"),
+        "net force": ("_force", "The net force is"),
+        "tension": ("_pull", "By Newton's second law for what hangs from it,"),
+        "rod force": ("_rod", "By Newton's second law for what it carries,"),
         "angular acceleration": ("_growing", ""),
-        "torque": ("_torque", "About its centre of mass that is"),
+        "torque": ("_torque", "The torque about the centre of mass is"),
         "distance travelled": ("_travelled", ""),
-        "impulse of the net force": ("_impulse", "From rest, the change of the momentum is"),
+        "impulse of the net force": ("_impulse", "Starting from rest, the impulse is equal to the momentum,"),
     }

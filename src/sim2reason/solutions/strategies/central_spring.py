@@ -81,7 +81,7 @@ class _Round(LoneSpring):
         """Of motion and spring."""
         launched = HALF * self.mass * squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
-        said = "The energy of the motion and of the spring is kept:"
+        said = "Energy is conserved; its value is"
         return self.book.told("energy", said, self.book.fresh("E"), launched + stored, JOULES)
 
     @cached_property
@@ -90,8 +90,10 @@ class _Round(LoneSpring):
         (x, y), (u, v) = self.apart, self.launch
         formula = x * v - y * u
         formula = formula if self.book.value(formula) > 0.0 else -formula
-        said = "The spring pulls towards its fixed end, so that the angular momentum about that is kept, too; per unit"
-        return self.book.told("swirl", f"{said} of mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
+        said = (
+            "The spring force points to the fixed end, so the angular momentum about that point is conserved; per unit"
+        )
+        return self.book.told("swirl", f"{said} mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
 
     # ---- the moment
 
@@ -128,9 +130,11 @@ class _Round(LoneSpring):
         across = HALF * self.mass * Power(self.swirl / name, 2)
         stored = HALF * self.stiffness * Power(name - self.natural, 2)
         residual = across + stored - self.energy
-        step.say("Where its length is extreme the velocity is square to the spring, so that it is the angular momentum")
-        step.say(f"over that length: {step.law(across + stored, self.energy)}.")
-        step.say(told_root(self.book, step, name, residual, self._seen[0], METRES, "Numerically,"))
+        step.say(
+            f"At an extreme length, the velocity is perpendicular to the spring and equal to ${self.swirl.latex()}$"
+        )
+        step.say(f"divided by the length. By conservation of energy, {step.law(across + stored, self.energy)}.")
+        step.say(told_root(self.book, step, name, residual, self._seen[0], METRES, "The numerical solution is"))
         step.close()
         return name
 
@@ -143,7 +147,7 @@ class _Round(LoneSpring):
         step = self.book.open("speed")
         law = step.law(HALF * self.mass * Power(name, 2), self.energy)
         formula = Root(2.0 * self.energy / self.mass)
-        step.say(f"At the natural length all energy is that of motion: {law}, so {step.result(name, formula, SPEED)}.")
+        step.say(f"At the natural length all energy is kinetic: {law}, so {step.result(name, formula, SPEED)}.")
         step.close()
         return name
 
@@ -189,13 +193,13 @@ class _Round(LoneSpring):
 
     WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_speed", ""),
-        "momentum": ("_momentum", "Mass times velocity:"),
+        "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
-        "extension": ("_extension", "It is longer or shorter than when relaxed by"),
+        "extension": ("_extension", "The change in its length is"),
         "spring length": ("_current_length", ""),
-        "spring force": ("_pull", "The spring pulls or pushes with"),
-        "spring energy": ("_stored", "It stores"),
-        "extension rate": ("_rate", "Without its part across the spring the velocity is"),
+        "spring force": ("_pull", "The spring force is"),
+        "spring energy": ("_stored", "The elastic energy is"),
+        "extension rate": ("_rate", "The component of the velocity along the spring is"),
         "net force": ("_pull", "The force of the spring is"),
-        "acceleration": ("_acceleration", "The force of the spring over the mass:"),
+        "acceleration": ("_acceleration", "By Newton's second law, the acceleration is"),
     }

@@ -255,7 +255,7 @@ class _Staged(Way):
             return End(name)
         step, left = self.book.open("time"), self.book.fresh("t")
         formula = Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)
-        step.say(f"There remain {step.result(left, formula.expression(), SECONDS, law=True)}.")
+        step.say(f"The remaining time is {step.result(left, formula.expression(), SECONDS, law=True)}.")
         step.close()
         return End(left)
 
@@ -266,7 +266,7 @@ class _Staged(Way):
             return times[0]
         step, name = self.book.open("time"), self.book.fresh("t")
         formula = total(Polynomial.of(time) for time in times).expression()
-        step.say(f"In all this takes {step.result(name, formula, SECONDS, law=True)}.")
+        step.say(f"The total time is {step.result(name, formula, SECONDS, law=True)}.")
         step.close()
         return name
 

@@ -158,7 +158,7 @@ class EnergyWay(SingleWay):
         time = self._lasting
         formula = self._first * time
         formula = formula + HALF * self._rise * Power(time, 2)
-        return self.book.told("distance", "In this time it comes as far as", self.name, formula, METRES)
+        return self.book.told("distance", "In this time it moves by", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
         """Where all work has used up the kinetic energy of the start."""
@@ -177,7 +177,7 @@ class EnergyWay(SingleWay):
             beyond = self._engine[0] > load.value(self.motion.givens) / stiffness.value(self.motion.givens)
             above = load.expression() + root if beyond else load.expression() - root
             formula = above / stiffness.expression()
-        step.say(f"Where it stands still, the work of all forces has used up what kinetic energy there was: {law},")
+        step.say(f"By the work-energy theorem, it is at rest where {law},")
         step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name
@@ -194,7 +194,7 @@ class EnergyWay(SingleWay):
             raise UnsolvedError("it begins in balance")
         step = self.book.open("balance")
         law = step.law(stiffness.expression() * self.name, load.expression())
-        step.say(f"Its kinetic energy is the greatest where all forces balance: {law},")
+        step.say(f"Its kinetic energy is greatest where the net force is zero: {law},")
         step.say(f"so {step.result(self.name, over(load, stiffness), METRES)}.")
         step.close()
         return self.name
@@ -221,7 +221,7 @@ class EnergyWay(SingleWay):
         inner = 2.0 * work / self._mass
         root = Root(squares([self._first]) + inner)
         rate = f"the rate ${name.name}$ of ${self.name.name}$"
-        step.say(f"At {rate}, the kinetic energy on the left grows by the work of all forces: {law},")
+        step.say(f"By the work-energy theorem, with {rate}: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name
@@ -239,7 +239,7 @@ class EnergyWay(SingleWay):
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.open("power"), self.book.fresh("a")
         law = step.law(self._mass * name, pulls)
-        said = "The kinetic energy grows at the rate at which all forces do work; divided by the speed,"
+        said = "Dividing the rate of change of the energy by the speed gives"
         step.say(f"{said} {law}, so {step.result(name, pulls / self._mass, ACCELERATION)}.")
         step.close()
         return name
@@ -267,7 +267,7 @@ class EnergyWay(SingleWay):
         whole = self._speed + self._first
         if self._speed == ZERO:
             whole = self._first
-        said = "At a constant acceleration the mean speed is half the sum of the first and the last:"
+        said = "At constant acceleration the mean velocity is the average of the initial and the final one:"
         return self.book.told("time", said, self.book.fresh("t"), 2.0 * self._place / whole, SECONDS)
 
     # ---- what goals ask

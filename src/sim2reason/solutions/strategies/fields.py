@@ -127,7 +127,7 @@ class _InFields(Way):
         if turns is None or self.fields.drive is not None or self.fields.damping is not None:
             raise UnsolvedError("it does not go round a circle")
         size = turns if self.book.value(turns) > 0.0 else -turns
-        return measured_period(self.book, query, size, "One turn takes")
+        return measured_period(self.book, query, size, "The period of the circular motion is")
 
     def _summed(self, query: StretchQuery) -> Symbol:
         """A work, or the change of momentum."""
@@ -142,9 +142,9 @@ class _InFields(Way):
     def _potential(self) -> Symbol:
         """Minus the work of the electric force."""
         work = FieldEnergy(self, self.moment).potential()
-        said = "The potential energy changes by minus the work of the electric force,"
+        said = "The change in potential energy is minus the work of the electric force,"
         size = -work if self.book.value(work) <= 0.0 else work
-        return self.book.told("energy", f"{said} whose size is", self.book.fresh("U"), size, JOULES)
+        return self.book.told("energy", f"{said} of the magnitude", self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 

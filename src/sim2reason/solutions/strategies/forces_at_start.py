@@ -161,7 +161,7 @@ class _AtStart(Way):
             parts = [part for part in (mark, label if several else "") if part]
             found[k] = self.book.fresh("a", ",".join(parts))
             said.append(step.result(found[k], whole, ACCELERATION, law=True))
-        step.say(f"The sum of the forces over the mass: {joined(said)}.")
+        step.say(f"By Newton's second law, {joined(said)}.")
         step.close()
         return found
 
@@ -202,7 +202,7 @@ class _AtStart(Way):
             if growth := self._growing(line, apart, length):
                 damping = lexicon.read(Both(law.damping, twin.law.damping)).expression()
                 formula = added(formula, multiplied(damping, growth))
-            step.say(f"It pulls with {step.result(name, formula, NEWTONS, law=True)}.")
+            step.say(f"Its force is {step.result(name, formula, NEWTONS, law=True)}.")
             step.close()
             found.append((name, apart, length, False))
         return found
@@ -218,7 +218,9 @@ class _AtStart(Way):
             raise UnsolvedError("a damped spring between two that move")
         away = total(apart[k] * speed for k, speed in speeds.items()).scaled(-1.0)
         step, name = self.book.open("growth"), self.book.fresh("u")
-        step.say(f"It grows at the rate {step.result(name, ratio(away.expression(), length), SPEED, law=True)}.")
+        step.say(
+            f"Its length changes at the rate {step.result(name, ratio(away.expression(), length), SPEED, law=True)}."
+        )
         step.close()
         return name
 
@@ -238,7 +240,7 @@ class _AtStart(Way):
             step, name = self.book.open("attraction"), self.book.fresh("g", self.setting.mark(other) or "1")
             heavy = self.mass(other).expression()
             formula = ratio(multiplied(constant, heavy), Power(r, 2))
-            step.say(f"It accelerates by {step.result(name, formula, ACCELERATION, law=True)}.")
+            step.say(f"Its acceleration is {step.result(name, formula, ACCELERATION, law=True)}.")
             step.close()
             found.append((name, apart, r, True))
         return found

@@ -76,7 +76,9 @@ class _Swinging(Oscillating):
         for number, segment in enumerate(self._segments):
             name = self.book.fresh("s", str(number + 1))
             step = self.book.open("names")
-            step.say(f"Until it turns back, friction is constant; let ${name.name}$ be how far it comes in that time.")
+            step.say(
+                f"Until it turns back, the friction force is constant; let ${name.name}$ be the displacement till then."
+            )
             step.close()
             held = self._swing(segment, name, before)
             if segment is self._segments[-1]:
@@ -94,7 +96,7 @@ class _Swinging(Oscillating):
         if self.begin == ZERO:
             self.begin = there
         else:
-            said = "Since the start it has come as far as"
+            said = "Its displacement from the start is"
             self.begin = self.book.told("turning", said, self.book.fresh("x"), self.begin + there, METRES)
         self._places.append(self.begin)
         self._times.append((held, span))
@@ -114,20 +116,22 @@ class _Swinging(Oscillating):
         found: Expression = ZERO
         for held, span in self._times:
             formula = held.angle_of_turning(span) / held.rate
-            found = found + self.book.told("time", "That swing takes", self.book.fresh("t"), formula, SECONDS)
+            found = found + self.book.told(
+                "time", "This half oscillation takes", self.book.fresh("t"), formula, SECONDS
+            )
         return found
 
     def since(self, time: Symbol) -> Symbol:
         """Less what the swings before take."""
         if self._begun == ZERO:
             return time
-        return self.book.told("time", "There remain", self.book.fresh("t"), time - self._begun, SECONDS)
+        return self.book.told("time", "The remaining time is", self.book.fresh("t"), time - self._begun, SECONDS)
 
     def until(self, time: Symbol) -> Symbol:
         """And what the swings before take."""
         if self._begun == ZERO:
             return time
-        return self.book.told("time", "In all that is at", self.book.fresh("t"), self._begun + time, SECONDS)
+        return self.book.told("time", "The total time is", self.book.fresh("t"), self._begun + time, SECONDS)
 
     @property
     def stretches(self) -> Sequence[Stretch]:

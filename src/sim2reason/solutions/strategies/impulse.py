@@ -208,7 +208,7 @@ class _Struck(Way):
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
         residual = added(squares, -Power(name, 2))
         step.say(f"{capital(self.setting.called(body))} is at the distance ${name.name}$ when {law}.")
-        said = "The first time at which this holds, found numerically, is"
+        said = "The numerical solution for the first such time is"
         step.say(told_root(self.book, step, time, residual, near, SECONDS, said))
         step.close()
         return self.flights.counted(self.flights.begins(leg), time)
@@ -219,9 +219,8 @@ class _Struck(Way):
         for speed in speeds:
             squares = added(squares, Power(speed.expression(), 2))
         step, speed, time = self.book.open("time"), self.book.fresh("v"), self.book.fresh("t")
-        step.say(
-            f"Until then {self.setting.called(body)} moves at {step.result(speed, Root(squares), SPEED, law=True)},"
-        )
+        fast = step.result(speed, Root(squares), SPEED, law=True)
+        step.say(f"Until then the speed of {self.setting.called(body)} is constant, {fast},")
         step.say(f"so that {step.result(time, ratio(distance, speed), SECONDS, law=True)}.")
         step.close()
         return time

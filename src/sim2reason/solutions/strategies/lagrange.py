@@ -90,8 +90,10 @@ class _Together(LinearWay):
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
             said.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
-        step.say(f"With the accelerations {joined([f'${name.name}$' for name in names.values()])} of these, kinetic")
-        step.say(f"energy and the work of all forces give Lagrange's equations {joined(said)}.")
+        step.say(
+            f"With the accelerations {joined([f'${name.name}$' for name in names.values()])}, Lagrange's equations"
+        )
+        step.say(f"are {joined(said)}.")
         step.label("equations")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):
@@ -123,7 +125,7 @@ class _Together(LinearWay):
         step = self.book.open("time")
         law = step.law(far, HALF * rise.expression() * Power(name, 2))
         who = self.setting.called(moment.name)
-        step.say(f"From rest {who} has moved so far when {law},")
+        step.say(f"Starting from rest, {who} has covered this distance when {law},")
         step.say(f"so {step.result(name, Root(2.0 * far / rise.expression()), SECONDS)}.")
         step.close()
         return name
@@ -148,7 +150,7 @@ class _Together(LinearWay):
         rise, first = self._accelerations[i], self.first(i)
         formula = HALF * rise * Power(self.time, 2)
         formula = first.expression() * self.time + formula if first else formula
-        return self._told("s", i, formula, METRES, "Until then it comes as far as")
+        return self._told("s", i, formula, METRES, "The displacement is then")
 
     def speed(self, i: int) -> Polynomial:
         """A t and what it had."""
@@ -157,7 +159,7 @@ class _Together(LinearWay):
             return first
         formula = self._accelerations[i] * self.time
         formula = first.expression() + formula if first else formula
-        return self._told("v", i, formula, SPEED, "By then it moves at")
+        return self._told("v", i, formula, SPEED, "The velocity is then")
 
     def acceleration(self, i: int) -> Polynomial:
         """The same all the while."""

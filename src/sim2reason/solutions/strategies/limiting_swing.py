@@ -18,10 +18,10 @@ from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
-TAUT = "The string stays taut if its body turns back below the fixed point."
-BELOW = f"{TAUT} By energy, the square of the speed at that height is"
-TENSE = "On top the string stays taut if its body is fast enough for more than its weight to bend the path."
-ON_TOP = f"{TENSE} By energy, the square of the speed exceeds the least that weight can bend by"
+TAUT = "The string stays taut if the body turns back below the fixed point."
+BELOW = f"{TAUT} By conservation of energy, the square of the speed at that height is"
+TENSE = "At the top the string stays taut if the centripetal force required is greater than the weight."
+ON_TOP = f"{TENSE} By conservation of energy, the squared speed exceeds $g$ times the length of the string by"
 
 
 @strategy
@@ -48,7 +48,7 @@ class LimitingSwing(Strategy):
         """What is left of the energy in the limiting case, which is nothing; then the number."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
         step = book.open("limit")
-        step.say(f"In the limiting case that is nothing: {step.law(left, ZERO)}.")
+        step.say(f"In the limiting case this is zero: {step.law(left, ZERO)}.")
         step.close()
         return Inversion(book, left.name, 0.0, book.sought).write()
 
@@ -59,7 +59,7 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
     first: Expression = Call("cos", arm.first)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
-    said = "Where the centre of mass is highest, there is left of the energy of its motion"
+    said = "At the highest point of the centre of mass the kinetic energy is"
     return book.told("energy", said, book.fresh("K"), formula, JOULES)
 
 
@@ -71,7 +71,10 @@ def _of_body(setting: Setting, book: Book) -> Symbol:
     level = (squares([launch])) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):
-        said, formula = "By energy, the square of the speed on top is", level - TWO * gravity * length
+        said, formula = (
+            "By conservation of energy, the square of the speed at the top is",
+            level - TWO * gravity * length,
+        )
     else:
         ways = (level, BELOW), (level - THREE * gravity * length, ON_TOP)
         formula, said = min(ways, key=lambda way: abs(book.value(way[0])))

@@ -149,7 +149,7 @@ class _Modal(LinearWay):
         value = value + self._goes_on
         step = self.book.open("time")
         step.say(f"{capital(said)} when {step.law(value, ZERO)}.")
-        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "Numerically,"))
+        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "The numerical solution is"))
         step.close()
         return name
 
@@ -177,7 +177,7 @@ class _Modal(LinearWay):
             return self._extreme()
         if isinstance(moment, Moved):
             k, *_ = self.moving([moment.name])
-            return f"{self.setting.called(moment.name)} has moved so far", {k: 1.0}, place
+            return f"{self.setting.called(moment.name)} has moved this far", {k: 1.0}, place
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
             return f"{self.setting.called(moment.name)} comes to rest", {k: 1.0}, speed
@@ -247,7 +247,7 @@ class _Modal(LinearWay):
         told = joined([step.law(rate, ZERO) for rate in rates])
         step.say(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {told}.")
         roots = list(zip(names, rates, nears, strict=True))
-        step.say(told_roots(self.book, step, roots, SECONDS, "Numerically,"))
+        step.say(told_roots(self.book, step, roots, SECONDS, "The numerical solution is"))
         step.close()
         return names
 
@@ -256,7 +256,7 @@ class _Modal(LinearWay):
         step, names = self.book.open("place"), [self.book.fresh("x") for _ in times]
         formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
         told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
-        step.say(f"Then it is at {joined(told)}.")
+        step.say(f"Its displacement is then {joined(told)}.")
         step.close()
         return names
 
@@ -288,7 +288,7 @@ class _Modal(LinearWay):
 
     def speed(self, i: int) -> Polynomial:
         """How fast."""
-        return self._told(speed, i, "v", SPEED, "Its rate is the velocity")
+        return self._told(speed, i, "v", SPEED, "Its derivative is the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
         """How fast that changes."""

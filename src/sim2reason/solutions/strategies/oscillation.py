@@ -159,7 +159,7 @@ class Oscillating(SingleWay):
     @cached_property
     def _time(self) -> Symbol:
         """When the moment comes."""
-        said = "That is the case at the time"
+        said = "This happens at the time"
         formula = self._angle / self.harmonic.rate
         return self.until(self.book.told("time", said, self.book.fresh("t"), formula, SECONDS))
 
@@ -177,7 +177,7 @@ class Oscillating(SingleWay):
                 formula = held.rest - held.rest * Call("cos", self._angle)
             if held.begun != ZERO:
                 formula = formula + held.begun * Call("sin", self._angle)
-            return self.book.told("place", "It has come as far as", held.name, formula, METRES)
+            return self.book.told("place", "Its displacement is", held.name, formula, METRES)
         if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
@@ -221,10 +221,10 @@ class Oscillating(SingleWay):
             apart = place - rest
             if place == rest:
                 formula = held.rate * held.amplitude
-                what = "At the place of balance it is fastest,"
+                what = "It is fastest at the equilibrium position,"
             else:
                 formula = held.rate * Root(Power(held.amplitude, 2) - Power(apart, 2))
-                what = "So far from the place of balance its speed is"
+                what = "At this displacement from equilibrium the velocity is"
             step.say(f"{what} {step.result(name, formula if sign > 0.0 else -formula, SPEED, law=True)}.")
         step.close()
         return name
@@ -236,7 +236,7 @@ class Oscillating(SingleWay):
         """How far it has come since the start."""
         if self.begin == ZERO:
             return self._place
-        said = "Since the start it has come as far as"
+        said = "Its displacement from the start is"
         return self.book.told("place", said, self.book.fresh("x"), self.begin + self._place, METRES)
 
     @property
@@ -255,7 +255,7 @@ class Oscillating(SingleWay):
         held, place, rest = self.harmonic, self._place, self.harmonic.rest
         apart = rest - place
         formula = Power(held.rate, 2) * apart
-        said = "It is accelerated towards the place of balance by"
+        said = "Its acceleration towards the equilibrium position is"
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:

@@ -211,7 +211,7 @@ class _Held(Way):
             weight, bearing = self._weights[held.name]
             across = held.stiffness - weight
             whole = whole + across + weight * Power(Call("cos", bearing - turn), 2)
-        said = "A spring resists across itself by its pull over its length, so that in this direction the stiffness is"
+        said = "Including the tensions, which resist a transverse displacement, the stiffness in this direction is"
         step.say(f"{said} {step.result(stiff, whole, STIFFNESS, law=True)}.")
         step.close()
         mass = self.mass(self.mechanism.bodies[0].name).expression()
@@ -254,7 +254,7 @@ class _Held(Way):
         if abs(sin(self.book.value(formula) - wanted)) > HALF.x:
             formula = formula + PI / TWO
         which = "stiffest" if rank else "softest"
-        said = f"The force points straight back in the direction in which they are {which} together, at the angle"
+        said = f"The force is antiparallel to the displacement in the {which} direction, at the angle"
         return self.book.told("direction", said, angle, formula, DEGREES)
 
 

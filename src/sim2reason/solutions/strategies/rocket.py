@@ -88,7 +88,7 @@ class _Burning(Burning):
         if isinstance(moment, Stopped):
             return self._stopping
         if self.out:
-            return self.book.told("time", "In all it takes", self.book.fresh("t"), self.burned + self.coast, SECONDS)
+            return self.book.told("time", "The total time is", self.book.fresh("t"), self.burned + self.coast, SECONDS)
         assert isinstance(moment, Moved)
         return self._after(moment)
 
@@ -99,7 +99,7 @@ class _Burning(Burning):
         g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
         law = step.law(given, g * self._risen(name))
         formula = given / g + self._wait if self.waits else given / g
-        step.say(f"It stops when gravity has taken all the speed that burning gave: {law},")
+        step.say(f"It comes to rest when {law},")
         step.say(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
@@ -113,7 +113,9 @@ class _Burning(Burning):
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
         who = capital(self.setting.called(self.burn.body))
-        step.say(f"{who} has moved so far when {law}; found numerically, {step.result(name, root, SECONDS)}.")
+        step.say(
+            f"{who} has covered this distance when {law}; the numerical solution is {step.result(name, root, SECONDS)}."
+        )
         step.close()
         return name
 
@@ -123,16 +125,18 @@ class _Burning(Burning):
         moment, name = self.query.moment, self.book.fresh("t", r"\text{off}")
         g, (fast, high) = self.gravity.expression(), self._at_end
         if isinstance(moment, Stopped) or isinstance(self.query, StretchQuery):
-            return self.book.told("time", "Gravity alone stops it after another", name, fast / g, SECONDS)
+            return self.book.told("time", "Gravity then stops it after a further", name, fast / g, SECONDS)
         if isinstance(moment, AtTime):
-            said = "From then on it moves with its engine off for"
+            said = "It then moves with its engine off for"
             return self.book.told("time", said, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
         distance = self.book.fresh("d")
         self.book.say_given(distance.name, moment.value, METRES)
         rest = distance - high
         if not self.gravity:
-            return self.book.told("time", "The rest of the way it goes at this speed, in", name, rest / fast, SECONDS)
+            return self.book.told(
+                "time", "It covers the rest of the distance at this speed, in", name, rest / fast, SECONDS
+            )
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
         root = Root(Power(fast, 2) - 2.0 * g * rest)
@@ -142,7 +146,7 @@ class _Burning(Burning):
         """Thrown up with the speed that it has at the end."""
         step = self.book.open("time")
         law = step.law(distance, self._thrown(name))
-        step.say("From then on it is thrown upward with its engine off; it has moved so far when")
+        step.say("With its engine off it moves under gravity alone and has covered this distance when")
         step.say(f"{law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
@@ -163,7 +167,7 @@ class _Burning(Burning):
             return self.dry
         step, name = self.book.open("mass"), self.book.fresh("m", r"\text{left}")
         formula = added(self.first, -multiplied(self.rate_of_burning, self.time))
-        step.say(f"By then its mass is {step.result(name, formula, KILOGRAMS, law=True)}.")
+        step.say(f"Its mass is then {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
 
@@ -217,13 +221,15 @@ class _Burning(Burning):
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
             formula = formula - self.gravity.expression() * self._risen(time)
-        told = "The burning mass gives" if not self.gravity else "The burning mass gives, less what gravity takes,"
+        told = "By the rocket equation," if not self.gravity else "By the rocket equation, with gravity,"
         return self.book.told("velocity", told, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, time: Symbol, mark: str) -> Symbol:
         """How far it comes by burning."""
         path = self._path(self.dry if self.out else self.left, self._risen(time))
-        return self.book.told("distance", "Integrated over the time,", self.book.fresh("s", mark), path, METRES)
+        return self.book.told(
+            "distance", "Integrating the velocity over time,", self.book.fresh("s", mark), path, METRES
+        )
 
     @cached_property
     def _v(self) -> Symbol:
@@ -244,7 +250,9 @@ class _Burning(Burning):
             return Symbol(next(iter(self.book.stated)))
         if not self.out:
             return self._gone(self.time, "")
-        return self.book.told("distance", "By then it is at", self.book.fresh("s"), self._thrown(self.coast), METRES)
+        return self.book.told(
+            "distance", "Its distance is then", self.book.fresh("s"), self._thrown(self.coast), METRES
+        )
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Along its way."""

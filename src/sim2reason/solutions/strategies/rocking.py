@@ -12,7 +12,7 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -110,14 +110,14 @@ class _Rocking:
     @cached_property
     def offset(self) -> Symbol:
         """Of the centre of mass from the axis."""
-        said = "As the hole lacks on one side, the centre of mass lies on the other, from the axis at a distance of"
+        said = "Because of the hole, the centre of mass lies on the other side of the axis, at the distance"
         return self.book.told("table", said, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
     def own(self) -> Symbol:
         """The moment of inertia about the centre of mass."""
         _ = self.offset
-        said = "About its centre of mass the moment of inertia is, the whole body less the hole,"
+        said = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
         return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
 
     @cached_property
@@ -126,7 +126,7 @@ class _Rocking:
         (ex, ez), (ux, uz) = self.aside, self.uphill
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
-        said = "About the line of contact it is, by the parallel-axis theorem and the cosine rule,"
+        said = "By the parallel-axis theorem and the law of cosines, the moment of inertia about the line of contact is"
         return self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
 
     @cached_property
@@ -138,12 +138,10 @@ class _Rocking:
         if self.launch != ZERO:
             along = ex * ux + ez * uz
             torque = torque + self.mass * self.radius * self.offset * along * Power(self.launch, 2)
-        said = "The torque of gravity about the line of contact, clockwise, over that is the angular acceleration"
+        said = "Taking torques about the line of contact, the clockwise angular acceleration is"
         if self.launch != ZERO:
-            said = (
-                "The torque about the line of contact, clockwise, with what the circling of the centre of mass adds, "
-            )
-            said += "over that is the angular acceleration"
+            said = "Taking torques about the line of contact, with the centripetal acceleration of the centre of mass, "
+            said += "the clockwise angular acceleration is"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
 
     @cached_property
@@ -156,7 +154,7 @@ class _Rocking:
         for label, along, turned, inward in (("x", ux, ez, ex), ("z", uz, -ex, ez)):
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
             way = "to the right" if label == "x" else "upward"
-            said = f"The centre of mass is accelerated {way} with the axis and by the turning:"
+            said = f"The acceleration of the centre of mass {way} is that of the axis plus that due to the rotation,"
             found.append(self.book.told("acceleration", said, self.book.fresh("a", label), formula, ACCELERATION))
         return found
 
@@ -177,13 +175,13 @@ class _Rocking:
             size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
             if quantity == "torque":
                 return self.book.told(
-                    "answer", "About its centre that is", self.book.fresh("M"), self.own * size, TORQUE
+                    "answer", "The torque about the centre is", self.book.fresh("M"), self.own * size, TORQUE
                 )
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
     def _sized(self, formula: Expression, base: str, unit: str) -> Symbol:
-        return self.book.told("answer", "Its size is", self.book.fresh(base), formula, unit)
+        return self.book.told("answer", "Its magnitude is", self.book.fresh(base), formula, unit)
 
     def _accelerated(self, quantity: str, way: tuple[float, float, float] | None) -> Symbol:
         if way is None:
@@ -197,7 +195,7 @@ class _Rocking:
             formula = part if way[found[0]] > 0.0 else -part
         if quantity == "net force":
             return self.book.told(
-                "answer", "Mass times acceleration:", self.book.fresh("F"), self.mass * formula, NEWTONS
+                "answer", "By Newton's second law,", self.book.fresh("F"), self.mass * formula, NEWTONS
             )
         return formula if isinstance(formula, Symbol) else self._sized(formula, "a", ACCELERATION)
 
@@ -208,7 +206,7 @@ class _Rocking:
         part = x * ux + (z + self.gravity) * uz if along else (z + self.gravity) * ux - x * uz
         formula = self.mass * part
         formula = formula if self.book.value(formula) > 0.0 else -formula
-        said = f"Newton's second law {'along' if along else 'square to'} the plane gives the {quantity}"
+        said = f"Newton's second law {'along' if along else 'perpendicular to'} the plane gives the {quantity}"
         return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 
     def _period(self, query: PeriodQuery) -> Symbol:
@@ -221,19 +219,17 @@ class _Rocking:
             law = step.law(self.offset * Call("sin", name), self.radius * uz)
             formula = Call("arcsin", self.radius * uz / self.offset)
             step.say(
-                "In equilibrium the centre of mass is straight above the contact; the line to it from the axis makes"
+                "In equilibrium the centre of mass is vertically above the contact; the line to it from the axis makes"
             )
-            step.say(f"with the downward vertical an angle with {law}, so {step.result(name, formula, DEGREES)}.")
+            step.say(f"an angle with the downward vertical such that {law}, so {step.result(name, formula, DEGREES)}.")
             step.close()
             tilt = name
         deep = self.offset if level else self.offset * Call("cos", tilt)
         high = self.radius - deep if level else self.radius * cosine - deep
-        said = f"{capital(self.setting.called(self.body))} then has about the line of contact the moment of inertia"
+        said = "In equilibrium the moment of inertia about the line of contact is"
         about = self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA)
-        said = (
-            "Turned by a small angle from there it feels a torque in proportion to that angle, and oscillates with the "
-        )
-        said += "angular frequency"
+        said = "For a small rotation the restoring torque is proportional to the angle, so the "
+        said += "angular frequency is"
         formula = Root(self.mass * self.gravity * deep / about)
         rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(self.book, query, rate)

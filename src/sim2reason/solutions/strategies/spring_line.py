@@ -86,7 +86,7 @@ class _Oscillating(LoneSpring):
     @cached_property
     def strain(self) -> Symbol:
         """The extension at the start: the amplitude, up to a sign."""
-        said = "It is let go at rest, so that the extension oscillates as a cosine, beginning with"
+        said = "Released from rest, the extension oscillates as a cosine with the initial value"
         return self.book.told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
 
     @property
@@ -97,7 +97,7 @@ class _Oscillating(LoneSpring):
     @cached_property
     def rate(self) -> Symbol:
         """ω = √(k/m)."""
-        said = "Along the spring the force is in proportion to its extension; the angular frequency is"
+        said = "The force is proportional to the extension, so the angular frequency is"
         formula = Root(self.stiffness / self.mass)
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
@@ -118,7 +118,7 @@ class _Oscillating(LoneSpring):
             self.book.say_given(name.name, moment.value, METRES)
             formula = Call("arccos", ONE - name / self.amplitude)
             who = capital(self.setting.called(self.setting.mechanism.bodies[0].name))
-            said = f"{who} has come so far when the extension has changed by as much, at the phase"
+            said = f"{who} has moved this far when the extension has changed by the same amount, at the phase"
             return self.book.told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
         stretched = self.book.value(self.strain) > 0.0
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
@@ -209,22 +209,22 @@ class _Oscillating(LoneSpring):
 
     GREATEST: ClassVar[Mapping[str, Way]] = {
         "greatest speed": ("_fastest", "It is fastest at the natural length:"),
-        "greatest kinetic energy": ("_whole", "It has all the energy of the spring at its natural length:"),
-        "greatest extension": ("_amplitude", "That is the amplitude,"),
-        "greatest compression": ("_amplitude", "That is the amplitude,"),
-        "greatest spring energy": ("_whole", "At either end of the oscillation it is the same:"),
-        "greatest displacement": ("_farthest", "The other end of the oscillation is away by"),
+        "greatest kinetic energy": ("_whole", "At the natural length all energy is kinetic:"),
+        "greatest extension": ("_amplitude", "This is the amplitude,"),
+        "greatest compression": ("_amplitude", "This is the amplitude,"),
+        "greatest spring energy": ("_whole", "The energy is the same at both ends of the oscillation:"),
+        "greatest displacement": ("_farthest", "The other end of the oscillation is at the distance"),
     }
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "extension": ("_extension", "It is longer or shorter than when relaxed by"),
-        "spring length": ("_current_length", "The natural length and the extension are"),
-        "spring force": ("_pull", "The spring pulls or pushes with"),
-        "spring energy": ("_stored", "It stores"),
+        "extension": ("_extension", "The change in its length is"),
+        "spring length": ("_current_length", "The length is the natural length plus the extension,"),
+        "spring force": ("_pull", "The spring force is"),
+        "spring energy": ("_stored", "The elastic energy is"),
         "extension rate": ("_speed", "The extension changes at the rate"),
         "velocity": ("_speed", "The velocity is the rate of change of the extension:"),
-        "momentum": ("_momentum", "Mass times velocity:"),
+        "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
         "net force": ("_force", "The force of the spring is"),
-        "acceleration": ("_acceleration", "The force of the spring over the mass:"),
-        "displacement": ("_moved", "It has come as far as the extension has changed:"),
+        "acceleration": ("_acceleration", "By Newton's second law, the acceleration is"),
+        "displacement": ("_moved", "The displacement is the change in the extension,"),
     }

@@ -57,10 +57,10 @@ class _AtRest(LinearWay):
             if free or any(c.speed for c in self.mechanism.coordinates):
                 raise UnsolvedError("something moves")
             step = self.book.open("rest")
-            step.say("Nothing moves, so all forces balance.")
+            step.say("Nothing moves, so the net force on each body is zero.")
             step.close()
         elif not free or not self.motion.springs:
-            raise UnsolvedError("nothing drives it back")
+            raise UnsolvedError("there is no restoring force")
 
     @cached_property
     def _places(self) -> Mapping[int, Symbol]:

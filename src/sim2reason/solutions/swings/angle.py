@@ -43,7 +43,7 @@ SLOW = 1e-5  # of its greatest speed: none
 STRAIGHT = 1e-6  # rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
-SMALL = "Small swings would have the angular frequency"
+SMALL = "The angular frequency of small oscillations is"
 Way = tuple[str, str]  # the method that gives a formula, and what is said before it
 
 

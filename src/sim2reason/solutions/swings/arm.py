@@ -152,11 +152,11 @@ class Arm:
         if spread is None:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
         name = self.book.fresh("c", self.setting.mark(body))
-        said = f"The centre of mass of {self.setting.called(body)} is off the stated point by"
+        said = f"The distance of the centre of mass of {self.setting.called(body)} from the stated point is"
         shift: Expression = self.book.told("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
         whole = self.book.fresh("r", self.setting.mark(body))
-        self.book.told("place", "From the axle it is", whole, plain + shift, METRES)
+        self.book.told("place", "Its distance from the axle is", whole, plain + shift, METRES)
         if abs(self.book.value(whole) - here) > SAME:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
         return whole
@@ -176,7 +176,7 @@ class Arm:
             found += [found[0] * along + found[1] * across] if len(found) >= 2 else []
         for formula in found:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
-                said = f"About its centre of mass, {self.setting.called(body)} has the moment of inertia"
+                said = f"The moment of inertia of {self.setting.called(body)} about its centre of mass is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
                 return self.book.told("table", said, name, mass * formula, INERTIA)
         raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
@@ -190,9 +190,9 @@ class Arm:
         for body in self.bodies:
             piece = self.piece(body)
             total = total + piece.inertia + piece.mass * _squared(piece.place)
-        said = "About the axle, by the parallel-axis theorem, the moment of inertia is"
+        said = "By the parallel-axis theorem, the moment of inertia about the axle is"
         if len(self.bodies) == 1 and self.piece(self.bodies[0]).inertia != ZERO:  # the text has just told its own
-            said = "About the axle it is, by the parallel-axis theorem,"
+            said = "By the parallel-axis theorem, the moment of inertia about the axle is"
         return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
 
     @cached_property
@@ -204,7 +204,7 @@ class Arm:
             total = total + piece.mass * piece.place
         if len(parts) == 1:
             return total
-        said = "The masses times their distances from the axle, counted along the arm, add up to"
+        said = "The sum of the masses times their distances from the axle along the arm is"
         return self.book.told("moment", said, self.book.fresh("S"), total, MOMENT)
 
     def noun(self) -> str:

@@ -95,10 +95,10 @@ class CarriageAngle(SwingAngle):
             return -self.first
         tilt = self.book.fresh(r"\beta")
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
-        said = "Seen from a frame that the pull along the rail, shared by all, accelerates, gravity is tilted back by"
+        said = "In the frame with the common acceleration along the rail, the effective gravity is tilted by the angle"
         self.book.told("tilt", said, tilt, formula, DEGREES)
         said, whole = (
-            f"About that direction {self.swings} swings to and fro, so that it turns back at",
+            f"About this direction {self.swings} oscillates symmetrically, so it turns back at",
             self.first + TWO * tilt,
         )
         beyond = self.book.value(whole) > 0.0  # on the other side of the lowest point
@@ -116,7 +116,7 @@ class CarriageAngle(SwingAngle):
         step = self.book.open("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
         law = step.law(self.carriage.total_mass * far, gone)
-        said = "The common centre of mass does not move along the rail, as nothing pulls there:"
+        said = "No external force acts along the rail, so the common centre of mass does not move along it:"
         step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
         if abs(self.book.values[name.name] - self.now) > STRAIGHT:

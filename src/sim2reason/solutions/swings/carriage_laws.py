@@ -56,9 +56,13 @@ class CarriageLaws(CarriageAngle):
             square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
-        seen = "Seen from a frame with this acceleration, let" if drift != ZERO else "Let"
+        seen = "In the frame with this acceleration, let" if drift != ZERO else "Let"
         step.say(f"{seen} {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$ against it.")
-        keeps = "and with the work of inertial forces energy is kept" if drift != ZERO else "and energy is kept"
+        keeps = (
+            "and energy is conserved with the work of the inertial forces"
+            if drift != ZERO
+            else "and energy is conserved"
+        )
         step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
@@ -86,7 +90,7 @@ class CarriageLaws(CarriageAngle):
         if self.driving_force == ZERO:
             return ZERO
         said, name = (
-            "The pull along the rail, shared by all masses, amounts to the acceleration",
+            "The force along the rail gives the common acceleration",
             self.book.fresh("a", "0"),
         )
         return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
@@ -99,7 +103,7 @@ class CarriageLaws(CarriageAngle):
         self.unloaded()
         over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
         formula = self.moment * over / self.carriage.total_mass
-        said = "The common centre of mass does not move along the rail, so the carriage has come forward by"
+        said = "The common centre of mass does not move along the rail, so the displacement of the carriage is"
         return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes
@@ -122,14 +126,14 @@ class CarriageLaws(CarriageAngle):
         pull, mass = self.radial_pull, self.mass
         who = self.setting.called(self.arm.bodies[0])
         if self.sine == ZERO:
-            said = f"The rod holds the weight of {who} and bends its path into a circle around the carriage:"
+            said = f"By Newton's second law along the rod for {who}, in the frame of the carriage,"
             return book.told("rod", said, name, mass * pull, NEWTONS), ZERO
         step, a = book.open("rod"), book.fresh("a", r"\text{c}")
         pulled = self.driving_force + name * self.signed
         along = step.law(name, mass * (pull - a * self.signed))
         rail = step.law(c.sliding_mass * a, pulled)
         step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()} forward,")
-        step.say(f"which in its own frame pulls back. Along the rod, for {who}: {along}. Along the rail, for")
+        step.say(f"which causes an inertial force in its frame. Along the rod, for {who}: {along}. Along the rail, for")
         over = c.sliding_mass * pull - self.driving_force * self.signed
         step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
         step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
@@ -145,7 +149,7 @@ class CarriageLaws(CarriageAngle):
             return self._turned_up[1]
         if self.sine != ZERO:
             return self._pulled[1]
-        said = "The rod does not pull along the rail, so the carriage is accelerated by"
+        said = "The force in the rod has no component along the rail, so the acceleration of the carriage is"
         name = self.book.fresh("a", r"\text{c}")
         return self.book.told("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
 
@@ -159,7 +163,7 @@ class CarriageLaws(CarriageAngle):
         formula = (self.gravity * self.signed + back) / self.length
         if self.book.value(formula) == 0.0:
             return ZERO
-        said = "Along the circle weight and the inertial force pull:"
+        said = "Along the circle, with weight and inertial force,"
         return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     @cached_property

@@ -6,11 +6,12 @@ centre, and the mean squares of the distances along x, y and z from the centre o
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import cos, pi
+from functools import reduce
+from math import cos, pi, prod
 
 from sim2reason.dsl.shape import Shape
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number
-from sim2reason.solutions.algebra.functions import Power, squares
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiplied
+from sim2reason.solutions.algebra.functions import Power, squares, summed
 
 Sizes = Callable[[str], Expression]  # the symbol of a parameter of the body
 
@@ -50,8 +51,8 @@ def joined(parts: list[Part]) -> MassSpread:
     for part in parts:
         center = center + part.share * part.height
         xx = xx + part.share * part.spread.xx
-        zz = zz + part.share * (part.spread.zz + (squares([part.height])))
-    return MassSpread(xx, zz - squares([center]), center)
+        zz = zz + part.share * part.spread.zz + part.share * squares([part.height])
+    return MassSpread(xx, zz - squares([-center if center.negative else center]), center)
 
 
 def _ball(radius: Expression) -> MassSpread:
@@ -161,4 +162,15 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
 def candidates(spread: MassSpread) -> list[Expression]:
     """The moment of inertia over the mass about each of its own axes, and across it."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
-    return [x + z, x + y, y + z]
+    return [_collected(x + z), _collected(x + y), _collected(y + z)]
+
+
+def _collected(held: Expression) -> Expression:
+    """A sum in which terms that differ by a number alone are one."""
+    parts: dict[Expression, float] = {}
+    for term in held.terms if isinstance(held, Sum) else (held,):
+        factors = term.factors if isinstance(term, Product) else (term,)
+        number = prod(factor.x for factor in factors if isinstance(factor, Number))
+        rest = reduce(multiplied, (factor for factor in factors if not isinstance(factor, Number)), ONE)
+        parts[rest] = parts.get(rest, 0.0) + number
+    return summed(multiplied(Number(number), rest) for rest, number in parts.items())

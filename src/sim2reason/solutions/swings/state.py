@@ -93,7 +93,7 @@ class SwingState(SwingAngle):
         law = step.law(high, self._energy)
         ratio_of = ratio(squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
         formula = Call("arccos", added(self.cosine_first, -ratio_of))
-        said = f"{capital(self.who)} turns back where all its energy is of height"
+        said = f"{capital(self.who)} turns back where all its energy is potential"
         step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
         beyond = self.now < 0.0 if not self.extreme else True
@@ -109,7 +109,8 @@ class SwingState(SwingAngle):
         energy = step.law(Power(fast, 2), added(squares([v]), gained))
         over = ratio(squares([v]), multiplied(g, ell))
         formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
-        step.say(f"The string goes slack where weight alone bends the path: {circle}; by energy {energy}.")
+        step.say(f"The string goes slack where the weight alone is the centripetal force: {circle}.")
+        step.say(f"By conservation of energy, {energy}.")
         step.say(f"Together, {step.result(name, formula, DEGREES)}")
         step.say(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
         step.close()
@@ -139,7 +140,7 @@ class SwingState(SwingAngle):
         )
         square = added(squares([self.launch]), gained)
         law = step.law(Power(name, 2), square)
-        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), SPEED)}.")
+        step.say(f"By conservation of energy, {law}, so {step.result(name, Root(square), SPEED)}.")
         step.close()
         return Power(name, 2)
 

@@ -7,7 +7,7 @@ k ω₀ t = F(θ, 1/k).
 from math import sin
 
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.elliptic import Elliptic
+from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic, SpecialFunction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
@@ -26,7 +26,6 @@ class SwingTime:
         self.book, self.natural, self.first, self.rate = book, natural, first, rate
         self.way = way if first != ZERO else 1.0
         self.side = 1.0 if first != ZERO else way
-        self.elliptic = Elliptic(book, self.modulus if not self.rounds else ONE / self.modulus)
 
     @cached_property
     def modulus(self) -> Symbol:
@@ -37,13 +36,20 @@ class SwingTime:
             part = self.rate / (TWO * self.natural)
             formula = Root(Power(part, 2) + Power(half, 2)) if half != ZERO else part
         name, step = self.book.fresh("k"), self.book.open("modulus")
-        step.say("By energy, the square of the angular speed is")
-        step.say(
-            f"$4 {self.natural.latex()}^{{2}} (k^{{2}} - \\sin^{{2}}(\\varphi/2))$ with".replace(
-                "k^", f"{name.latex()}^"
-            )
-        )
-        step.say(f"{step.result(name, formula, '', law=True)}.")
+        told = step.result(name, formula, "", law=True)
+        k, rate = name.latex(), self.natural.latex()
+        step.say(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
+        step.say(rf"(\varphi/2))$ with {told}.")
+        if self.book.values[name.name] > 1.0:
+            said = rf"With $\psi$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}}"
+            said += rf" \operatorname{{F}}(\psi, 1/{k})$"
+            square = rf"\sin^{{2}}\vartheta/{k}^{{2}}"
+        else:
+            said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, a time is $\frac{{1}}{{{rate}}}"
+            said += rf" \operatorname{{F}}(\psi, {k})$"
+            square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
+        step.say(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
+        step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
         step.close()
         return name
 
@@ -56,6 +62,38 @@ class SwingTime:
     def pace(self) -> Expression:
         """How fast the integral grows."""
         return self.modulus * self.natural if self.rounds else self.natural
+
+    # ---- elliptic integrals
+
+    @property
+    def _elliptic_modulus(self) -> Expression:
+        return ONE / self.modulus if self.rounds else self.modulus
+
+    @cached_property
+    def complete(self) -> Symbol:
+        """K, the integral of a quarter of an oscillation, or of half a turn."""
+        part = "from straight down to straight up" if self.rounds else "from the lowest point to a turning point"
+        formula = CompleteElliptic(self._elliptic_modulus)
+        return self._special(f"The complete integral, {part}, is", self.book.fresh("K"), formula, "")
+
+    def _integral(self, angle: Symbol) -> Symbol:
+        """F(θ)."""
+        said, formula = f"The integral up to ${angle.latex()}$ is", IncompleteElliptic(angle, self._elliptic_modulus)
+        return self._special(said, self.book.fresh("F"), formula, "")
+
+    def _amplitude(self, integral: Symbol) -> Symbol:
+        """The angle θ up to which the integral has a value."""
+        said = f"The angle up to which the integral is ${integral.latex()}$ is"
+        formula = Amplitude(integral, self._elliptic_modulus)
+        return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)
+
+    def _special(self, said: str, name: Symbol, formula: SpecialFunction, unit: str) -> Symbol:
+        """A step with a number that tables or a computer give; its name alone where it hangs on what is unknown."""
+        step = self.book.open("elliptic")
+        told = step.result(name, formula, unit, law=True)
+        step.say(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else told}.")
+        step.close()
+        return name
 
     # ---- an angle as a multiple of a half turn of θ, and the integral of what is left
 
@@ -70,13 +108,13 @@ class SwingTime:
             if abs(over - 1.0) < NEAR**2:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
-        said = "The angle of the integral is" if not self.rounds else "Half the angle is"
-        theta = self.book.told("angle", said, self.book.fresh(r"\theta"), formula, RADIANS)
-        return Polynomial.of(self.elliptic.integral(theta))
+        said = "Half the angle is" if self.rounds else "The angle in the integral is"
+        theta = self.book.told("angle", said, self.book.fresh(r"\psi"), formula, RADIANS)
+        return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
         """So many times K."""
-        return Polynomial.of(self.elliptic.complete).scaled(float(count)) if count else NIL
+        return Polynomial.of(self.complete).scaled(float(count)) if count else NIL
 
     @cached_property
     def begins(self) -> Polynomial:
@@ -95,7 +133,7 @@ class SwingTime:
         value = self.book.value(angle)
         size = angle if value >= 0.0 else -angle
         left = self._left(size, abs(value))
-        full = 2.0 * self.book.values[self.elliptic.complete.name]
+        full = 2.0 * self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         part = self.book.value(left.expression())
         found = [(sign, round((now - sign * part) / full)) for sign in (1.0, -1.0)]
@@ -107,7 +145,7 @@ class SwingTime:
 
     def upright(self, time: float) -> Symbol:
         """Write when it is at the lowest point, or turns back, or is at the top."""
-        quarter = self.book.values[self.elliptic.complete.name]
+        quarter = self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         count = round(now / quarter)
         if abs(count * quarter - now) > NEAR * quarter:
@@ -115,7 +153,7 @@ class SwingTime:
         return self._after(self._quarters(count))
 
     def _after(self, integral: Polynomial) -> Symbol:
-        said = "The time is the integral over the angular frequency,"
+        said = "Hence"
         formula = (integral - self.begins).expression() / self.pace
         return self.book.told("time", said, self.book.fresh("t"), formula, SECONDS)
 
@@ -123,9 +161,12 @@ class SwingTime:
     def frequency(self) -> Symbol:
         """Write the angular frequency of the whole motion: 4 K to and fro, 2 K once round."""
         share = 1.0 if self.rounds else 0.5
-        formula = Number(share) * PI * self.pace / self.elliptic.complete
-        said = "To and fro takes four such quarters, so that the angular frequency is"
-        said = "Once round takes two such quarters, so that the angular frequency is" if self.rounds else said
+        formula = Number(share) * PI * self.pace / self.complete
+        quarter, rate = self.complete.latex(), self.natural.latex()
+        said = f"The period is $4 {quarter}/{rate}$"
+        if self.rounds:
+            said = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
+        said += ", so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     def angle(self, time: Symbol) -> Symbol:
@@ -134,12 +175,12 @@ class SwingTime:
         grown = self.pace * time
         name = self.book.fresh("F", "t")
         whole = self.begins.expression() + grown if self.begins else grown
-        said = "With time it grows to"
-        theta = self.elliptic.amplitude(self.book.told("elliptic", said, name, whole, ""))
+        said = "At that time the integral is"
+        theta = self._amplitude(self.book.told("elliptic", said, name, whole, ""))
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)
         else:
             formula = TWO * Call("arcsin", self.modulus * Call("sin", theta))
             formula = formula if self.side > 0.0 else -formula
-        said = "The angle from the vertical is then"
+        said = "The angle with the vertical is then"
         return self.book.told("angle", said, self.book.fresh(r"\varphi"), formula, DEGREES)

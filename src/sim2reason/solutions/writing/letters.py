@@ -18,6 +18,7 @@ LETTERS = {
     "electric potential energy": "U",
     "energy dissipated by friction": "Q",
     "energy lost in a collision": "Q",
+    "energy lost in a jerk": "Q",
     "extension": "e",
     "extension rate": "u",
     "height": "h",

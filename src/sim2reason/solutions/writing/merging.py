@@ -16,7 +16,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
     place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
     for step in steps:
         held = replace(step, needs=tuple(sorted({place[n] for n in step.needs if n in place})))
-        group = next((group for group in groups if _alike(group[0], held)), None)
+        group = next((group for group in groups if _alike(group[0], held, follows=group is groups[-1])), None)
         if group is None:
             groups.append(group := [])
         group.append(held)
@@ -24,12 +24,18 @@ def merged(steps: Sequence[Step]) -> list[Step]:
     return [_said(group) for group in groups]
 
 
-def _alike(first: Step, other: Step) -> bool:
-    """Whether a later step can stand with an earlier one: it says the same, of what is known by then."""
+def _alike(first: Step, other: Step, *, follows: bool) -> bool:
+    """Whether a later step can stand with an earlier one: it says the same, of what is known by then.
+
+    A step that `follows` directly may rest on all that is known by then; another one on no more than the earlier one.
+    """
     one, two = SENTENCE.fullmatch(first.text), SENTENCE.fullmatch(other.text)
     said = one is not None and two is not None and one["lead"] == two["lead"]
     known = {*other.needs} == {*first.needs} or bool(other.needs and {*other.needs} < {*first.needs})
-    return said and first.kind == other.kind and known and bool(first.gives and other.gives)
+    known = known or (follows and all(number < first.id for number in other.needs))
+    return (
+        said and (first.kind, first.phase) == (other.kind, other.phase) and known and bool(first.gives and other.gives)
+    )
 
 
 def _said(group: Sequence[Step]) -> Step:

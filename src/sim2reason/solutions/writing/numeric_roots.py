@@ -3,10 +3,12 @@
 from collections.abc import Sequence
 
 from sim2reason.solutions.algebra.evaluated import ImplicitRoot, NumericRoot
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, Writing
 
+LONG = 160  # characters of a formula that is better not written
 NamedRoot = tuple[Symbol, Expression, float]
 """What a root is called, the formula that vanishes there, and a number near it."""
 
@@ -14,8 +16,12 @@ NamedRoot = tuple[Symbol, Expression, float]
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
     """What `said` announces: a name, and the number near one at which a formula of it vanishes.
 
-    Where the formula hangs on what is unknown, nothing: the equation, which was told, holds the name.
+    Where the equation can be solved, the formula of the root, without what `said` announces. Else, where the formula
+    hangs on what is unknown, nothing: the equation, which was told, holds the name.
     """
+    closed = solved_for(name.name, residual, ZERO, {**book.values, name.name: near})
+    if not isinstance(closed, NumericRoot) and len(closed.latex()) <= LONG:
+        return f"Hence {step.result(name, closed, unit)}."
     return told_roots(book, step, [(name, residual, near)], unit, said)
 
 

@@ -131,6 +131,11 @@ class Book:
         """A formula of which the number alone is written, unless that hangs on what is unknown."""
         return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
 
+    def begin_phase(self, begins: str, ends: str) -> None:
+        """Let the steps from now on belong to another phase of the motion."""
+        self.phases.append(Phase(begins, ends))
+        self.phase = len(self.phases) - 1
+
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
         return Writing(self, kind)

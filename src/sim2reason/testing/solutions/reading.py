@@ -26,6 +26,11 @@ BOX = r"\boxed{"
 BOXED = 6e-3  # relative: what three digits leave
 CLOSE = 6e-5  # relative: what five digits leave of a number, at most
 STEP = 1e-6  # relative, of a derivative
+PROBLEM = re.compile(
+    r"(?:(?:Let|The equations? of motion (?:is|are)|Initially|The phase begins with) (?=\$)|Along with them)"
+    r"(?:[^$.]|\.(?!\s)|\$[^$]*\$)*\.(?=\s|$)|Numerical integration until (?:[^$]|\$[^$]*\$)*?,? gives"
+)
+"""What states an initial-value problem: formulas that hold throughout a phase, not for numbers that the text gives."""
 SIGNS = ("plus", "minus", "dash")
 
 
@@ -87,6 +92,7 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 
     Where a problem is in symbols, `known` has their values.
     """
+    text = PROBLEM.sub("", text)
     equalities: list[Equality] = []
     unread: list[str] = []
     known = {canonical(name): value for name, value in (known or {}).items()}

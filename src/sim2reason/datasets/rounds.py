@@ -1,0 +1,169 @@
+"""Make the positions of a dataset until it has its items: round after round, shard by shard.
+
+The first round tries as many positions as items are asked for. What holds no item, or one that is left out because a
+lower position has its like, is made up for by as many positions more, and so on. Each round is a function of the ones
+before it, and never goes beyond the position of the last item: so the dataset is the same however often it is begun.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from functools import partial
+
+from sim2reason.datasets.cells import table
+from sim2reason.datasets.contamination import Overlap
+from sim2reason.datasets.distinct import POSITION, Double, doubles
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.journal import Journal
+from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged
+from sim2reason.datasets.places import Run
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.shard_records import items_of, lengthened, marks_of, put_shard, shard_of
+from sim2reason.datasets.work_queue import WorkQueue
+from sim2reason.datasets.worker import Attempt
+
+FindsOverlap = Callable[[str], Overlap | None]
+"""Finds the words that a prompt shares with a benchmark."""
+Advance = Callable[[int], object]
+"""Is told how many more positions are done; less than none where that many hold no item, and others are to."""
+
+
+def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+    """Make positions until as many items stand as are asked for, or nothing new is left to be had."""
+    told = 0
+
+    def tell(steps: int) -> None:
+        nonlocal told
+        told += steps
+        if steps:
+            advance(steps)
+
+    def rounds() -> Iterator[range | None]:
+        numbers = range(journal.shards)
+        while numbers:
+            yield from _missing(journal, numbers, tell)
+            while queue.open:
+                yield None
+            _leave_doubles_out(journal)
+            tell(_rows(journal) - told)
+            numbers = _lengthened(journal)
+
+    queue = WorkQueue(journal.plan.config, rounds())
+    _work(journal, queue, run, overlap, tell)
+
+
+def make_positions(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+    """Make those positions of some shards that do not stand, and none in place of those that hold no item."""
+    queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
+    _work(journal, queue, run, overlap, advance)
+
+
+def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:
+    """The positions of some shards that do not stand."""
+    for number in numbers:
+        positions, standing = journal.range(number), journal.stands(number)
+        begin = standing.positions[1] if standing is not None else positions.start
+        if begin > positions.start:
+            advance(begin - positions.start)
+        if begin < positions.stop:
+            yield range(begin, positions.stop)
+
+
+def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+    with closing(run(queue.next)) as replies:
+        for batch, reply in replies:
+            before = queue.done
+            for positions, outcomes in queue.settle(batch, reply):
+                _write(journal, overlap, positions, outcomes)
+            advance(queue.done - before)
+
+
+def _lengthened(journal: Journal) -> range:
+    """Let the journal have the positions of the next round, and give the shards to look at; none if all is done."""
+    config, shards = journal.plan.config, journal.shards
+    barren_from = _behind_last_item(journal) + config.barren
+    end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))
+    if end == journal.positions:
+        return range(0)
+    journal.positions = end
+    return range(shards - 1 if shards == journal.shards else 0, journal.shards)  # of more shards, all are renamed
+
+
+def _rows(journal: Journal) -> int:
+    return sum(shard_of(journal, number).rows for number in range(journal.shards))
+
+
+def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
+    """Write the shard of a complete range, behind those of its positions that stand."""
+    number = positions.start // journal.plan.config.shard
+    found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
+    overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
+    items = [(position, item) for position, item in found if position not in overlaps]
+    shard = _record(journal.plan.config, positions, outcomes, overlaps)
+    if positions.start > journal.range(number).start:
+        before = shard_of(journal, number)
+        shard, items = lengthened(before, shard), [*items_of(journal, before), *items]
+    put_shard(journal, shard, items)
+
+
+def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overlaps: dict[int, Overlap]) -> Shard:
+    """What a range's record says of what it was asked for, and of what gave no item."""
+    requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
+    wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
+    failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
+    empty = [(each, r) for each, r in requests if not each.failure and each.item is None]
+    return Shard(
+        number=positions.start // config.shard,
+        positions=(positions.start, positions.stop),
+        files=(),
+        counts={},
+        rejected=merged({r.recipe: each.rejected} for each, r in requests),
+        cells=table(wanted, ()),
+        quarantined=tuple(failed),
+        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
+        unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),
+    )
+
+
+def _why(rejected: Counts) -> str:
+    return "no draw passed: " + (", ".join(f"{name} {n}" for name, n in sorted(rejected.items())) or "none was made")
+
+
+def _behind_last_item(journal: Journal) -> int:
+    """The position behind the last one that holds an item."""
+    for number in reversed(range(journal.shards)):
+        positions = marks_of(journal, number).table[:, POSITION]
+        if len(positions):
+            return int(positions.max()) + 1
+    return 0
+
+
+def _leave_doubles_out(journal: Journal) -> None:
+    """Write shards again without what a lower position makes superfluous."""
+    read = partial(marks_of, journal)
+    for number, found in doubles(read, journal.shards, journal.positions, journal.plan.config.distance):
+        _leave_out(journal, number, found)
+
+
+def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
+    config, shard, gone = journal.plan.config, shard_of(journal, number), {each.position for each in found}
+    kept: list[tuple[int, Item]] = [pair for pair in items_of(journal, shard) if pair[0] not in gone]
+    changed = {
+        "duplicates": _left_out(shard.duplicates, config, [each for each in found if not each.alike]),
+        "variants": _left_out(shard.variants, config, [each for each in found if each.alike]),
+    }
+    put_shard(journal, shard.model_copy(update=changed), kept)
+
+
+def _left_out(
+    before: Sequence[RefusedPosition], config: Config, found: Sequence[Double]
+) -> tuple[RefusedPosition, ...]:
+    """Those of a shard that were left out before, and more of them, in order."""
+    more = [
+        RefusedPosition.of(
+            each.position,
+            config.request(each.position),
+            f"{'like' if each.alike else 'same as'} {config.request(each.first).id}",
+        )
+        for each in found
+    ]
+    return tuple(sorted([*before, *more], key=lambda each: each.position))

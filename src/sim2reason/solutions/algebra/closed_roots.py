@@ -1,0 +1,239 @@
+"""Roots in closed form: of equations that lead to a linear or quadratic one in a symbol, or in its sine or cosine."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import reduce
+from operator import add, mul
+
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    added,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
+from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial
+
+MOST = 60  # terms of an equation that is solved in symbols
+QUADRATIC = 2  # the degree up to which equations are solved
+SQUARED = 2  # different square roots that hold the symbol, at most
+
+
+Written = Callable[[Polynomial], Expression]
+
+
+def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -> Iterator[Expression]:
+    """Yield what a symbol may be where a polynomial of it, its functions and roots is zero.
+
+    Roots that squaring has brought in are among them. How a coefficient is `written`, whoever asks says.
+    """
+    try:
+        rational = _without_radicals(zero, name)
+    except OverflowError:
+        return
+    atoms = {atom for monomial in rational.terms for atom, _ in monomial if name in atom.symbols()}
+    symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
+    if atoms == {symbol}:
+        yield from _powers(rational, symbol, written)
+    elif atoms <= {sine, cosine}:
+        yield from _angles(rational, sine, cosine, written)
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """A polynomial of symbols, functions and roots over a product of others, kept apart so that they cancel."""
+
+    above: Polynomial
+    below: tuple[Polynomial, ...] = ()
+
+    def __add__(self, other: "Fraction") -> "Fraction":
+        """Their sum, over what both denominators hold."""
+        mine, others = _without(self.below, other.below), _without(other.below, self.below)
+        return Fraction(_times(self.above, others) + _times(other.above, mine), (*self.below, *others))
+
+    def __mul__(self, other: "Fraction") -> "Fraction":
+        """Their product."""
+        above, below = _short(self.above * other.above), (*self.below, *other.below)
+        if above in below:
+            return Fraction(Polynomial.of(1.0), _without(below, (above,)))
+        return Fraction(above, below)
+
+    def inverted(self) -> "Fraction":
+        """One over it."""
+        return Fraction(_times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,))
+
+
+def fraction(held: Expression) -> Fraction:
+    """A formula as one fraction; OverflowError if it is long."""
+    match held:
+        case Number():
+            return Fraction(Polynomial.of(held.x))
+        case Sum():
+            return reduce(add, map(fraction, held.terms))
+        case Product():
+            return reduce(mul, map(fraction, held.factors))
+        case Quotient():
+            above, below = fraction(held.above), fraction(held.below)
+            shared = _without(below.below, _without(below.below, above.below))
+            above, below = (Fraction(f.above, _without(f.below, shared)) for f in (above, below))
+            return above * below.inverted()
+        case Power() if held.exponent > 0:
+            return reduce(mul, [fraction(held.base)] * held.exponent)
+        case _:
+            return Fraction(Polynomial.of(held))
+
+
+def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
+    """Some polynomials less others, each as often as it is there."""
+    left = list(held)
+    for other in others:
+        if other in left:
+            left.remove(other)
+    return tuple(left)
+
+
+def _times(held: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
+    for factor in factors:
+        held = _short(held * factor)
+    return held
+
+
+def _short(held: Polynomial) -> Polynomial:
+    if len(held.terms) > MOST:
+        raise OverflowError("an equation of too many terms")
+    return held
+
+
+# ---- square roots
+
+
+def _without_radicals(zero: Polynomial, name: str) -> Polynomial:
+    """With P² b = Q² a for P + Q √(a/b) = 0, as long as there are square roots that hold the symbol."""
+    for _ in range(SQUARED + 1):
+        held = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
+        root = next((atom for atom in held if name in atom.symbols()), None)
+        if root is None:
+            return zero
+        inside = fraction(root.inside)
+        above, below = inside.above, _times(Polynomial.of(1.0), inside.below)
+        even, odd = Polynomial({}), Polynomial({})  # with a power of a/b for each square of the root
+        highest = max(dict(monomial).get(root, 0) for monomial in zero.terms)
+        for power in range(highest + 1):
+            part = coefficient(zero, root, power)
+            for _ in range(power // 2):
+                part = _short(part * above)
+            for _ in range(highest // 2 - power // 2):
+                part = _short(part * below)
+            even, odd = (even + part, odd) if power % 2 == 0 else (even, odd + part)
+        zero = _short(_short(even * even) * below) - _short(_short(odd * odd) * above) if odd else even
+    raise OverflowError("an equation of too many roots")
+
+
+# ---- powers of one atom
+
+
+def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+    """What stands before a power of an atom."""
+    found = {
+        tuple(pair for pair in monomial if pair[0] != atom): part
+        for monomial, part in held.terms.items()
+        if dict(monomial).get(atom, 0) == power
+    }
+    return Polynomial(found)
+
+
+def _powers(zero: Polynomial, atom: Expression, written: Written) -> Iterator[Expression]:
+    """Of an equation that is linear or quadratic in an atom or in its square, but for a power that all terms hold."""
+    powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
+    least, steps = powers[0], [power - powers[0] for power in powers]
+    step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > QUADRATIC else 1
+    if max(steps) > QUADRATIC * step:
+        return
+    rest, linear, square = (coefficient(zero, atom, least + step * n) for n in range(QUADRATIC + 1))
+    for found in _quadratic(rest, linear, square, written):
+        yield from [found] if step == 1 else [Root(found), -Root(found)]
+
+
+def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written: Written) -> Iterator[Expression]:
+    if not square:
+        if linear:
+            yield _over(rest.scaled(-1.0), linear, written)
+        return
+    if not linear:
+        size = Root(_over(rest.scaled(-1.0), square, written))
+        yield from (size, -size)
+        return
+    half = linear.scaled(0.5)
+    root = Root(written(half * half - square * rest))
+    for sign in (1.0, -1.0):
+        yield ratio(added(written(half.scaled(-1.0)), multiplied(Number(sign), root)), written(square))
+
+
+def _over(above: Polynomial, below: Polynomial, written: Written) -> Expression:
+    """A fraction without what both of its sides share."""
+    return over(above, below) if written is Polynomial.factored else ratio(written(above), written(below))
+
+
+# ---- angles
+
+
+def _angles(zero: Polynomial, sine: Call, cosine: Call, written: Written) -> Iterator[Expression]:
+    """Of an equation in one of sine and cosine alone, linear in both, or of second degree in both."""
+    pairs = {_degrees(monomial, sine, cosine) for monomial in zero.terms}
+    alone: tuple[tuple[Call, Function, int], ...] = ((sine, "arcsin", 1), (cosine, "arccos", 0))
+    for atom, inverse, other in alone:
+        if all(pair[other] == 0 for pair in pairs):
+            yield from (Call(inverse, found) for found in _powers(zero, atom, written))
+            return
+    rest = _constant(zero, sine, cosine)
+    if all(sum(pair) <= 1 for pair in pairs):
+        yield from _linear(coefficient(zero, sine, 1), coefficient(zero, cosine, 1), rest, written)
+    elif all(sum(pair) in (0, QUADRATIC) for pair in pairs):
+        first = coefficient(coefficient(zero, sine, 2), cosine, 0).scaled(0.5)
+        second = coefficient(coefficient(zero, cosine, 2), sine, 0).scaled(0.5)
+        mixed = coefficient(coefficient(zero, sine, 1), cosine, 1).scaled(0.5)
+        for double in _linear(mixed, second - first, rest + first + second, written):
+            yield ratio(double, Number(2.0))  # sin² = (1 − cos 2x)/2, 2 sin cos = sin 2x
+
+
+def _degrees(monomial: Monomial, sine: Call, cosine: Call) -> tuple[int, int]:
+    powers = dict(monomial)
+    return powers.get(sine, 0), powers.get(cosine, 0)
+
+
+def _constant(zero: Polynomial, sine: Call, cosine: Call) -> Polynomial:
+    return coefficient(coefficient(zero, sine, 0), cosine, 0)
+
+
+def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) -> Iterator[Expression]:
+    """Of a sin x + b cos x + c = 0: x = arcsin(−c/√(a² + b²)) − arctan(b/a), or with π less the arcsine."""
+    if not a:
+        if b:
+            yield Call("arccos", _over(rest.scaled(-1.0), b, written))
+        return
+    if sum(a.terms.values()) < 0.0:
+        a, b, rest = (part.scaled(-1.0) for part in (a, b, rest))
+    turn: Expression = Call("arctan", _over(b, a, written)) if b else ZERO
+    if not rest:
+        yield -turn
+        return
+    size = Root(written(a * a + b * b)) if b else written(a)
+    inverse = Call("arcsin", ratio(written(rest.scaled(-1.0)), size))
+    yield from (added(inverse, -turn), added(added(PI, -inverse), -turn))
+
+
+def atoms_worked(held: Expression, name: str) -> Expression:
+    """A formula in which numbers that hold the symbol are written as the formulas that they are."""
+    if isinstance(held, Worked):
+        return atoms_worked(held.inner, name) if name in held.symbols() else held
+    if name not in held.symbols() or not held.parts:
+        return held
+    return held.built_of([atoms_worked(part, name) for part in held.parts])

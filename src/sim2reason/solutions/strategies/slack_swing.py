@@ -1,0 +1,289 @@
+"""Slack swing: a bob on a string that goes slack; energy on the circle, then a projectile, then the circle again."""
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.simulation.trace import Event
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swings.angle import EXTREMES, UP, quantity_of
+from sim2reason.solutions.swings.pendulum import pivot
+from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
+from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
+
+MOMENTS = (AtTime, HighestPoint, Stopped, WentTaut)
+AT_ONCE = 1e-9  # relative, of times
+TWO, HALF = Number(2.0), Number(0.5)
+LOSS = "energy lost in a jerk"
+
+
+@strategy
+class SlackSwing(Strategy):
+    """A small body on a string that goes slack, at a moment after that."""
+
+    name = "circle and projectile"
+    cost = 1.05
+    kinds = Strategy.kinds | {"extremum", "sum"}
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no small body hangs by a string."""
+        found = pivot(mechanism)
+        return "" if found is not None and found[1] is not None else "no small body swings on a string"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        quantity, query = quantity_of(setting), setting.query
+        if quantity and quantity not in _Slack.WAYS:
+            return f"no way to the {quantity}"
+        if not isinstance(query.moment, MOMENTS):
+            return f"no way to the moment {type(query.moment).__name__}"
+        happened = setting.story | ({"taut"} if isinstance(query.moment, WentTaut) else set[str]())
+        return "" if happened & {"slack", "taut"} else "the string stays taut"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Phase by phase, then what is asked."""
+        return _Slack(setting, book).write().name
+
+
+class _Slack:
+    """What is asked of the chain of phases."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book = setting, book
+        self.chain = SlackChain(setting, book)
+        self.swing, self.mass = self.chain.swing, self.chain.swing.mass
+        self.quantity = quantity_of(setting)
+        self.timed = isinstance(setting.query.moment, AtTime) or not self.quantity
+        self.speed: Expression = self.swing.launch  # along the circle, where the last phase begins on it
+        self.since: Expression = ZERO  # when the last phase begins
+        self.begun = 0.0  # s: the same
+
+    # ---- the phases
+
+    @property
+    def _passed(self) -> list[Event]:
+        """The changes before the phase in which the moment is; just after a jerk is in the phase after it."""
+        moment, end = self.setting.query.moment, self.setting.time
+        if isinstance(moment, WentTaut) and moment.after and self.quantity not in ("", LOSS):
+            return self.chain.changes
+        return [event for event in self.chain.changes if event.time < end * (1.0 - AT_ONCE)]
+
+    @cached_property
+    def flies(self) -> bool:
+        """Whether the string is slack in the last phase."""
+        return self._passed[-1].kind == "slack" if self._passed else self.chain.slack_at_once
+
+    @cached_property
+    def last(self) -> Instant:
+        """Write all phases before the one of the moment; the place and velocity at which that one begins."""
+        held, flies = self.chain.start, self.chain.slack_at_once
+        self._phase("the start of the motion", flies=flies)
+        for event in self._passed:
+            if (event.kind == "taut") != flies:
+                raise UnsolvedError("the string goes slack just where it becomes taut")
+            held = self._tightened(held) if flies else self._slackened(held, event.time)
+            flies = not flies
+            self.begun = event.time
+            self._phase(f"the string becomes {'slack' if flies else 'taut'}", flies=flies)
+        return held
+
+    def _phase(self, begins: str, *, flies: bool) -> None:
+        """Note a phase."""
+        acts = FLIES if flies else ON_CIRCLE
+        self.book.begin_phase(
+            begins, f"{self.chain.who} {acts} until the string becomes {'taut' if flies else 'slack'}"
+        )
+
+    def _slackened(self, held: Instant, time: float) -> Instant:
+        found = self.chain.goes_slack(held, time)
+        if self.timed:
+            angle = self.chain.angle(found, self.book.fresh(r"\phi", r"\text{s}"))
+            self._later(self.chain.times(held, self.speed).reaches(angle, time - self.begun))
+        return found
+
+    def _tightened(self, held: Instant) -> Instant:
+        span, before = self.chain.is_taut_again(held)
+        found, self.speed = self.chain.jerked(before)
+        if self.timed:
+            self._later(span)
+        return found
+
+    def _later(self, span: Symbol) -> None:
+        """The next phase begins after a time."""
+        if self.since == ZERO:
+            self.since = span
+            return
+        self.since = self.book.told("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
+
+    # ---- the moment
+
+    @cached_property
+    def there(self) -> Instant:
+        """Write the place and the velocity at the moment."""
+        moment, held = self.setting.query.moment, self.last
+        if isinstance(moment, WentTaut):
+            return self.chain.is_taut_again(held)[1] if self.flies else held
+        if isinstance(moment, AtTime):
+            return self._at_time(moment, held)
+        return self.chain.highest(held) if self.flies else self.chain.turns(held)
+
+    def _at_time(self, moment: AtTime, held: Instant) -> Instant:
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        left = name
+        if self.since != ZERO:
+            said = "The time since then is"
+            left = self.book.told("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+        if self.flies:
+            return self.chain.after(held, left, f"At that time {self.chain.who} is at")
+        return self.chain.swung(held, self.chain.times(held, self.speed), left)
+
+    def _when(self) -> Symbol:
+        """Write the time of the moment."""
+        held = self.last
+        if isinstance(self.setting.query.moment, WentTaut):
+            span, _ = self.chain.is_taut_again(held)
+        elif self.flies:
+            said = "The vertical velocity is zero after"
+            span = self.book.told("time", said, self.book.fresh("t"), held.vy / self.chain.gravity, SECONDS)
+        else:
+            span = self.chain.times(held, self.speed).upright(self.setting.time - self.begun)
+        self._later(span)
+        assert isinstance(self.since, Symbol)
+        return self.since
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """What is asked for, by its quantity."""
+        if not self.quantity:
+            return self._when()
+        sense = self.setting.query.target.sense if self.setting.query.target is not None else None
+        if sense is not None and sense.vector != UP and any(sense.vector):
+            raise UnsolvedError("a component along a direction that is not vertical")
+        self.vertical = sense is not None and sense.vector == UP
+        way, why = self.WAYS[self.quantity]
+        formula: Expression = getattr(self, way)()
+        if sense is None and self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol):
+            return formula
+        return self.book.told("answer", why, self.book.fresh(LETTERS[self.quantity]), formula, self.setting.unit)
+
+    @cached_property
+    def fastest(self) -> Expression:
+        """The square of the speed at the lowest point, which the bob passes before the string goes slack."""
+        query = self.setting.query
+        if not isinstance(query, StretchQuery) or EXTREMES[query.functional][1] != "fastest":
+            raise UnsolvedError("it is not greatest at the lowest point")
+        chain, start = self.chain, self.chain.start
+        self._phase("the start of the motion", flies=False)
+        step, v = self.book.open("energy"), self.book.fresh("v", r"\text{b}")
+        square = chain.squared(start) + TWO * chain.gravity * (chain.length + start.y)
+        law = step.law(Power(v, 2), square)
+        step.say(f"It is greatest at the lowest point. By conservation of energy, {law}, so")
+        step.say(f"{step.result(v, Root(square), SPEED)}.")
+        step.close()
+        return Power(v, 2)
+
+    @property
+    def extreme(self) -> bool:
+        """Whether the greatest value is asked for."""
+        return isinstance(self.setting.query, StretchQuery) and self.setting.query.functional in EXTREMES
+
+    @property
+    def square(self) -> Expression:
+        """The square of the speed."""
+        return self.fastest if self.extreme else self.chain.squared(self.there)
+
+    @property
+    def height(self) -> Expression:
+        """Above the fixed point, where it is fastest below it."""
+        return -self.chain.length if self.extreme else self.there.y
+
+    def _velocity(self) -> Expression:
+        if self.vertical:
+            return self.there.vy
+        square = self.square
+        return square.base if isinstance(square, Power) else Root(square)
+
+    def _kinetic(self) -> Expression:
+        return HALF * self.mass * self.square
+
+    def _momentum(self) -> Expression:
+        return self.mass * self._velocity()
+
+    def _height(self) -> Expression:
+        return self.there.y - self.chain.start.y
+
+    def _potential(self) -> Expression:
+        return self.mass * self.chain.gravity * self._height()
+
+    def _displacement(self) -> Expression:
+        if self.vertical:
+            return self._height()
+        return _size(self.there.x - self.chain.start.x, self._height())
+
+    def _impulse(self) -> Expression:
+        there, start = self.there, self.chain.start
+        return self.mass * _size(there.vx - start.vx, there.vy - start.vy)
+
+    def _on_circle(self) -> None:
+        """UnsolvedError where the string is slack."""
+        if self.flies and not self.extreme:
+            raise UnsolvedError("the string is slack")
+
+    def _tension(self) -> Expression:
+        self._on_circle()
+        return self.mass * (self.square - self.chain.gravity * self.height) / self.chain.length
+
+    def _acceleration(self) -> Expression:
+        ell, g = self.chain.length, self.chain.gravity
+        if self.extreme:
+            return self.square / ell
+        self._on_circle()
+        if self.vertical:
+            raise UnsolvedError("a component of the acceleration on the circle")
+        return _size(self.square / ell, g * self.there.x / ell)
+
+    def _force(self) -> Expression:
+        return self.mass * self._acceleration()
+
+    def _deflection(self) -> Expression:
+        self._on_circle()
+        return Call("arccos", -(self.there.y / self.chain.length))
+
+    def _loss(self) -> Expression:
+        return HALF * self.mass * Power(self.chain.radial(self.there), 2)
+
+    WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
+        "velocity": ("_velocity", "The velocity is"),
+        "kinetic energy": ("_kinetic", "The kinetic energy is"),
+        "momentum": ("_momentum", "The momentum is"),
+        "height": ("_height", "The height above the starting point is"),
+        "potential energy": ("_potential", "The change in potential energy is"),
+        "displacement": ("_displacement", "The displacement is"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "tension": ("_tension", "By Newton's second law along the string, the tension is"),
+        "acceleration": ("_acceleration", "The acceleration is"),
+        "net force": ("_force", "The net force is"),
+        "deflection": ("_deflection", "The angle with the downward vertical is"),
+        LOSS: ("_loss", "The kinetic energy lost is"),
+    }
+
+
+def _size(one: Expression, other: Expression) -> Expression:
+    """The size of a vector by its components, of either sign where only one is not zero."""
+    return one + other if ZERO in (one, other) else Root(squares([one, other]))

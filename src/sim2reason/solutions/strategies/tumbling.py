@@ -1,0 +1,297 @@
+"""Tumbling: a prism that tips over its edges; energy about each edge, angular momentum where the next one lands."""
+
+from collections.abc import Mapping
+from math import radians
+from typing import ClassVar
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.simulation.trace import Event, happened
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swings.angle import quantity_of
+from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, DEGREES, INERTIA, SECONDS
+
+MOMENTS = (AtStart, AtTime, HighestPoint, TurnedThrough)
+HALF, TWO, FOUR, SIX = Number(0.5), Number(2.0), Number(4.0), Number(6.0)
+
+
+@strategy
+class Tumbling(Strategy):
+    """A regular prism that turns about one edge after the other, none of which slips or rebounds."""
+
+    name = "tumbling over edges"
+    cost = 1.1
+    kinds = Strategy.kinds | {"sum"}
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no lone body stands on its edges."""
+        kinds = sorted(c.kind for c in mechanism.coordinates)
+        alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
+        return "" if alone and mechanism.feet else "no lone prism tumbles"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query, quantity = setting.query, quantity_of(setting)
+        if quantity and quantity not in _Tumbling.WAYS:
+            return f"no way to the {quantity}"
+        if not isinstance(query.moment, MOMENTS) or not quantity:
+            return f"no way to the moment {type(query.moment).__name__}"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Edge by edge, then what is asked."""
+        return _Tumbling(setting, book).write().name
+
+
+class _Tumbling:
+    """A prism that tumbles; angles are those of the line from the edge to the axis, from the upward vertical."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        self.setting, self.book = setting, book
+        body, read = setting.mechanism.bodies[0].name, setting.lexicon.of
+        radius, sides = setting.given(f"{body}.radius"), getattr(setting.scene.bodies.get(body), "sides", 0)
+        if radius is None or not sides:
+            raise UnreadError("its shape is not known")
+        self.who, self.radius = setting.called(body), Symbol(radius.symbol)
+        self.sides = float(sides)
+        self.half: Expression = PI / Number(self.sides)
+        self.turn: Expression = PI / Number(0.5 * self.sides)
+        self.mass = read(lambda m: m.bodies[0].mass).expression()
+        self.gravity = read(lambda m: -m.gravity[2]).expression()
+        self.launch = read(lambda m: abs(next(c.speed for c in m.coordinates if c.kind == "hinge"))).expression()
+        rise = read(lambda m: max((c.axis for c in m.coordinates if c.kind == "slide"), key=lambda a: abs(a[0]))[2])
+        sine = rise.expression()
+        self.slope: Expression = sine.argument if isinstance(sine, Call) else ZERO
+        if self.slope == ZERO and sine != ZERO:
+            raise UnreadError("its slope is not known")
+        self.edges = 0  # that have landed by the phase that is written
+        self.rate: Expression = self.launch  # at the beginning of that phase
+        self.since: Expression = ZERO  # the time of that
+        self.begun = 0.0  # s: the same
+
+    # ---- moments of inertia, energy
+
+    @cached_property
+    def own(self) -> Symbol:
+        """The moment of inertia about the axis."""
+        formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
+        said = f"The moment of inertia of {self.who} about its axis is"
+        return self.book.told("table", said, self.book.fresh("I", "0"), formula, INERTIA)
+
+    @cached_property
+    def about(self) -> Symbol:
+        """The moment of inertia about an edge."""
+        said = "By the parallel-axis theorem, the moment of inertia about an edge is"
+        formula = self.own + self.mass * Power(self.radius, 2)
+        return self.book.told("inertia", said, self.book.fresh("I"), formula, INERTIA)
+
+    @property
+    def weight(self) -> Expression:
+        """The torque of gravity about an edge at a right angle."""
+        return self.mass * self.gravity * self.radius
+
+    @property
+    def begins(self) -> Expression:
+        """The angle at which each edge is landed on, uphill being negative."""
+        return self.slope - self.half if self.slope != ZERO else -self.half
+
+    # ---- the phases
+
+    @cached_property
+    def landings(self) -> list[Event]:
+        """The landings before the moment."""
+        return [e for e in happened(self.setting.motion.events, self.setting.time) if e.kind == "land"]
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """√(m g R/I)."""
+        said = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
+        name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
+        return self.book.told("natural", said, name, formula, ANGULAR_SPEED)
+
+    def _times(self) -> SwingTime:
+        return SwingTime(self.book, self.natural, PI + self.begins, self.rate, 1.0)
+
+    def _through(self) -> None:
+        """Write all phases before the one of the moment."""
+        timed = isinstance(self.setting.query.moment, AtTime)
+        self.book.begin_phase("the start of the motion", f"the next edge of {self.who} lands")
+        for event in self.landings:
+            if timed:
+                self._lands_after(event.time)
+            self._lands()
+            self.edges, self.begun = self.edges + 1, event.time
+            self.book.begin_phase("an edge lands", f"the next edge of {self.who} lands")
+
+    def _lands_after(self, time: float) -> None:
+        end = PI + (self.slope + self.half if self.slope != ZERO else self.half)
+        span = self._times().reaches(end, time - self.begun)
+        if self.since == ZERO:
+            self.since = span
+        else:
+            self.since = self.book.told("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
+
+    def _lands(self) -> None:
+        """Write the angular velocity just before and just after the next edge lands."""
+        book, fast, after = self.book, self.book.fresh(r"\omega"), self.book.fresh(r"\omega")
+        step = book.open("energy")
+        drop = FOUR * self.weight * Call("sin", self.half) * Call("sin", self.slope) if self.slope != ZERO else ZERO
+        law = step.law(HALF * self.about * Power(fast, 2), HALF * self.about * squares([self.rate]) + HALF * drop)
+        formula = Root(squares([self.rate]) + drop / self.about)
+        step.say(f"Until the next edge lands, by conservation of energy, {law},")
+        step.say(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
+        step.close()
+        step = book.open("landing")
+        left = self.own + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
+        law = step.law(self.about * after, left * fast)
+        step.say(f"Angular momentum about the new edge is conserved: {law},")
+        step.say(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
+        step.close()
+        self.rate = after
+
+    @cached_property
+    def turned(self) -> Expression:
+        """The angle through which it has turned about the last edge at the moment."""
+        moment = self.setting.query.moment
+        self._through()
+        if isinstance(moment, AtStart):
+            return ZERO
+        if isinstance(moment, HighestPoint):
+            return -self.begins
+        if isinstance(moment, AtTime):
+            return self._swung - PI - self.begins
+        assert isinstance(moment, TurnedThrough)
+        name = self.book.fresh(r"\phi")
+        self.book.know(name.name, radians(moment.value), DEGREES)
+        self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
+        if not self.edges:
+            return name
+        said, whole = "Since the last landing it has turned through", Number(2.0 * self.edges / self.sides) * PI
+        return self.book.told("angle", said, self.book.fresh(r"\phi"), name - whole, DEGREES)
+
+    @property
+    def angle(self) -> Expression:
+        """The angle at the moment, downhill being positive."""
+        moment = self.setting.query.moment
+        if isinstance(moment, HighestPoint):
+            _ = self.turned
+            return ZERO
+        turned = self.turned
+        return self._swung - PI if isinstance(moment, AtTime) else self.begins + turned
+
+    @cached_property
+    def _swung(self) -> Expression:
+        """The angle from the downward vertical at a time."""
+        moment = self.setting.query.moment
+        assert isinstance(moment, AtTime)
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        left = name
+        if self.since != ZERO:
+            said = "The time since then is"
+            left = self.book.told("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+        return self._times().angle(left)
+
+    @cached_property
+    def spin(self) -> Expression:
+        """The angular velocity at the moment."""
+        angle = self.angle
+        if isinstance(self.setting.query.moment, AtStart):
+            return self.launch
+        step, name = self.book.open("energy"), self.book.fresh(r"\omega")
+        here = Call("cos", angle) if angle != ZERO else ONE
+        gained = self.weight * (Call("cos", self.begins) - here)
+        law = step.law(HALF * self.about * Power(name, 2), HALF * self.about * squares([self.rate]) + gained)
+        formula = Root(squares([self.rate]) + TWO * gained / self.about)
+        step.say(f"By conservation of energy, {law}, so {step.result(name, formula, ANGULAR_SPEED)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def growth(self) -> Expression:
+        """The angular acceleration at the moment."""
+        if self.angle == ZERO:
+            return ZERO
+        said = "The torque of gravity about the edge divided by the moment of inertia is"
+        formula = self.weight * Call("sin", self.angle) / self.about
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+
+    def write(self) -> Symbol:
+        """What is asked for, by its quantity."""
+        query, quantity = self.setting.query, quantity_of(self.setting)
+        if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
+            raise UnsolvedError("a component along a direction")
+        way, said = self.WAYS[quantity]
+        formula: Expression = getattr(self, way)()
+        if self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol):
+            return formula
+        return self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
+
+    def _velocity(self) -> Expression:
+        return self.radius * self.spin
+
+    def _momentum(self) -> Expression:
+        return self.mass * self._velocity()
+
+    def _turning(self) -> Expression:
+        return self.spin
+
+    def _growing(self) -> Expression:
+        return self.growth
+
+    def _acceleration(self) -> Expression:
+        if self.growth == ZERO:
+            return self.radius * Power(self.spin, 2)
+        return self.radius * Root(Power(self.spin, 4) + Power(self.growth, 2))
+
+    def _force(self) -> Expression:
+        return self.mass * self._acceleration()
+
+    def _kinetic(self) -> Expression:
+        return HALF * self.about * Power(self.spin, 2)
+
+    def _moving_energy(self) -> Expression:
+        return HALF * self.mass * Power(self._velocity(), 2)
+
+    def _turning_energy(self) -> Expression:
+        return HALF * self.own * Power(self.spin, 2)
+
+    def _angular_momentum(self) -> Expression:
+        return self.own * self.spin
+
+    def _torque(self) -> Expression:
+        return self.own * self.growth
+
+    def _impulse(self) -> Expression:
+        bent = self.launch * self.spin * Call("cos", self.turned)
+        whole = squares([self.launch]) + squares([self.spin]) - TWO * bent
+        return self.mass * self.radius * Root(whole)
+
+    WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
+        "velocity": ("_velocity", "The speed of the centre is the angular speed times the radius,"),
+        "momentum": ("_momentum", "The momentum is"),
+        "angular velocity": ("_turning", "The angular velocity is"),
+        "angular acceleration": ("_growing", "The angular acceleration is"),
+        "acceleration": ("_acceleration", "From the centripetal and tangential components, the acceleration is"),
+        "net force": ("_force", "By Newton's second law, with centripetal and tangential acceleration,"),
+        "kinetic energy": ("_kinetic", "The kinetic energy is"),
+        "translational kinetic energy": ("_moving_energy", "The kinetic energy of the motion of the centre of mass is"),
+        "rotational kinetic energy": ("_turning_energy", "The kinetic energy of the rotation about the axis is"),
+        "angular momentum": ("_angular_momentum", "The angular momentum about the axis is"),
+        "torque": ("_torque", "The torque about the axis is"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+    }

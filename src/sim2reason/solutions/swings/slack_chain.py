@@ -1,0 +1,226 @@
+"""The motion of a bob on a string that goes slack, phase by phase: on its circle, as a projectile, on the circle again.
+
+Places are counted from the fixed point: x horizontally, towards the side on which the string goes slack, and y upward.
+"""
+
+from dataclasses import dataclass
+from math import cos
+
+import numpy as np
+
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.trace import Event
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.swings.state import SwingState
+from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
+
+CIRCLE, TANGENT = "circle", "perpendicular"
+HALF, TWO, THREE, FOUR = Number(0.5), Number(2.0), Number(3.0), Number(4.0)
+AT_ONCE = 1e-9  # relative: how close two times of one event are
+ON_CIRCLE = "is on its circle, the string taut"
+FLIES = "flies freely, the string slack"
+
+
+@dataclass(frozen=True, slots=True)
+class Instant:
+    """A place with the components of the velocity there; its size too, with any sign, where it has a name."""
+
+    x: Expression
+    y: Expression
+    vx: Expression
+    vy: Expression
+    speed: Expression | None = None
+
+
+class SlackChain:
+    """All phases up to the moment that is asked about, each written when the next one needs it."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError if a length, angle or speed of the start is no simple function of the numbers in the text."""
+        self.setting, self.book = setting, book
+        self.swing = SwingState(setting, book)
+        self.length, self.gravity = self.swing.length, self.swing.gravity
+        self.side = self._side()
+        self.who = setting.called(self.swing.body)
+
+    # ---- which phases there are
+
+    @cached_property
+    def changes(self) -> list[Event]:
+        """Where the string goes slack or taut, up to the moment."""
+        limit = self.setting.time * (1.0 + AT_ONCE)
+        return [e for e in self.setting.motion.events if e.kind in ("slack", "taut") and 0.0 < e.time <= limit]
+
+    @cached_property
+    def slack_at_once(self) -> bool:
+        """Whether the string pulls at no time at the start: above the fixed point, and slow."""
+        held = self.swing
+        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, held.launch))
+        return v**2 + g * ell * cos(held.began) < 0.0
+
+    def _side(self) -> float:
+        """The sign of the engine's x on the side on which the string first goes slack, 1 if it never does."""
+        slack = [event.time for event in self.changes if event.kind == "slack"]
+        return 1.0 if self._seen(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
+
+    def _seen(self, time: float) -> tuple[float, float, float]:
+        """The engine's place along x from the fixed point and its velocity at a time, for signs alone."""
+        m = self.setting.mechanism
+        state = self.setting.study.trace.sample(np.array([time]))
+        center, number = state.frames.center(self.swing.body), m.line[self.swing.line or ""].through
+        fixed = next(m.site[site].at for site in number if m.site[site].body is None)
+        x, vx, vz = (float(np.ravel(p)[0]) for p in (center.place[0], center.velocity[0], center.velocity[2]))
+        return x - fixed[0], vx, vz
+
+    def sign(self, time: float, of: int) -> float:
+        """The sign of what the engine has at a time: 0 for x, 1 and 2 for the velocity along x and y."""
+        seen = self._seen(time)[of]
+        return (1.0 if seen >= 0.0 else -1.0) * (1.0 if of == 2 else self.side)
+
+    # ---- the start
+
+    @cached_property
+    def start(self) -> Instant:
+        """Where and how fast the bob is at first: along its arc, towards the lowest point."""
+        held, ell = self.swing, self.length
+        begins = self.sign(0.0, 0)
+        sine = Call("sin", held.first) if held.first != ZERO else ZERO
+        cosine = held.cosine_first
+        forward = -begins if sine != ZERO else self.sign(0.0, 1)
+        vx, vy = held.launch * cosine * forward, -(held.launch * sine)
+        return Instant(ell * sine * begins, -(ell * cosine), vx, vy, held.launch)
+
+    # ---- on the circle
+
+    def goes_slack(self, start: Instant, time: float) -> Instant:
+        """Write where the string goes slack, from another place on the circle, and the velocity there."""
+        book, ell, g = self.book, self.length, self.gravity
+        y, v = book.fresh("y", r"\text{s}"), book.fresh("v", r"\text{s}")
+        step = book.open(CIRCLE)
+        square = self.squared(start)
+        law = step.law(Power(v, 2) / ell, g * y / ell)
+        energy = step.law(Power(v, 2), square - TWO * g * (y - start.y))
+        step.say(f"The string goes slack at the height ${y.latex()}$ above the fixed point, where the tension is zero")
+        step.say(f"and the weight alone provides the centripetal force: {law}. Conservation of energy: {energy}.")
+        height = ratio(square + TWO * g * start.y, THREE * g)
+        step.say(f"Together, {step.result(y, height, METRES)} and {step.result(v, Root(g * y), SPEED)}.")
+        step.close()
+        x = book.fresh("x", r"\text{s}")
+        said = "Its horizontal distance from the fixed point is"
+        book.told(CIRCLE, said, x, Root(Power(ell, 2) - Power(y, 2)), METRES)
+        out = self.sign(time, 0)
+        said = "Its velocity there is perpendicular to the string, which gives"
+        vx = book.told(TANGENT, said, book.fresh("v", "x"), -(v * y / ell * out), SPEED)
+        vy = book.told(TANGENT, said, book.fresh("v", "y"), v * x / ell, SPEED)
+        return Instant(x if out > 0.0 else -x, y, vx, vy, v)
+
+    def squared(self, held: Instant) -> Expression:
+        """The square of the speed."""
+        return squares([held.vx, held.vy] if held.speed is None else [held.speed])
+
+    # ---- in flight
+
+    def is_taut_again(self, held: Instant) -> tuple[Symbol, Instant]:
+        """Write for how long the bob flies until the string is taut again, and its place and velocity just before."""
+        book, ell, g = self.book, self.length, self.gravity
+        step, t = book.open("taut"), book.fresh("t")
+        across = held.x + held.vx * t
+        up = held.y + held.vy * t - HALF * g * Power(t, 2)
+        law = step.law(Power(across, 2) + Power(up, 2), Power(ell, 2))
+        step.say(f"{capital(self.who)} now moves as a projectile. The string is taut again when {law}.")
+        if held == self.start:
+            formula = TWO * (held.vy + Root(g * held.y - squares([held.vx]))) / g
+            why = "Since the velocity at first is perpendicular to the string, a quadratic equation is left"
+        else:
+            formula = FOUR * held.vy / g
+            square = f"${g.latex()} {held.y.latex()}$"
+            why = f"Since the velocity at first is perpendicular to the string, with the square {square},"
+            why += f" only the terms in ${t.latex()}^3$ and ${t.latex()}^4$ are left"
+        step.say(f"{why}: {step.result(t, formula, SECONDS)}.")
+        step.close()
+        return t, self.after(held, t, f"{capital(self.who)} is then at")
+
+    def after(self, held: Instant, t: Expression, said: str) -> Instant:
+        """Write the place and the velocity after some time of flight."""
+        book, g = self.book, self.gravity
+        x = book.told("flight", said, book.fresh("x"), held.x + held.vx * t, METRES)
+        y = book.told("flight", said, book.fresh("y"), held.y + held.vy * t - HALF * g * Power(t, 2), METRES)
+        said = "Its vertical velocity is then"
+        vy = book.told("flight velocity", said, book.fresh("v", "y"), held.vy - g * t, SPEED)
+        return Instant(x, y, held.vx, vy)
+
+    def highest(self, held: Instant) -> Instant:
+        """Write how high the projectile comes; there it flies horizontally."""
+        book, g = self.book, self.gravity
+        said = f"{capital(self.who)} now moves as a projectile. Where its vertical velocity is zero, its height is"
+        y = book.told("top", said, book.fresh("y"), held.y + Power(held.vy, 2) / (TWO * g), METRES)
+        return Instant(held.x + held.vx * held.vy / g, y, held.vx, ZERO)
+
+    # ---- the jerk
+
+    def radial(self, held: Instant) -> Symbol:
+        """Write the velocity along the string just before it is taut."""
+        said = "The jerk takes away the velocity along the string,"
+        formula = (held.x * held.vx + held.y * held.vy) / self.length
+        return self.book.told("jerk", said, self.book.fresh("w"), formula, SPEED)
+
+    def jerked(self, held: Instant) -> tuple[Instant, Symbol]:
+        """Write the velocity just after, which is along the circle, and its speed, counted counter-clockwise."""
+        book, ell = self.book, self.length
+        said = "The jerk takes away the velocity along the string; the component perpendicular to it is"
+        u = book.told("jerk", said, book.fresh("u"), (held.x * held.vy - held.y * held.vx) / ell, SPEED)
+        vx, vy = -(u * held.y / ell), u * held.x / ell
+        return Instant(held.x, held.y, vx, vy, u), u
+
+    # ---- later on the circle
+
+    def turns(self, held: Instant) -> Instant:
+        """Write how high the bob comes to rest on the circle."""
+        book, ell = self.book, self.length
+        said = "It turns back where all its kinetic energy is used up, at the height"
+        y = book.told("turning", said, book.fresh("y"), held.y + self.squared(held) / (TWO * self.gravity), METRES)
+        x: Expression = Root(Power(ell, 2) - Power(y, 2))
+        return Instant(x if self.sign(self.setting.time, 0) > 0.0 else -x, y, ZERO, ZERO, ZERO)
+
+    def swung(self, held: Instant, times: SwingTime, t: Symbol) -> Instant:
+        """Write the place and the velocity after some time on the circle."""
+        book, ell, when = self.book, self.length, self.setting.time
+        begins = self.side if held.x == ZERO else self._sign_of(held.x)
+        angle = times.angle(t)
+        x, y = ell * Call("sin", angle) * begins, -(ell * Call("cos", angle))
+        step, v = book.open("energy"), book.fresh("v")
+        square = self.squared(held) - TWO * self.gravity * (y - held.y)
+        law = step.law(Power(v, 2), square)
+        step.say(f"By conservation of energy, {law}, so {step.result(v, Root(square), SPEED)}.")
+        step.close()
+        across, outward, rises = (self.sign(when, n) for n in range(3))
+        upper = book.value(y) > 0.0
+        turns = across * rises if abs(book.value(x)) > abs(book.value(y)) else -outward if upper else outward
+        return Instant(x, y, -(v * y / ell * turns), v * x / ell * turns, v)
+
+    def _sign_of(self, held: Expression) -> float:
+        return 1.0 if self.book.value(held) > 0.0 else -1.0
+
+    def times(self, held: Instant, speed: Expression) -> SwingTime:
+        """From an angle to a time and back, on the circle from a place on."""
+        if held == self.start:
+            return self.swing.times
+        book, ell = self.book, self.length
+        angle = self.angle(held, book.fresh(r"\phi"))
+        size = speed if book.value(speed) > 0.0 else -speed
+        outward = book.value(held.x) * book.value(speed) > 0.0
+        return SwingTime(book, self.swing.natural, angle, size / ell, 1.0 if outward else -1.0)
+
+    def angle(self, held: Instant, name: Symbol) -> Symbol:
+        """Write the angle of the string with the downward vertical, without a sign, from the smaller coordinate."""
+        x, y = self.book.value(held.x), self.book.value(held.y)
+        formula: Expression = Call("arccos", -(held.y / self.length))
+        if abs(x) < abs(y):
+            slope = Call("arcsin", (held.x if x > 0.0 else -held.x) / self.length)
+            formula = slope if y < 0.0 else PI - slope
+        said = "The string then makes with the downward vertical the angle"
+        return self.book.told("angle", said, name, formula, DEGREES)
