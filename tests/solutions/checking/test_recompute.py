@@ -57,6 +57,31 @@ def test_a_given_left_out(name: str) -> None:
     assert recompute(data).faults
 
 
+def test_a_given_that_cancels_where_forces_balance() -> None:
+    """With m_A = m_B every g fits a = 0; what rounding leaves of its coefficient gives it no value."""
+    balanced = relation("m_A", ["/", ["*", "m_B", ["sin", "\\beta"]], ["sin", "\\theta"]], "result")
+    slope = relation(
+        ["+", ["*", "m_A", "g", ["sin", "\\theta"]], ["*", -1.0, "m_B", "g", ["sin", "\\beta"]]],
+        ["*", ["+", "m_A", "m_B"], "a"],
+    )
+    data = solution(
+        {"m_B": 2.3, "g": 9.8, "\\theta": 0.3, "\\beta": 0.7}, "m_A", step(slope, relation("a", 0.0), balanced)
+    )
+    assert not recompute(data).faults
+    del data["givens"]["g"]
+    assert "g has no value" in recompute(data).faults
+
+
+def test_products_of_two_unknowns_are_not_linear() -> None:
+    """Either law leaves both open, whatever values are tried; the results choose one of two solutions."""
+    laws = relation(["*", "x", "y"], 6.0), relation(["+", "x", "y"], 5.0)
+    results = relation("x", ["+", 1.0, "z"], "derived"), relation("y", ["*", 2.0, "z"], "derived")
+    assert {"x has no value", "y has no value"} <= {*recompute(solution({"z": 1.0}, "x", step(*laws))).faults}
+    found = recompute(solution({"z": 1.5}, "x", step(*laws, *results)))
+    assert found.answer == pytest.approx(2.5)
+    assert found.faults
+
+
 def projectile(speed: float, angle: float, height: float) -> Data:
     rise, fall = ["*", "v", ["sin", "\\theta"]], ["*", 0.5, "g", ["^", "t", 2.0]]
     root = ["sqrt", ["+", ["^", rise, 2.0], ["*", 2.0, "g", "h"]]]

@@ -7,18 +7,21 @@ import numpy as np
 
 from sim2reason.solutions.checking.bracket import zero
 from sim2reason.solutions.checking.equation import Equation
+from sim2reason.solutions.checking.linear import separated
 from sim2reason.solutions.checking.trees import (
     ROUGH,
     SAMPLES,
     Evaluate,
     Tree,
+    bound,
     compiled,
     has_other_root,
     parts_named,
     value,
 )
 
-LINEAR = 1e-9  # relative: how much the derivatives of a linear equation may differ between two points
+CERTAIN = 1e-9  # what a name that linear equations determine may have in common with what they leave open
+ROUNDING = 1e-13  # relative to its terms: a coefficient that is zero
 RANK = 1e-10  # relative: singular values below it are taken as zero
 SAID = 2e-9  # relative: how well a number that stands for a formula is that formula's value
 UNDEFINED = (ArithmeticError, ValueError, KeyError)
@@ -171,21 +174,24 @@ class Relations:
 
     def _linear_rows(self) -> list[tuple[dict[str, float], float]]:
         """Of each waiting equation that is linear in its unknowns, the coefficients and the right side."""
-        names = self.unknown
-        points = [{name: a + b * k for k, name in enumerate(names)} for a, b in ((1.0, 0.1), (2.0, -0.07))]
         found: list[tuple[dict[str, float], float]] = []
         for equation, missing in self._missing.items():
             if equation.asserts:
                 continue
             try:
-                (off, one), (_, other) = (equation.slopes(self.values | point) for point in points)
+                parts = separated(["+", equation.left, ["*", -1.0, equation.right]], frozenset(missing))
+                row = {name: self._significant(part) for name, part in parts.items()}
             except UNDEFINED:
                 continue
-            row = {name: one.get(name, 0.0) for name in missing}
-            scale = max(map(abs, row.values()))
-            if scale and all(abs(other.get(n, 0.0) - slope) <= LINEAR * scale for n, slope in row.items()):
-                found.append((row, sum(slope * points[0][n] for n, slope in row.items()) - off))
+            rest = row.pop("", 0.0)
+            if any(row.values()):
+                found.append((row, -rest))
         return found
+
+    def _significant(self, tree: Tree) -> float:
+        """The value of a coefficient; zero if that is all that rounding has left of its terms."""
+        number = value(tree, self.values)
+        return number if abs(number) > ROUNDING * bound(tree, self.values) else 0.0
 
 
 def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equation, str, Tree]]:
@@ -210,5 +216,5 @@ def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
     left, sizes, ways = np.linalg.svd(matrix / columns, full_matrices=False)
     kept = sizes > RANK * sizes.max(initial=0.0)
     numbers = ways[kept].T @ ((left[:, kept].T @ right) / sizes[kept]) / columns
-    certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - LINEAR
+    certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - CERTAIN
     return {name: float(x) for name, x, sure in zip(names, numbers, certain, strict=True) if sure}

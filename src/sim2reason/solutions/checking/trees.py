@@ -174,6 +174,22 @@ def size(tree: Tree, at: Values) -> float:
     return max(abs(value(term, at)) for term in terms(tree))
 
 
+def bound(tree: Tree, at: Values) -> float:
+    """The value that a tree would have if no terms cancelled; ArithmeticError or ValueError if it has none."""
+    if not isinstance(tree, list) or tree[0] in ("root", "pi"):
+        return abs(value(tree, at))
+    operation, *parts = tree
+    if operation == "+":
+        return math.fsum(bound(part, at) for part in parts)
+    if operation == "*":
+        return math.prod(bound(part, at) for part in parts)
+    if operation == "/":
+        return bound(parts[0], at) / abs(value(parts[1], at))
+    if operation == "^" and float(parts[1]) > 0.0:  # type: ignore[arg-type]
+        return bound(parts[0], at) ** int(float(parts[1]))  # type: ignore[arg-type]
+    return bound(parts[0], at) if operation == "worked" else abs(value(tree, at))
+
+
 def derivatives(tree: Tree, at: Values) -> Derived:
     """Evaluate a tree and its partial derivatives by all symbols; ArithmeticError or ValueError if it has none."""
     if isinstance(tree, str):
