@@ -161,7 +161,7 @@ class Dependence:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
         events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - SAME_TIME))
-        self._courses[value] = events, _ways(study, time)
+        self._courses[value] = events, ways(study, time)
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
@@ -262,7 +262,7 @@ def roomy(scene: Scene) -> Scene:
     return scene
 
 
-def _ways(study: Study, time: float) -> tuple[float, ...]:
+def ways(study: Study, time: float) -> tuple[float, ...]:
     """Which way each coordinate has changed by a time, or begins to, and whether it turns then.
 
     In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
