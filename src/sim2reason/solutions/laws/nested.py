@@ -76,7 +76,7 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
     if whole is not None and other is not None:
         after = book.fresh(goal, NEW)
         step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
-        step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''))}.")
+        step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         said: list[str] = []
         renamed: dict[str, Expression] = {symbol: changed}
@@ -84,7 +84,7 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
             if renamed.keys().isdisjoint(formula.symbols()):
                 continue
             after = book.fresh(name, NEW)
-            said.append(step.result(after, _put(formula, renamed), book.units.get(name, "")))
+            said.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
             renamed[name] = after
         step.say(f"{lead}, the same equations give {joined(said)}.")
     step.close()

@@ -85,25 +85,14 @@ class TwoCases(Strategy):
         assert isinstance(query, ComparisonQuery)
         changed, symbol, inner = query.changed(setting.study), lone_symbol(setting, query.path), inner_setting(setting)
         assert changed is not None
-        goal = solved(inner, book, self._ways(inner))
+        goal = solved(inner, book, _closed(inner))
         step, new = book.open("other value"), Symbol(marked(symbol, NEW))
-        becomes = step.result(new, Number(query.factor) * Symbol(symbol), book.units.get(symbol, ""))
+        unit = setting.lexicon.givens[query.path].counted_unit
+        becomes = step.result(new, Number(query.factor) * Symbol(symbol), unit, law=True)
         step.say(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
         step.close()
         other = with_changed_scene(inner, changed, query.path, new.name)
-        return compared(book, query, goal, solved(other, book, self._ways(other)))
-
-    def _ways(self, inner: Setting) -> Sequence[Strategy]:
-        return _sorted(inner, [held for held in STRATEGIES.values() if held.integrates <= self.integrates])
-
-
-@strategy
-class TwoIntegrations(TwoCases):
-    """Both cases one after the other, where one at least can only be integrated."""
-
-    name = "comparison of two integrations"
-    cost = 102.0
-    integrates = True
+        return compared(book, query, goal, solved(other, book, _closed(other)))
 
 
 def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str:
@@ -122,6 +111,11 @@ def _deriving(inner: Setting) -> Sequence[Strategy]:
     """The strategies that may lead to a formula, the cheapest first."""
     kind, mechanism = inner.query.kind, inner.mechanism
     return _sorted(inner, [held for held in STRATEGIES.values() if kind in held.formulas(mechanism)])
+
+
+def _closed(inner: Setting) -> Sequence[Strategy]:
+    """The strategies that integrate nothing, the cheapest first."""
+    return _sorted(inner, [held for held in STRATEGIES.values() if not held.integrates])
 
 
 def _sorted(inner: Setting, offered: Sequence[Strategy]) -> Sequence[Strategy]:

@@ -49,6 +49,8 @@ class NestedQuery(Query):
 class NestedKind(Kind):
     """A question about how the answer to another question depends on a number of the scene."""
 
+    derivable = True
+
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A question of another kind and a number, if they are worth it."""
         if study.mechanism is not study.scene.mechanism or not words.named:
