@@ -52,6 +52,8 @@ class Dependence:
     ) -> None:
         """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
 
+        Where its mechanism is changed, those of the scenes with other values are changed likewise.
+
         `scene` may be another one that a text can not tell from it. `likely` answers are looked for first, where a kind
         looks for its answers.
         """
@@ -114,7 +116,9 @@ class Dependence:
         kind = KINDS[self._query.kind]
         query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
         for until in stages:
-            other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
+            change = self._study.change
+            mechanism = scene.mechanism if change is None else change(scene.mechanism)
+            other = Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), self._error), change)
             found = kind.loose_answer(query, other)
             self._late.discard(value)
             if found is not None:

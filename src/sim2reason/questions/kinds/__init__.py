@@ -50,6 +50,7 @@ class Kind(ABC):
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
         derivable: whether it is asked only where some worked solution leads to the answer without any integration.
+        beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
     """
 
     name: ClassVar[str]
@@ -58,6 +59,7 @@ class Kind(ABC):
     whole: ClassVar[bool] = False
     awaited: ClassVar[bool] = False
     derivable: ClassVar[bool] = False
+    beyond_laws: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:

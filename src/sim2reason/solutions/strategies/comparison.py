@@ -16,7 +16,7 @@ from sim2reason.solutions.laws.nested import (
     with_other_value,
 )
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import marked
 
@@ -31,11 +31,11 @@ class Comparison(Strategy):
     name = "comparison"
     cost = 1.0
     kinds = frozenset({"comparison"})
+    nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Comparisons, if some strategy has a formula for what is compared."""
-        fitting = (held for held in STRATEGIES.values() if held is not self and not held.unfit(mechanism))
-        return self.kinds if any(not held.formulas(mechanism).isdisjoint(INNER) for held in fitting) else frozenset()
+        return self.kinds if any(deriving(kind, mechanism) for kind in INNER) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -67,6 +67,7 @@ class TwoCases(Strategy):
     name = "comparison of two cases"
     cost = 2.0
     kinds = frozenset({"comparison"})
+    nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """None: it would name the numbers of the question twice."""
@@ -108,16 +109,12 @@ def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str
 
 
 def _deriving(inner: Setting) -> Sequence[Strategy]:
-    """The strategies that may lead to a formula, the cheapest first."""
-    kind, mechanism = inner.query.kind, inner.mechanism
-    return _sorted(inner, [held for held in STRATEGIES.values() if kind in held.formulas(mechanism)])
+    """The strategies that may lead to a formula."""
+    return deriving(inner.query.kind, inner.mechanism)
 
 
 def _closed(inner: Setting) -> Sequence[Strategy]:
     """The strategies that integrate nothing, the cheapest first."""
-    return _sorted(inner, [held for held in STRATEGIES.values() if not held.integrates])
-
-
-def _sorted(inner: Setting, offered: Sequence[Strategy]) -> Sequence[Strategy]:
-    fitting = (held for held in offered if inner.query.kind in held.kinds and not held.unfit(inner.mechanism))
-    return sorted(fitting, key=lambda held: held.cost)
+    kind = inner.query.kind
+    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.nested and not held.integrates)
+    return sorted((held for held in own if not held.unfit(inner.mechanism)), key=lambda held: held.cost)

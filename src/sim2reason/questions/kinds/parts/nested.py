@@ -1,9 +1,10 @@
 """What kinds of question share that ask how the answer to another question depends on one number of the scene."""
 
 from abc import abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
+from typing import ClassVar
 
 import numpy as np
 
@@ -47,31 +48,47 @@ class NestedQuery(Query):
 
 
 class NestedKind(Kind):
-    """A question about how the answer to another question depends on a number of the scene."""
+    """A question about how the answer to another question depends on a number of the scene.
+
+    Class data:
+        inner: the kinds of the other question.
+    """
 
     derivable = True
+    inner: ClassVar[tuple[str, ...]] = INNER
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A question of another kind and a number, if they are worth it."""
-        if study.mechanism is not study.scene.mechanism or not words.named:
+        if study.mechanism is not study.scene.mechanism:
             return None
-        shares = np.array([KINDS[name].share for name in INNER])
-        kinds: list[int] = rng.choice(len(INNER), len(INNER), replace=False, p=shares / shares.sum()).tolist()
-        drawn = (KINDS[INNER[number]].draw(study, words, targets, rng) for number in kinds)
-        for inner in islice((query for query in drawn if query is not None and _is_plain(query)), DRAWS):
-            noun = targets[inner.target] if inner.target is not None else None
-            names = KINDS[inner.kind].called(inner, words, noun)
-            paths = list(self._numbers(words)) if names and not names[0].startswith(AWKWARD) else []
-            order: list[int] = rng.permutation(len(paths)).tolist()
-            for number in order[:NUMBERS]:
-                query = self._worth(inner, paths[number], study, rng)
+        shares = np.array([KINDS[name].share for name in self.inner])
+        kinds: list[int] = rng.choice(len(shares), len(shares), replace=False, p=shares / shares.sum()).tolist()
+        drawn = (KINDS[self.inner[number]].draw(study, words, targets, rng) for number in kinds)
+        for inner in islice((query for query in drawn if query is not None and is_plain(query)), DRAWS):
+            if not self._is_named(inner, words, targets):
+                continue
+            for path in islice(self._numbers(study, words, rng), NUMBERS):
+                query = self._worth(inner, path, study, rng)
                 if query is not None:
                     return query
         return None
 
-    def _numbers(self, words: Words) -> Sequence[str]:
-        """The addresses of the numbers that may change; by default of all that can be named."""
-        return list(words.named)
+    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+        """The addresses of the numbers that may change, in a random order; by default of all that can be named."""
+        del study
+        paths = list(words.named)
+        order: list[int] = rng.permutation(len(paths)).tolist()
+        return [paths[number] for number in order]
+
+    def _is_named(self, inner: Query, words: Words, targets: Targets) -> bool:
+        """Whether the answer to another question has a name about which this may be asked."""
+        noun = targets.get(inner.target) if inner.target is not None else None
+        names = KINDS[inner.kind].called(inner, words, noun) if noun is not None or inner.target is None else ()
+        return bool(names) and self._can_be_about(names[0])
+
+    def _can_be_about(self, name: str) -> bool:
+        """Whether one would ask this of what has a name; by default not of how much something changes."""
+        return not name.startswith(AWKWARD)
 
     @abstractmethod
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
@@ -99,8 +116,8 @@ class NestedKind(Kind):
 
     def inner_parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """All other questions that a sentence could speak of."""
-        for name in INNER:
-            yield from filter(_is_plain, KINDS[name].parsed(text, study, words, targets))
+        for name in self.inner:
+            yield from filter(is_plain, KINDS[name].parsed(text, study, words, targets))
 
 
 def inner_of(query: Query) -> Query:
@@ -132,8 +149,8 @@ def _has_subject(inner: Query, study: Study) -> bool:
     return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
 
 
-def _is_plain(inner: Query) -> bool:
+def is_plain(inner: Query) -> bool:
     """Whether it asks for a size of a quantity that has a value as a number."""
     if isinstance(inner, StretchQuery):
         return FUNCTIONALS[inner.functional].kind != "count"
-    return inner.target is None or inner.target.sense is None
+    return inner.target is None or inner.target.sense is None or inner.target.sense.fixed
