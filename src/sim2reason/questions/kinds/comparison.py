@@ -9,14 +9,14 @@ import numpy as np
 
 from sim2reason.questions.dependence import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped
+from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import BEYOND, SHORTEST, Study
+from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words
-from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.simulation.certify import Certificate
 
 GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
 OFTEN = (0.6, 0.25, 0.15)
@@ -24,7 +24,6 @@ RATIOS = 0.6  # of comparisons: how often the factor is asked for, not the diffe
 CLEARLY = 0.1  # relative: by how much the answer must change
 POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 """Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""
-SAMPLES = 41
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,10 +88,7 @@ class ComparisonKind(NestedKind):
         other = query.changed(study)
         if reason or other is None:
             return reason or "there is no motion with the other value"
-        until = max(BEYOND * (KINDS[inner.kind].time(inner, other) or 0.0), SHORTEST * study.scene.horizon)
-        recorded = Study.of(other.scene, np.linspace(0.0, until, SAMPLES))
-        seen, vouched = witnessed(recorded.trace)
-        return KINDS[inner.kind].doubt(inner, Study(other.scene, seen), vouched)
+        return vouched(inner, other)
 
     def measured(self, query: Query) -> Measured:
         """A ratio, or a difference in the unit of the other answer."""

@@ -8,14 +8,22 @@ import numpy as np
 
 from sim2reason.questions.dependence import Dependence, ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, is_plain, stripped
+from sim2reason.questions.kinds.parts.nested import (
+    NestedKind,
+    NestedQuery,
+    answered,
+    inner_of,
+    is_plain,
+    stripped,
+    vouched,
+)
 from sim2reason.questions.query import Query
 from sim2reason.questions.stationary import FEW, Extreme, StationaryPoint
-from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study
+from sim2reason.questions.study import COARSE, Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.unknown import Unknown, is_usual, range_of, some
 from sim2reason.questions.words import Words
-from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import FINEST
 
@@ -26,7 +34,6 @@ CLEARLY = 0.05  # relative: by how much the answer must differ at the ends of wh
 STRIDE = 6  # of the points of a range that are looked at
 ASIDE = 0.15  # relative: how far to either side the second engine is asked
 SEEN = 2e-3  # relative: by how much the answer must differ there, so that the engines can tell it
-SAMPLES = 41
 RIGHT = 90.0  # degrees: an angle at which nothing is to be found out
 SAID = {True: ("greatest", "as large"), False: ("least", "as small")}
 EXTREMES = "greatest", "least"  # words that stand in no noun whose greatest value is asked for
@@ -173,7 +180,8 @@ class OptimumKind(NestedKind):
             value = answers(found.place * (1.0 + side))
             if value is None or (side and abs(value / found.value - 1.0) < SEEN):
                 return "the extreme is too flat to be told"
-            if reason := _doubted(query.inner, study.likewise({query.path: found.place * (1.0 + side)}), study):
+            other = study.likewise({query.path: found.place * (1.0 + side)})
+            if reason := vouched(query.inner, other) if other is not None else "there is no motion beside the extreme":
                 return reason
         return ""
 
@@ -245,16 +253,6 @@ def usual_values(study: Study, path: str) -> list[float]:
     """Some points of the range of a number that are not far from what is drawn, in order."""
     values = range_of(study.scene, path)
     return [value for value in values if is_usual(study.scene, path, value)][::2]
-
-
-def _doubted(inner: Query, other: Study | None, study: Study) -> str:
-    """Why both engines don't vouch for the answer to a query in a motion like another one."""
-    if other is None:
-        return "there is no motion beside the extreme"
-    until = BEYOND * (KINDS[inner.kind].time(inner, other) or 0.0)
-    recorded = Study.of(other.scene, np.linspace(0.0, max(until, SHORTEST * study.scene.horizon), SAMPLES))
-    seen, vouched = witnessed(recorded.trace)
-    return KINDS[inner.kind].doubt(inner, Study(other.scene, seen), vouched)
 
 
 def _is_clear(found: Extreme, end: float | None) -> bool:

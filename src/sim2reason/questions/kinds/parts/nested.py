@@ -13,13 +13,15 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import BEYOND, SHORTEST, Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
 
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""
+SAMPLES = 41  # of a motion that the second engine is asked about
 DRAWS = 3  # of questions of such kinds
 AWKWARD = "the magnitude of the change"  # of which no change is asked for
 NUMBERS = 4  # that are tried with each
@@ -141,6 +143,14 @@ def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> flo
         return None
     found = kind.loose_answer(inner, study) if loosely else kind.answer(inner, study)
     return found if found is not None and np.isfinite(found) else None
+
+
+def vouched(inner: Query, other: Study) -> str:
+    """Why both engines don't vouch for the answer to a query in a motion that is followed afresh; empty if they do."""
+    kind, least = KINDS[inner.kind], SHORTEST * other.scene.horizon
+    until = max(BEYOND * (kind.time(inner, other) or 0.0), least)
+    seen, certificate = witnessed(Study.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
+    return kind.doubt(inner, Study(other.scene, seen), certificate)
 
 
 def _has_subject(inner: Query, study: Study) -> bool:
