@@ -54,7 +54,7 @@ def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:
 @pytest.mark.parametrize(
     ("name", "size", "says"),
     [
-        ("sums", 1.0, "weights: sums: there is no kind 'sums'; there are: count, "),
+        ("sums", 1.0, "weights: sums: there is no kind 'sums'; there are: comparison, "),
         ("reverse", 1.0, "weights: reverse: there is no kind 'reverse'"),
         ("nowhere.sum", 1.0, "weights: nowhere.sum: 'nowhere' is no recipe, mode, or recipe and mode; write KIND"),
         ("numeric.box.sum", 1.0, "weights: numeric.box.sum: 'numeric.box' is no recipe"),

@@ -36,7 +36,8 @@ class FewLaws(Filter):
     derived, nor of an integral, which a logarithm tells, but by itself.
 
     What rolls or swings by its weight is kept, as by `one line`: a law of motion and a law of turning hold together
-    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not.
+    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not. What more than laws leads to, as
+    a derivative, is kept, too.
     """
 
     order = 3
@@ -88,7 +89,7 @@ def _counted(laws: int) -> str:
 def _derivation(candidate: Candidate) -> Solution | None:
     """What leads to a formula; None where nothing is looked for, or found."""
     study, words = candidate.study, candidate.words
-    if words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
+    if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
     if len(study.mechanism.coordinates) > LARGEST or study.trace.story(candidate.time):
         return None

@@ -27,6 +27,7 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.kinds import by_share
+from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.regimes import Regime, possible
@@ -80,7 +81,8 @@ class Symbolic(QuestionMode):
             if question is not None and _derived(question.query, study, words) is not None:
                 refused.clear()
                 return replace(question, mode=self.name)
-            refused |= {question.query} if question is not None else set()
+            if question is not None and not isinstance(question.query, NestedQuery):  # which needs two formulas
+                refused.add(question.query)
         return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:

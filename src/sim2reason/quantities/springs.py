@@ -65,7 +65,7 @@ class ExtensionRate(Quantity):
     magnitude = "the magnitude of the rate at which the length of {spring} changes"
     how = "how fast is the length of {spring} changing {when}?"
     given = True
-    weight = 0.5
+    weight = 0.05
     floor, least = 0.1, 1e-2
     order = 2
 

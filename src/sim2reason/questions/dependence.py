@@ -52,6 +52,8 @@ class Dependence:
     ) -> None:
         """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
 
+        Where its mechanism is changed, those of the scenes with other values are changed likewise.
+
         `scene` may be another one that a text can not tell from it. `likely` answers are looked for first, where a kind
         looks for its answers.
         """
@@ -114,7 +116,9 @@ class Dependence:
         kind = KINDS[self._query.kind]
         query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
         for until in stages:
-            other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
+            change = self._study.change
+            mechanism = scene.mechanism if change is None else change(scene.mechanism)
+            other = Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), self._error), change)
             found = kind.loose_answer(query, other)
             self._late.discard(value)
             if found is not None:
@@ -161,7 +165,7 @@ class Dependence:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
         events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - SAME_TIME))
-        self._courses[value] = events, _ways(study, time)
+        self._courses[value] = events, ways(study, time)
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
@@ -262,7 +266,7 @@ def roomy(scene: Scene) -> Scene:
     return scene
 
 
-def _ways(study: Study, time: float) -> tuple[float, ...]:
+def ways(study: Study, time: float) -> tuple[float, ...]:
     """Which way each coordinate has changed by a time, or begins to, and whether it turns then.
 
     In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and

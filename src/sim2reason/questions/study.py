@@ -10,7 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
 ENOUGH = 1e-8  # relative: what a step may err by in a motion whose answers are equal to this one's, or are not
@@ -78,6 +78,21 @@ class Study:
         """The motion with other values at some addresses of the scene, until a time, s; None if there is none."""
         scene = self._having(values)
         return None if scene is None else self.variant(scene, until)
+
+    def likewise(self, values: Mapping[str, float]) -> "Study | None":
+        """The motion with other values, changed as this one is and followed as far, to the same accuracy.
+
+        None if there is none.
+        """
+        scene = self._having(values)
+        if scene is None:
+            return None
+        change, error = self.change, self.trace.tolerance or FINEST
+
+        def make() -> Made:
+            return scene, scene.mechanism if change is None else change(scene.mechanism), change
+
+        return self._followed(("likewise", tuple(values.items())), make, None, error)
 
     def _having(self, values: Mapping[str, float]) -> Scene | None:
         """The scene with other values, or None if there is none; several filters ask for the same ones."""

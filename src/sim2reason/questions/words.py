@@ -10,6 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.named_numbers import named_numbers
 from sim2reason.questions.spoken import OwnSymbol, said, say
 from sim2reason.questions.unknown import Unknown, unknowns
 
@@ -26,6 +27,7 @@ class Words:
     symbols: Mapping[str, str] = field(default_factory=dict[str, str])  # by address, those of all numbers, if known
     symbolic: bool = False  # whether it has those in place of numbers
     own: Mapping[str, OwnSymbol] = field(default_factory=dict[str, OwnSymbol])  # of a question's numbers, by SI unit
+    named: Mapping[str, str] = field(default_factory=dict[str, str])  # phrases for numbers of the scene, by address
     _called: dict[str, Mapping[str, str]] = field(default_factory=dict[str, Mapping[str, str]], repr=False)
 
     @classmethod
@@ -42,7 +44,8 @@ class Words:
         """
         said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
         offered = unknowns(scene, mentions, unknown or {})
-        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {})
+        named = named_numbers(scene, mentions)
+        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {}, named=named)
 
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
         """Those of the text that has symbols in place of numbers, and some for the question's own."""

@@ -32,7 +32,8 @@ IDEAS = {
 }
 
 
-@recipe("chain", weights={"period": 0.5, "start": 0.3})  # a blow bears on neither, nor does every spring on both
+# a blow bears on neither a period nor a start, nor does every spring on both
+@recipe("chain", weights={"period": 0.5, "start": 0.3, "optimum": 0.0})
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
     return one_of(IDEAS[difficulty], rng, "chain")

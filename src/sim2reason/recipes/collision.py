@@ -75,7 +75,7 @@ TIERS = {
 }
 
 
-@recipe("collision", weights={"count": 0.3, "extremum": 0.5})  # three collisions, or before some of them
+@recipe("collision", weights={"count": 0.3, "extremum": 0.5, "optimum": 0.0})  # three collisions, or before some
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]

@@ -27,7 +27,7 @@ IDEAS = {
 }
 
 
-@recipe("electromagnetic")
+@recipe("electromagnetic", weights={"optimum": 0.0})
 def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A charged bead in fields that are uniform, or depend on place, velocity and time, with or without an end."""
     return one_of(IDEAS[difficulty], rng, "fields")

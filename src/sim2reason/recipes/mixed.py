@@ -59,7 +59,7 @@ TIERS = {
 
 
 # lengths of rods do not bear on the start yet; most periods are those of one spring and all masses
-@recipe("mixed", weights={"start": 0.4, "period": 0.4})
+@recipe("mixed", weights={"start": 0.4, "period": 0.4, "optimum": 0.0})
 def draw_mixed(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two entities of different families, joined by strings, hinges and springs."""
     return grow(TIERS[difficulty], rng)

@@ -36,7 +36,7 @@ TIERS = {
 }
 
 
-@recipe("orbital", share=2)
+@recipe("orbital", share=2, weights={"optimum": 0.0})
 def draw_orbital(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Planets on circles or ellipses about a fixed star; heavy ones disturb each other."""
     tiers = TIERS[difficulty]

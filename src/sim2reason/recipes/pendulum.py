@@ -27,7 +27,7 @@ IDEAS = {
 
 
 # one law of energy answers most questions about events, and whether a bob goes round or its string slack
-@recipe("pendulum", share=2, weights={"event": 0.4, "threshold": 0.0})
+@recipe("pendulum", share=2, weights={"event": 0.4, "threshold": 0.0, "optimum": 0.0})
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A bob on a string or a light rod: released, set moving, or so fast that it leaves its circle."""
     return one_of(IDEAS[difficulty], rng, "pendulum")

@@ -27,7 +27,7 @@ IDEAS = {
 }
 
 
-@recipe("springs", share=2)
+@recipe("springs", share=2, weights={"optimum": 0.0})
 def draw_springs(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A block on a smooth table that several springs pull from different sides."""
     return one_of(IDEAS[difficulty], rng, "springs")

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from sim2reason.questions import Query, Study, Words
-from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shortest import shortest_known
@@ -33,6 +32,6 @@ def _derived(query: Query, study: Study, words: Words) -> Solution:
     if found is not None and query.kind in STRATEGIES[found.strategy].formulas(study.mechanism):
         return found
     setting = forward(Setting(study.scene, words, words.symbols, study, query))
-    if isinstance(query, ThresholdQuery):  # the number that it asks for is the unknown of its laws
+    if query.hides:  # the number that it asks for is the unknown of its laws
         return solve(setting, derived=True)
     return solve(replace(setting, unknown="", stated=None, sought=None), derived=True)

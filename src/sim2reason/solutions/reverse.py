@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim2reason.questions import Query
+from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
@@ -23,8 +24,8 @@ LONGEST = 40  # formulas put into each other
 def forward(setting: Setting) -> Setting:
     """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; of a threshold the limiting case.
 
-    There the number whose limit is meant has that value; where a result states it, another number is the unknown. Else
-    the setting itself.
+    There the number whose limit is meant has that value; where a result states it, another number is the unknown. Of an
+    optimum it is the scene that has it. Else the setting itself.
     """
     if isinstance(setting.query, ThresholdQuery) and setting.answer is not None and setting.sought is None:
         path, sought = setting.query.parameter, setting.answer
@@ -32,6 +33,11 @@ def forward(setting: Setting) -> Setting:
         unknown = path if setting.stated is None else setting.unknown
         scene = setting.scene.having(path, limit)
         return replace(setting, scene=scene, unknown=unknown, stated=None, sought=sought)
+    if isinstance(setting.query, OptimumQuery) and setting.answer is not None and setting.sought is None:
+        place = setting.query.place(setting.study)
+        if place is not None:
+            scene = setting.scene.having(setting.query.path, place)
+            return replace(setting, scene=scene, unknown=setting.query.path, stated=None, sought=setting.answer)
     moment = setting.query.moment
     if not isinstance(moment, Reached) or setting.answer is None:
         return setting

@@ -23,7 +23,7 @@ class NetImpulse(Functional):
     name, unit, kind, least = "impulse of the net force", "N s", "sum", 1e-3
     of, needs, center = Bodies(), ("mass",), False
     phrase = "the magnitude of the impulse of the net force on {body}"
-    weight = 0.8
+    weight = 0.05
 
     def present(self, words: Words, name: str) -> bool:
         """What keeps its mass."""

@@ -49,6 +49,8 @@ class Kind(ABC):
         of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
+        derivable: whether it is asked only where some worked solution leads to the answer without any integration.
+        beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
     """
 
     name: ClassVar[str]
@@ -56,6 +58,8 @@ class Kind(ABC):
     of_symbols: ClassVar[bool] = True
     whole: ClassVar[bool] = False
     awaited: ClassVar[bool] = False
+    derivable: ClassVar[bool] = False
+    beyond_laws: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:

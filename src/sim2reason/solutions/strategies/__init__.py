@@ -20,12 +20,14 @@ class Strategy(ABC):
         cost: how long its solutions are compared with others'; the cheapest that applies is written.
         kinds: of questions that it can answer.
         integrates: whether it derives nothing, and the answer is what a numerical integration gives.
+        nested: whether it leaves to other strategies what its question is about, as a comparison does.
     """
 
     name: ClassVar[str]
     cost: ClassVar[float]
     kinds: ClassVar[frozenset[str]] = frozenset({"start", "state", "event", "time_to_event"})
     integrates: ClassVar[bool] = False
+    nested: ClassVar[bool] = False
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Why it applies to nothing that could be asked about a mechanism, in a few words; by default it may apply."""
@@ -56,6 +58,13 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     """Enter a strategy under its name."""
     STRATEGIES.add(cls.name, cls())
     return cls
+
+
+def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
+    """The strategies that may lead to a formula for a kind of question which is about no other, the cheapest first."""
+    own = (held for held in STRATEGIES.values() if not held.nested and kind in held.kinds)
+    fitting = (held for held in own if not held.unfit(mechanism) and kind in held.formulas(mechanism))
+    return sorted(fitting, key=lambda held: held.cost)
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:

@@ -19,7 +19,8 @@ ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, 
 ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
-SEEN = {"threshold": 1e-7}  # by kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can
+SEEN = {"threshold": 1e-7, "optimum": 1e-6, "limit": 1e-7}
+"""By kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can; extremes are flat."""
 KNOWN = ("given",)  # roles of what no law needs to determine
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 

@@ -1,0 +1,200 @@
+"""By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import product
+from math import log
+
+import numpy as np
+
+from sim2reason.questions.dependence import ways
+from sim2reason.questions.kinds import KINDS, Measured, kind
+from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.tolerance import NEARLY, TOLERANCE
+from sim2reason.questions.unknown import is_usual
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+
+GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
+OFTEN = (0.6, 0.25, 0.15)
+RATIOS = 0.6  # of comparisons: how often the factor is asked for, not the difference
+CLEARLY = 0.1  # relative: by how much the answer must change
+POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
+"""Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""
+
+
+@dataclass(frozen=True, slots=True)
+class ComparisonQuery(NestedQuery):
+    """How the answer to another query changes if a number is multiplied by a factor.
+
+    It is the ratio of the new answer to the original one, or how much larger the greater of them is.
+    """
+
+    factor: float = 2.0
+    ratio: bool = True
+    grows: bool = True
+
+    def changed(self, study: Study) -> Study | None:
+        """The motion with that number multiplied by the factor; None if there is none."""
+        return study.likewise({self.path: self.factor * float(study.scene.value(self.path))})
+
+
+@kind
+class ComparisonKind(NestedKind):
+    """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
+
+    name = "comparison"
+    share = 0.25
+
+    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+        """One whose ratio no proportionality leads to, where the same things happen in both cases."""
+        factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
+        query = ComparisonQuery(self.name, inner.target, inner.moment, stripped(inner), path, factor)
+        query = replace(query, ratio=bool(rng.random() < RATIOS))
+        if not is_usual(study.scene, path, factor * float(study.scene.value(path))):
+            return None
+        other = query.changed(study)
+        before, after = answered(inner, study), answered(inner, other)
+        if other is None or before is None or after is None or min(before, after) <= _least(inner):
+            return None
+        if _is_guessed(after / before, factor) or _course(inner, study) != _course(inner, other):
+            return None
+        return replace(query, grows=query.ratio or after > before)
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The ratio of the new answer to the original one, or their difference."""
+        return _compared(query, study, loosely=False)
+
+    def loose_answer(self, query: Query, study: Study) -> float | None:
+        """Of what a reader may answer in either case."""
+        return _compared(query, study, loosely=True)
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """When all has happened in both cases."""
+        assert isinstance(query, ComparisonQuery)
+        other, inner = query.changed(study), query.inner
+        times = [KINDS[inner.kind].time(inner, held) if held is not None else None for held in (study, other)]
+        known = [time for time in times if time is not None]
+        return max(known) if len(known) == len(times) else None
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """Both cases must be vouched for."""
+        assert isinstance(query, ComparisonQuery)
+        inner = query.inner
+        reason = KINDS[inner.kind].doubt(inner, study, certificate)
+        other = query.changed(study)
+        if reason or other is None:
+            return reason or "there is no motion with the other value"
+        return vouched(inner, other)
+
+    def measured(self, query: Query) -> Measured:
+        """A ratio, or a difference in the unit of the other answer."""
+        assert isinstance(query, ComparisonQuery)
+        if query.ratio:
+            return Measured("ratio", "", least=1e-2)
+        found = KINDS[query.inner.kind].measured(query.inner)
+        return Measured("difference", found.unit, found.least)
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: by what factor would doubling the mass of A multiply the speed of B 0.80 s after release?"""
+        assert isinstance(query, ComparisonQuery)
+        number = words.named.get(query.path)
+        if number is None:
+            return ()
+        forms = _ratio_forms(query, number) if query.ratio else _difference_forms(query, number)
+        return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
+
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the factor by which doubling the mass of A would multiply the speed of B 0.80 s after release."""
+        assert isinstance(query, ComparisonQuery)
+        number = words.named.get(query.path)
+        if number is None or not query.ratio:
+            return ()
+        names = self.names(query, words, noun)
+        return tuple(f"the factor by which {GERUNDS[query.factor]} {number} would multiply {name}" for name in names)
+
+    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+        """As in: doubling the mass of A would multiply the speed of B 0.80 s after release by 1.4."""
+        assert isinstance(query, ComparisonQuery)
+        number = words.named.get(query.path)
+        if number is None or not query.ratio:
+            return ()
+        changing = f"{GERUNDS[query.factor]} {number}"
+        return tuple(f"{changing} would multiply {name} by {value}" for name in self.names(query, words, noun))
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every change of every number that is named, with every question that it could be about."""
+        changes = [
+            (path, factor, ratio, grows)
+            for path, number in words.named.items()
+            for factor, gerund in GERUNDS.items()
+            if f"{gerund} {number}" in text or f"{number} were {_done(factor)}" in text
+            for ratio, grows in ((True, True), (False, True), (False, False))
+        ]
+        if not changes:
+            return
+        for inner in self.inner_parsed(text, study, words, targets):
+            for path, factor, ratio, grows in changes:
+                yield ComparisonQuery(
+                    self.name, inner.target, inner.moment, stripped(inner), path, factor, ratio, grows
+                )
+
+
+def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
+    """The questions for a ratio, with a gap for what is compared."""
+    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
+    ratio = "the ratio of the new value to the original value of {}"
+    return (
+        f"by what factor would {changing}, and nothing else, multiply {{}}?",
+        f"determine the factor by which {changing} would multiply {{}}.",
+        f"suppose {changed} and all else were unchanged: find {ratio}.",
+        f"what would be {ratio}, if {changed}?",
+    )
+
+
+def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
+    """The questions for a difference, with a gap for what is compared."""
+    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
+    verb, change = ("increase", "increase") if query.grows else ("reduce", "decrease")
+    return (
+        f"by how much would {changing}, and nothing else, {verb} {{}}?",
+        f"determine by how much {changing} would {verb} {{}}.",
+        f"suppose {changed} and all else were unchanged: find the resulting {change} in {{}}.",
+        f"what {change} in {{}} would result from {changing}?",
+    )
+
+
+def _done(factor: float) -> str:
+    """*Doubled*."""
+    return f"{GERUNDS[factor].removesuffix('ing')}ed"
+
+
+def _compared(query: Query, study: Study, *, loosely: bool) -> float | None:
+    assert isinstance(query, ComparisonQuery)
+    inner = inner_of(query)
+    before = answered(inner, study, loosely=loosely)
+    after = answered(inner, query.changed(study), loosely=loosely) if before is not None else None
+    if before is None or after is None:
+        return None
+    if query.ratio:
+        return after / before if before else None
+    return after - before if query.grows else before - after
+
+
+def _least(inner: Query) -> float:
+    return KINDS[inner.kind].measured(inner).least
+
+
+def _course(inner: Query, study: Study) -> tuple[object, ...]:
+    """What happens in turn until the answer is known, and which way everything has moved by then."""
+    time = KINDS[inner.kind].time(inner, study) or 0.0
+    return study.trace.story(time), ways(study, time)
+
+
+def _is_guessed(ratio: float, factor: float) -> bool:
+    """Whether a power of the factor is the ratio, or nearly, or nothing much changes."""
+    near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
+    return near or abs(log(ratio)) < CLEARLY

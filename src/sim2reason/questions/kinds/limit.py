@@ -1,0 +1,147 @@
+"""What does an answer approach as one mass becomes far larger, or far smaller, than all others?"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise, product
+
+import numpy as np
+
+from sim2reason.questions.dependence import ways
+from sim2reason.questions.kinds import KINDS, Measured, kind
+from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+
+RATIO = 10.0
+TIMES = tuple(3e2 * RATIO**turn for turn in range(3))
+"""Of the largest mass, or parts of the smallest: where the answer is looked at. No mass may be a million kilograms."""
+NEARER = 1e3  # where the second engine is asked
+CLEARLY = 0.1  # relative: by how much the limit must differ from the answer with the mass as it is
+SETTLED = 1e-2  # relative: by how much the answer may still change between the last two
+SEEN = 0.02  # relative: how close it must be to the limit where the second engine is asked
+MASS = "kg"
+
+
+@dataclass(frozen=True, slots=True)
+class LimitQuery(NestedQuery):
+    """What the answer to another query approaches as the mass at an address grows without bound, or vanishes."""
+
+    large: bool = True
+
+    def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:
+        """The motions with that mass far beyond all others, farther and farther."""
+        masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]
+        end = max(masses) if self.large else min(masses)
+        return [study.likewise({self.path: end * by if self.large else end / by}) for by in times]
+
+
+@kind
+class LimitKind(NestedKind):
+    """What does an answer approach as one mass becomes far larger, or far smaller, than all others?"""
+
+    name = "limit"
+    share = 0.12
+    beyond_laws = True
+    inner = ("start", "event", "time_to_event", "period")
+
+    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+        """Of the masses, where there are several."""
+        masses = {p.path for p in study.scene.parameters if p.measure.unit == MASS and p.value}
+        return [path for path in super()._numbers(study, words, rng) if path in masses and len(masses) > 1]
+
+    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+        """One that has a limit other than zero, and approaches it from far away without turning round."""
+        del rng
+        query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
+        least = KINDS[inner.kind].measured(inner).least
+        for large in (True, False):  # without a mass most problems are others that are simpler
+            query = replace(query, large=large)
+            found, here, (last,) = _limit(query, study), answered(inner, study), query.extremes(study, TIMES[-1:])
+            if found is None or here is None or last is None or found <= least:
+                continue
+            if abs(found / here - 1.0) > CLEARLY and _way(inner, study) == _way(inner, last):
+                return query
+        return None
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The limit, extrapolated from motions with masses that differ by powers of ten."""
+        assert isinstance(query, LimitQuery)
+        return _limit(query, study)
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """When all has happened in the motion as it is, and with the mass far beyond all others."""
+        assert isinstance(query, LimitQuery)
+        inner = query.inner
+        kind = KINDS[inner.kind]
+        times = [kind.time(inner, held) if held is not None else None for held in (study, *query.extremes(study))]
+        known = [time for time in times if time is not None]
+        return max(known) if len(known) == len(times) else None
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """Both engines must vouch for a motion whose answer is close to the limit."""
+        assert isinstance(query, LimitQuery)
+        inner, (near,) = query.inner, query.extremes(study, (NEARER,))
+        reason = KINDS[inner.kind].doubt(inner, study, certificate)
+        limit, close = _limit(query, study), answered(inner, near)
+        if reason or limit is None or close is None or near is None:
+            return reason or "there is no limit"
+        if abs(close / limit - 1.0) > SEEN:
+            return "the limit is approached too slowly to be seen"
+        return vouched(inner, near)
+
+    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+        """To whatever has no bearing in the limit: to see which numbers these are is what is asked for."""
+        del query, study, other
+        return True
+
+    def measured(self, query: Query) -> Measured:
+        """That of the other question."""
+        inner = inner_of(query)
+        found = KINDS[inner.kind].measured(inner)
+        return Measured("limit", found.unit, found.least)
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: what does the acceleration of A approach as the mass of B is made larger and larger?"""
+        assert isinstance(query, LimitQuery)
+        number = words.named.get(query.path)
+        if number is None:
+            return ()
+        larger, grows, far = (
+            ("larger and larger", "grows without bound", "far greater than")
+            if query.large
+            else ("smaller and smaller", "tends to zero", "negligible compared with")
+        )
+        forms = (
+            f"what value does {{}} approach, if {number} is made {larger} and all else stays the same?",
+            f"find the limit of {{}} as {number} {grows}.",
+            f"determine what {{}} would be, if {number} were {far} all other masses.",
+        )
+        return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every limit of whatever is named, for every mass that is."""
+        numbers = [path for path, number in words.named.items() if f"{number} " in text]
+        if not numbers or not any(said in text for said in ("approach", "limit", "all other masses")):
+            return
+        for inner in self.inner_parsed(text, study, words, targets):
+            for path, large in product(numbers, (True, False)):
+                yield LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path, large)
+
+
+def _limit(query: LimitQuery, study: Study) -> float | None:
+    """The answers far away, extrapolated by a parabola of the inverse of the mass, or of the mass itself."""
+    answers = [answered(query.inner, other, loosely=True) for other in query.extremes(study)]
+    found = [answer for answer in answers if answer is not None]
+    if len(found) < len(TIMES) or abs(found[-1] - found[-2]) > SETTLED * abs(found[-1]):
+        return None
+    lines = [far + (far - near) / (RATIO - 1.0) for near, far in pairwise(found)]
+    return lines[1] + (lines[1] - lines[0]) / (RATIO**2 - 1.0)
+
+
+def _way(inner: Query, study: Study) -> tuple[object, ...]:
+    """What happens in turn until the answer is known, and which way everything has moved that does."""
+    time = KINDS[inner.kind].time(inner, study) or 0.0
+    return study.trace.story(time), ways(study, time)

@@ -1,0 +1,272 @@
+"""For which value of a number is an answer greatest or least, and what is it then?"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from itertools import pairwise, product
+
+import numpy as np
+
+from sim2reason.questions.dependence import Dependence, ways
+from sim2reason.questions.kinds import KINDS, Measured, kind
+from sim2reason.questions.kinds.parts.nested import (
+    NestedKind,
+    NestedQuery,
+    answered,
+    inner_of,
+    is_plain,
+    stripped,
+    vouched,
+)
+from sim2reason.questions.query import Query
+from sim2reason.questions.stationary import FEW, Extreme, StationaryPoint
+from sim2reason.questions.study import COARSE, Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.unknown import Unknown, is_usual, range_of, some
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import FINEST
+
+DRAWS = {"start": 1, "event": 4, "period": 1}  # of other questions, by kind
+CLOSELY = 2  # pairs of a question and a number that are looked at closely
+PLACES = 0.6  # of such questions: how often the number is asked for, not the extreme value
+CLEARLY = 0.05  # relative: by how much the answer must differ at the ends of what is usual
+STRIDE = 6  # of the points of a range that are looked at
+ASIDE = 0.15  # relative: how far to either side the second engine is asked
+SEEN = 2e-3  # relative: by how much the answer must differ there, so that the engines can tell it
+RIGHT = 90.0  # degrees: an angle at which nothing is to be found out
+SAID = {True: ("greatest", "as large"), False: ("least", "as small")}
+EXTREMES = "greatest", "least"  # words that stand in no noun whose greatest value is asked for
+
+
+@dataclass(frozen=True, slots=True)
+class OptimumQuery(NestedQuery):
+    """The value of a number for which the answer to another query is greatest or least, or that answer."""
+
+    unit: str = ""
+    greatest: bool = True
+    asks_place: bool = True
+    about: float = field(default=0.0, compare=False)  # where it is, if that is known of a scene like this one
+
+    @property
+    def hides(self) -> str:
+        """The number."""
+        return self.path
+
+    def extreme(self, study: Study) -> Extreme | None:
+        """In a scene: near where it is known to be, else among all usual values."""
+        error = study.trace.tolerance or FINEST
+        return study.once(
+            ("extreme", self.inner, self.path, self.greatest, self.about), lambda: self._found(study, error)
+        )
+
+    def _found(self, study: Study, error: float) -> Extreme | None:
+        point = StationaryPoint(Dependence(self.inner, study, self.path, error))
+        if self.about:
+            found = point.near(self.about, greatest=self.greatest)
+            if found is not None:
+                return found
+        found = point.among(usual_values(study, self.path))
+        return found if found is not None and found.greatest is self.greatest else None
+
+    def place(self, study: Study) -> float | None:
+        """The value of the number in a scene."""
+        found = self.extreme(study)
+        return found.place if found is not None else None
+
+
+@kind
+class OptimumKind(NestedKind):
+    """For which value of a number is an answer greatest or least, and what is it then?"""
+
+    name = "optimum"
+    share = 0.15
+    beyond_laws = True
+    inner = ("start", "event", "period")
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """A question whose answer is seen to turn back as one of a few numbers grows, if it is worth it."""
+        if study.mechanism is not study.scene.mechanism:
+            return None
+        inners = self._drawn(study, words, targets, rng)
+        paths = list(self._numbers(study, words, rng)) if inners else []
+        pairs = [(inner, path) for path in paths for inner in inners if _turns(inner, path, study)]
+        order: list[int] = rng.permutation(len(pairs)).tolist()
+        found = (self._worth(*pairs[number], study, rng) for number in order[:CLOSELY])
+        return next((query for query in found if query is not None), None)
+
+    def _drawn(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
+        """Some questions of other kinds."""
+        found = dict[Query, None]()
+        for name in self.inner:
+            for _ in range(DRAWS[name]):
+                inner = KINDS[name].draw(study, words, targets, rng)
+                if inner is not None and is_plain(inner) and self._is_named(inner, words, targets):
+                    found[inner] = None
+        return list(found)
+
+    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+        """Some of those that a text may leave unknown, angles and lengths first: most designs are shapes."""
+        return [unknown.path for unknown in sorted(some(words.unknowns, study.scene, rng), key=_is_no_shape)]
+
+    def _can_be_about(self, name: str) -> bool:
+        """Whether it is no greatest value itself."""
+        return super()._can_be_about(name) and not any(word in name for word in EXTREMES)
+
+    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+        """One that is clear, smooth and within what is usual."""
+        values = usual_values(study, path)
+        answers = Dependence(inner, study, path, COARSE)
+        rough = StationaryPoint(answers).among(values) if len(values) > 2 else None
+        unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
+        right = unit == "deg" and rough is not None and abs(rough.place - RIGHT) < 1.0
+        if rough is None or right or not is_usual(study.scene, path, rough.place) or rough.value <= _least(inner):
+            return None
+        ends = [answers(values[0]), answers(values[-1])]
+        if any(end is None or not _is_clear(rough, end) for end in ends):
+            return None
+        sides = [answers.course(rough.place * (1.0 + side)) for side in (-ASIDE, 0.0, ASIDE)]
+        if None in sides or sides[0] != sides[1] or sides[1] != sides[2]:
+            return None
+        query = OptimumQuery(self.name, inner.target, inner.moment, stripped(inner), path, unit, rough.greatest)
+        query = replace(query, asks_place=bool(rng.random() < PLACES), about=rough.place)
+        place = query.place(study)
+        return replace(query, about=place) if place is not None else None
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The number, or the extreme value."""
+        assert isinstance(query, OptimumQuery)
+        found = query.extreme(study)
+        if found is None:
+            return None
+        return found.place if query.asks_place else found.value
+
+    def expecting(self, query: Query, answer: float) -> Query:
+        """Where the extreme likely is."""
+        assert isinstance(query, OptimumQuery)
+        return replace(query, about=answer) if query.asks_place else query
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """When it has happened in the motion that is recorded, with the number as it was drawn; else the start."""
+        inner = inner_of(query)
+        return KINDS[inner.kind].time(inner, study) or 0.0
+
+    def measured(self, query: Query) -> Measured:
+        """The number, or the other answer."""
+        assert isinstance(query, OptimumQuery)
+        if query.asks_place:
+            return Measured("optimum", query.unit, least=0.0)
+        found = KINDS[query.inner.kind].measured(query.inner)
+        return Measured("extreme value", found.unit, found.least)
+
+    def channels(self, query: Query) -> tuple[Channel, ...]:
+        """None of the motion that is recorded."""
+        del query
+        return ()
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """It must be the only one in the whole range, and both engines must see it between values to its sides."""
+        del certificate
+        assert isinstance(query, OptimumQuery)
+        found = query.extreme(study)
+        if found is None:
+            return "there is no extreme"
+        answers = Dependence(query.inner, study, query.path, COARSE)
+        whole = range_of(study.scene, query.path)[::STRIDE]
+        seen = [answer for value in whole if (answer := answers(value)) is not None]
+        if any((answer > found.value) is query.greatest and answer != found.value for answer in seen):
+            return "elsewhere the answer is beyond the extreme"
+        for side in (-ASIDE, 0.0, ASIDE):
+            value = answers(found.place * (1.0 + side))
+            if value is None or (side and abs(value / found.value - 1.0) < SEEN):
+                return "the extreme is too flat to be told"
+            other = study.likewise({query.path: found.place * (1.0 + side)})
+            if reason := vouched(query.inner, other) if other is not None else "there is no motion beside the extreme":
+                return reason
+        return ""
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: find the mass of A for which the kinetic energy of B when it has moved 0.50 m is greatest."""
+        assert isinstance(query, OptimumQuery)
+        unknown = next((found for found in words.unknowns if found.path == query.path), None)
+        if unknown is None:
+            return ()
+        extreme, size = ("greatest", "large") if query.greatest else ("least", "small")
+        pairs = list(product(unknown.phrases, self.names(query, words, noun)))
+        if query.asks_place:
+            return tuple(
+                shape
+                for phrase, name in pairs
+                for shape in (
+                    f"find {_valued(phrase)} for which {name} is {extreme}.",
+                    f"what must {phrase} be for {name} to be as {size} as possible?",
+                    f"determine {_valued(phrase)} that makes {name} as {size} as possible.",
+                )
+            )
+        return tuple(
+            shape
+            for phrase, name in pairs
+            for shape in (
+                f"{phrase} can be chosen freely: what is the {extreme} possible value of {name}?",
+                f"find the {extreme} value of {name} that a suitable choice of {phrase} can give.",
+                f"determine the {extreme} possible value of {name}, if {phrase} can be chosen freely.",
+            )
+            if shape[0].isalpha()
+        )
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every extreme of whatever is named, with every number that the text may leave unknown."""
+        extremes = [
+            great
+            for great, said in ((True, ("greatest", "as large")), (False, ("least", "as small")))
+            if any(map(text.__contains__, said))
+        ]
+        if not extremes or not words.unknowns:
+            return
+        for inner in self.inner_parsed(text, study, words, targets):
+            for unknown, greatest, place in product(words.unknowns, extremes, (True, False)):
+                yield OptimumQuery(
+                    self.name, inner.target, inner.moment, stripped(inner), unknown.path, unknown.unit, greatest, place
+                )
+
+
+def _turns(inner: Query, path: str, study: Study) -> bool:
+    """Whether an answer is seen to turn back once, over a few values of a number."""
+    values = usual_values(study, path)
+    if len(values) < FEW:
+        return False
+    chosen = [values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)]
+    others = [study.with_values({path: value}) for value in chosen]
+    found = [answer for other in others if (answer := answered(inner, other, loosely=True)) is not None]
+    courses = {ways(other, KINDS[inner.kind].time(inner, other) or 0.0) for other in others if other is not None}
+    if len(found) < FEW or len(courses) > 1:
+        return False  # where something turns round, a size passes through zero
+    rises = [after > before for before, after in pairwise(found)]
+    return sum(one != other for one, other in pairwise(rises)) == 1
+
+
+def _is_no_shape(unknown: Unknown) -> bool:
+    return unknown.unit not in ("deg", "m")
+
+
+def usual_values(study: Study, path: str) -> list[float]:
+    """Some points of the range of a number that are not far from what is drawn, in order."""
+    values = range_of(study.scene, path)
+    return [value for value in values if is_usual(study.scene, path, value)][::2]
+
+
+def _is_clear(found: Extreme, end: float | None) -> bool:
+    """Whether the answer at an end of the range differs clearly, and on the right side."""
+    if end is None:
+        return False
+    beyond = (found.value - end) if found.greatest else (end - found.value)
+    return beyond > CLEARLY * abs(found.value)
+
+
+def _least(inner: Query) -> float:
+    return KINDS[inner.kind].measured(inner).least
+
+
+def _valued(phrase: str) -> str:
+    """*The mass of block A*, *the value of m*."""
+    return phrase if phrase.startswith("the ") else f"the value of {phrase}"

@@ -1,0 +1,91 @@
+"""Where the answer to a question is greatest or least as a function of one number of the scene."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import isfinite
+from typing import NamedTuple
+
+from sim2reason.questions.dependence import Dependence
+
+FEW = 5  # values that are looked at first: without one turn among them, no others are
+STRIDE = 2  # of those that are looked at then
+STEP = 0.01  # relative: of the differences that derivatives are taken by
+ROUNDS = 6  # of Newton's method
+FARTHEST = 0.2  # relative: how far one of them may lead
+EXACT, SAME = 1e-8, 5e-7  # relative: where it ends; where a place that is known is the place
+
+
+class Extreme(NamedTuple):
+    """Where an answer is greatest or least, and what it is there."""
+
+    place: float
+    value: float
+    greatest: bool
+
+
+class StationaryPoint:
+    """Looks for the only value of a number for which an answer is greatest or least."""
+
+    def __init__(self, dependence: Dependence) -> None:
+        """`dependence` is that of the answer on the number."""
+        self._answer = dependence
+
+    def among(self, values: Sequence[float]) -> Extreme | None:
+        """The only extreme between the first and the last of some values, at least three, in order.
+
+        None if there are several or none, or not all values have an answer.
+        """
+        coarse = [values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)] if len(values) > FEW else values
+        for some in (coarse, sorted({*coarse, *values[::STRIDE]})):
+            turn = self._turn(some)
+            if turn is None:
+                return None
+        low, middle, high, greatest = turn
+        return self.near(_vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest)
+
+    def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
+        """The neighbours between which the answer turns back, if it does so once; whether it is greatest there."""
+        found = list[float]()
+        for value in values:
+            answer = self._answer(value)
+            if answer is None or not isfinite(answer):
+                return None
+            found.append(answer)
+        rises = [after > before for before, after in pairwise(found)]
+        turns = [n for n, (one, other) in enumerate(pairwise(rises)) if one != other]
+        if len(turns) != 1:
+            return None
+        n = turns[0]
+        return values[n], values[n + 1], values[n + 2], rises[n]
+
+    def near(self, about: float, *, greatest: bool) -> Extreme | None:
+        """The extreme close to a value: just there, if it is there; None if none is."""
+        at = about
+        for turn in range(ROUNDS):
+            step = STEP * abs(at)
+            found = [self._answer(at + n * step) for n in (-2, -1, 0, 1, 2)]
+            plain = [answer for answer in found if answer is not None and isfinite(answer)]
+            if len(plain) < len(found):
+                return None
+            far_below, below, here, above, far_above = plain
+            slope = (far_below - 8.0 * below + 8.0 * above - far_above) / (12.0 * step)
+            bend = (16.0 * (below + above) - far_below - far_above - 30.0 * here) / (12.0 * step**2)
+            if not (bend < 0.0 if greatest else bend > 0.0):
+                return None
+            shift = -slope / bend
+            if abs(shift) > FARTHEST * abs(about):
+                return None
+            if turn == 0 and abs(shift) <= SAME * abs(at):
+                return Extreme(at, here, greatest)
+            at += shift
+            if abs(shift) <= EXACT * abs(at):
+                break
+        value = self._answer(at)
+        return Extreme(at, value, greatest) if value is not None else None
+
+
+def _vertex(points: Sequence[tuple[float, float]]) -> float:
+    """Where the parabola through three points turns back."""
+    (low, a), (middle, b), (high, c) = points
+    left, right = (middle - low) * (b - c), (middle - high) * (b - a)
+    return middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)

@@ -1,0 +1,157 @@
+"""The answer to a question about which another one asks, written by the strategies that lead to a formula."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from math import radians
+from typing import Protocol
+
+from sim2reason.questions import Study
+from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.closed_forms import ClosedFormError, put_together, shortened
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import Relation, Solution, Step
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES
+
+NEW = r"\text{new}"
+SHORT = 110  # characters of a formula into which another value is put
+
+
+class Way(Protocol):
+    """A strategy, as far as it is needed here."""
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply to a question."""
+        ...
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write all steps, and say which symbol is the answer."""
+        ...
+
+
+def inner_setting(setting: Setting) -> Setting:
+    """The same scene with the other question asked about it."""
+    assert isinstance(setting.query, NestedQuery)
+    return replace(setting, query=setting.query.inner, unknown="", stated=None, sought=None)
+
+
+def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
+    """Write the answer to the other question by the first of some strategies that leads to it; its symbol.
+
+    Raises:
+        UnsolvedError: none does.
+    """
+    reasons = ["no strategy has a way to what is asked about"]
+    for way in offered:
+        if way.refusal(inner):
+            continue
+        try:
+            way.write(inner, book.copy())
+        except (UnsolvedError, UnreadError) as error:
+            reasons.append(str(error))
+            continue
+        return way.write(inner, book)
+    raise UnsolvedError(reasons[-1])
+
+
+def with_changed_scene(inner: Setting, changed: Study, path: str, symbol: str) -> Setting:
+    """The other question about a scene in which the number at an address has another value, and a symbol for that."""
+    words = replace(inner.words, mechanism=changed.mechanism)
+    symbols = {**inner.symbols, path: symbol}
+    return replace(inner, scene=changed.scene, study=changed, words=words, symbols=symbols)
+
+
+def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed: Expression, lead: str) -> Symbol:
+    """Write what a result that was written becomes with something else in place of a given symbol; the new name.
+
+    Where all steps put together give a short formula, by that; else step by step.
+    """
+    whole = short_formula(inner, book, goal)
+    other = _shortened(_put(whole, {symbol: changed})) if whole is not None else None
+    step = book.open("other value")
+    step.rest_on(goal)
+    if whole is not None and other is not None:
+        after = book.fresh(goal, NEW)
+        step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
+    else:
+        said: list[str] = []
+        renamed: dict[str, Expression] = {symbol: changed}
+        for name, formula in _leading(book, goal):
+            if renamed.keys().isdisjoint(formula.symbols()):
+                continue
+            after = book.fresh(name, NEW)
+            said.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
+            renamed[name] = after
+        step.say(f"{lead}, the same equations give {joined(said)}.")
+    step.close()
+    return Symbol(book.last)
+
+
+def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
+    """All steps to a result put together; None where that leads to no formula that is short."""
+    try:
+        return _shortened(_whole(inner, book, goal))
+    except ClosedFormError:
+        return None
+
+
+def _shortened(formula: Expression) -> Expression | None:
+    """A formula as one would write it; None if it is not short even then."""
+    try:
+        found = shortened(formula)
+    except ClosedFormError:
+        return None
+    return found.expression if len(found.latex) <= SHORT else None
+
+
+def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
+    """A formula with others in place of some symbols; UnsolvedError where a number in it was found with them."""
+    try:
+        for old, new in renamed.items():
+            formula = put(formula, old, new)
+    except TypeError as error:
+        raise UnsolvedError("a root on the way was found numerically") from error
+    return formula
+
+
+def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
+    """The names that lead to a result, each after those on which it rests, with their formulas."""
+    formulas = {
+        relation.left.latex(): relation.right
+        for step in book.steps
+        for relation in step.relations
+        if relation.left.latex() in step.gives and relation.role in ("result", "law")
+    }
+    needed, waiting = set[str](), [goal]
+    while waiting:
+        name = waiting.pop()
+        if name in formulas and name not in needed:
+            needed.add(name)
+            waiting += formulas[name].symbols()
+    return [(name, formula) for name, formula in formulas.items() if name in needed]
+
+
+def _whole(inner: Setting, book: Book, goal: str) -> Expression:
+    """The formulas of all steps put into each other, until nothing but what the text and the question say is left."""
+    said = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
+    given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in said if name in book.values)
+    steps = (Step(-1, "givens", "", given, (), ()), *book.steps)
+    return put_together(Solution("", steps, book.values, goal, answer=book.values[goal], constants=book.constants))
+
+
+def lone_symbol(setting: Setting, path: str) -> str:
+    """The symbol of the number at an address; UnsolvedError if another number has it, too."""
+    given = setting.lexicon.givens.get(path)
+    alike = [held for held in setting.lexicon.givens.values() if given is not None and held.symbol == given.symbol]
+    if given is None or len(alike) > 1:
+        raise UnsolvedError("the number has no symbol of its own")
+    return given.symbol
+
+
+def counted(value: float, unit: str) -> float:
+    """An answer as formulas count it: radians for degrees."""
+    return radians(value) if unit == DEGREES else value

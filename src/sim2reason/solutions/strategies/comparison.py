@@ -1,0 +1,120 @@
+"""Comparison: the answer to the question that is compared, the same with one number multiplied, and their ratio."""
+
+from collections.abc import Sequence
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.comparison import ComparisonQuery
+from sim2reason.questions.kinds.parts.nested import INNER, answered
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.laws.nested import (
+    NEW,
+    counted,
+    inner_setting,
+    lone_symbol,
+    solved,
+    with_changed_scene,
+    with_other_value,
+)
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, deriving, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import marked
+
+SAME = 1e-6  # relative: the formula must give the engine's answer with the other value, too
+WORDS = {2.0: "doubled", 0.5: "halved", 3.0: "tripled"}
+
+
+@strategy
+class Comparison(Strategy):
+    """The same formula for two values of a number, and the ratio or the difference of what it gives."""
+
+    name = "comparison"
+    cost = 1.0
+    kinds = frozenset({"comparison"})
+    nested = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Comparisons, if some strategy has a formula for what is compared."""
+        return self.kinds if any(deriving(kind, mechanism) for kind in INNER) else frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not isinstance(setting.query, ComparisonQuery):
+            return "it compares nothing"
+        inner = inner_setting(setting)
+        offered = any(not held.refusal(inner) for held in _deriving(inner))
+        return "" if offered else f"no formula for the kind {inner.query.kind}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write what is compared, what it becomes, and their ratio or difference."""
+        query = setting.query
+        assert isinstance(query, ComparisonQuery)
+        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        goal = solved(inner, book, _deriving(inner))
+        changed = Number(query.factor) * Symbol(symbol)
+        after = with_other_value(inner, book, goal, symbol, changed, f"With ${symbol}$ {WORDS[query.factor]}")
+        unit, found = book.units.get(goal, ""), book.values[after.name]
+        wanted = answered(query.inner, query.changed(setting.study))
+        if wanted is None or abs(found - counted(wanted, unit)) > SAME * abs(found):
+            raise UnsolvedError("with the other value the formula is another one")
+        return compared(book, query, goal, after.name)
+
+
+@strategy
+class TwoCases(Strategy):
+    """Both cases one after the other, each in its own way, and the ratio or the difference of their answers."""
+
+    name = "comparison of two cases"
+    cost = 2.0
+    kinds = frozenset({"comparison"})
+    nested = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None: it would name the numbers of the question twice."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not isinstance(setting.query, ComparisonQuery):
+            return "it compares nothing"
+        return "" if setting.query.changed(setting.study) is not None else "there is no motion with the other value"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the solution for the number as given, then for the other one."""
+        query = setting.query
+        assert isinstance(query, ComparisonQuery)
+        changed, symbol, inner = query.changed(setting.study), lone_symbol(setting, query.path), inner_setting(setting)
+        assert changed is not None
+        goal = solved(inner, book, _closed(inner))
+        step, new = book.open("other value"), Symbol(marked(symbol, NEW))
+        unit = setting.lexicon.givens[query.path].counted_unit
+        becomes = step.result(new, Number(query.factor) * Symbol(symbol), unit, law=True)
+        step.say(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
+        step.close()
+        other = with_changed_scene(inner, changed, query.path, new.name)
+        return compared(book, query, goal, solved(other, book, _closed(other)))
+
+
+def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str:
+    """Write the ratio or the difference of two results; its symbol."""
+    old, new = Symbol(before), Symbol(after)
+    if query.ratio:
+        return book.told(
+            "comparison", "The ratio of the new value to the original one is", book.fresh("r"), new / old
+        ).name
+    greater, less = (new, old) if query.grows else (old, new)
+    unit = book.units.get(before, "")
+    return book.told("comparison", "The difference is", book.fresh(r"\Delta"), greater - less, unit).name
+
+
+def _deriving(inner: Setting) -> Sequence[Strategy]:
+    """The strategies that may lead to a formula."""
+    return deriving(inner.query.kind, inner.mechanism)
+
+
+def _closed(inner: Setting) -> Sequence[Strategy]:
+    """The strategies that integrate nothing, the cheapest first."""
+    kind = inner.query.kind
+    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.nested and not held.integrates)
+    return sorted((held for held in own if not held.unfit(inner.mechanism)), key=lambda held: held.cost)

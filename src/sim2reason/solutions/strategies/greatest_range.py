@@ -1,0 +1,83 @@
+"""Greatest range: the launch angle for which a body that is thrown from a height lands farthest away."""
+
+from math import hypot, inf
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.choices import only_falls
+from sim2reason.questions.kinds.optimum import OptimumQuery
+from sim2reason.questions.moments.landed import Landed
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.laws.nested import lone_symbol
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import METRES
+
+TWO = Number(2.0)
+LEVEL = 1e-9  # the vertical part of a horizontal direction
+
+
+@strategy
+class GreatestRange(Strategy):
+    """The angle of greatest range from a height, by the path of the body and its derivative by the angle."""
+
+    name = "greatest range"
+    cost = 0.5
+    kinds = frozenset({"optimum"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether it is anything but one body in free fall in a vertical plane."""
+        alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
+        return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:
+            return "no greatest value is asked for"
+        target, angle = query.target, setting.lexicon.givens[query.path].angle
+        far = target is not None and target.quantity == "displacement" and isinstance(query.moment, Landed)
+        level = target is None or target.sense is None or abs(target.way(setting.mechanism)[2]) < LEVEL
+        return "" if far and level and angle else "it is not about how far a body is thrown"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The path through the place of landing, its derivative by the angle, and both equations solved."""
+        query = setting.query
+        assert isinstance(query, OptimumQuery)
+        theta, lexicon = Symbol(lone_symbol(setting, query.path)), setting.lexicon
+        speed = lexicon.of(lambda m: hypot(*(c.speed for c in m.coordinates))).expression()
+        height = lexicon.of(lambda m: -max(c.lower for c in m.coordinates if c.lower > -inf)).expression()
+        gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+        way = book.fresh("x")
+        step = book.open("path")
+        tangent, bent = Call("tan", theta), gravity * Power(way, 2) / (TWO * Power(speed, 2))
+        fallen = step.law(height + way * tangent - bent / Power(Call("cos", theta), 2), ZERO)
+        far = Root(Power(speed, 2) + TWO * gravity * height)
+        book.know(way.name, book.value(speed * far / gravity), METRES)
+        step.say(f"The body lands at the horizontal distance ${way.name}$ where it has come down to the ground:")
+        step.say(f"{fallen}.")
+        step.close()
+        step = book.open("derivative")
+        rest = step.law(way - gravity * Power(way, 2) * tangent / Power(speed, 2), ZERO)
+        step.say(f"Where ${way.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there")
+        step.say(
+            f"the derivative of this equation by ${theta.name}$, with ${way.name}$ constant, vanishes. Multiplied by"
+        )
+        step.say(f"$\\cos^2{theta.name}$, that is {rest}.")
+        step.close()
+        step = book.open("solve for the unknown")
+        angle = Call("arctan", speed / far)
+        step.say(f"With $1 + \\tan^2{theta.name}$ for $1/\\cos^2{theta.name}$, both equations lead to")
+        step.say(f"{step.closed(way, speed * far / gravity)} and {step.closed(theta, angle)}.")
+        step.close()
+        return theta.name if query.asks_place else self._farthest(setting, book, way, height)
+
+    @staticmethod
+    def _farthest(setting: Setting, book: Book, way: Symbol, height: Expression) -> str:
+        """The greatest distance: along the ground, or straight from the starting point."""
+        target = setting.query.target
+        if target is not None and target.sense is not None:
+            return way.name
+        away = Root(Power(way, 2) + Power(height, 2))
+        return book.told("distance", "From the starting point it is", book.fresh("s"), away, METRES).name

@@ -1,0 +1,59 @@
+"""Limit: the answer as a formula, and the terms that are left of it as one mass grows without bound or vanishes."""
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.limit import LimitKind, LimitQuery
+from sim2reason.solutions.algebra.asymptotics import CancelledError, limit
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.closed_forms import ClosedFormError, shortened
+from sim2reason.solutions.laws.nested import inner_setting, lone_symbol, short_formula, solved
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, deriving, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+
+@strategy
+class Limit(Strategy):
+    """The terms of the highest power of a mass that grows without bound, or of the lowest of one that vanishes."""
+
+    name = "limit"
+    cost = 1.0
+    kinds = frozenset({"limit"})
+    nested = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Limits, if some strategy has a formula for what has one."""
+        return self.kinds if any(deriving(kind, mechanism) for kind in LimitKind.inner) else frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not isinstance(setting.query, LimitQuery):
+            return "no limit is asked for"
+        inner = inner_setting(setting)
+        offered = any(not held.refusal(inner) for held in deriving(inner.query.kind, inner.mechanism))
+        return "" if offered else f"no formula for the kind {inner.query.kind}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the formula, then its limit."""
+        query = setting.query
+        assert isinstance(query, LimitQuery)
+        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        goal = solved(inner, book, deriving(inner.query.kind, inner.mechanism))
+        whole = short_formula(inner, book, goal)
+        if whole is None or symbol not in whole.symbols():
+            raise UnsolvedError("the formula for it is too long, or does not hang on that mass")
+        try:
+            left = limit(whole, symbol, book.values, large=query.large)
+            found = shortened(left).expression if left is not None else None
+        except (CancelledError, TypeError, ClosedFormError) as error:
+            raise UnsolvedError(str(error)) from error
+        if found is None:
+            raise UnsolvedError("it vanishes, or grows without bound")
+        step, end = book.open("limit"), r"\infty" if query.large else "0"
+        step.rest_on(goal)
+        which = "highest" if query.large else "lowest"
+        name = book.fresh(goal, end)
+        step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(f"For ${symbol} \\to {end}$ only the terms with the {which} power of ${symbol}$ are left in each sum:")
+        step.say(f"{step.result(name, found, book.units.get(goal, ''), law=True)}.")
+        step.close()
+        return name.name

@@ -1,0 +1,121 @@
+"""Optimum: the answer as a formula of the number that is free, and where its derivative vanishes."""
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.optimum import OptimumKind, OptimumQuery
+from sim2reason.solutions.algebra.derivatives import derivative
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Product,
+    Quotient,
+    Symbol,
+)
+from sim2reason.solutions.algebra.functions import Root
+from sim2reason.solutions.algebra.inverse import fraction
+from sim2reason.solutions.closed_forms import ClosedFormError, shortened
+from sim2reason.solutions.laws.nested import inner_setting, lone_symbol, short_formula, solved, with_changed_scene
+from sim2reason.solutions.reverse import Inversion
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, deriving, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+LONGEST = 200  # characters of the numerator of a derivative
+
+
+@strategy
+class Optimum(Strategy):
+    """The value of a number for which an answer is greatest or least, where its derivative vanishes."""
+
+    name = "optimum"
+    cost = 1.0
+    kinds = frozenset({"optimum"})
+    nested = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Optima, if some strategy has a formula for what is to be greatest or least."""
+        return self.kinds if any(deriving(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if not isinstance(query, OptimumQuery) or setting.sought is None:
+            return "there is no such value"
+        inner = inner_setting(setting)
+        offered = any(not held.refusal(inner) for held in deriving(inner.query.kind, inner.mechanism))
+        return "" if offered else f"no formula for the kind {inner.query.kind}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The formula, its derivative, the number, and the extreme value where that is asked for."""
+        query = setting.query
+        assert isinstance(query, OptimumQuery)
+        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        place = query.place(setting.study)
+        there = setting.study.likewise({query.path: place}) if place is not None else None
+        if there is None:
+            raise UnsolvedError("there is no motion with that value")
+        inner = with_changed_scene(inner, there, query.path, symbol)
+        goal = solved(inner, book, deriving(inner.query.kind, inner.mechanism))
+        whole = short_formula(inner, book, goal)
+        if whole is None or symbol not in whole.symbols():
+            raise UnsolvedError("the formula for it is too long")
+        _stationary(book, query, goal, whole, symbol)
+        if query.asks_place:
+            return symbol
+        extreme = book.fresh(goal, r"\text{max}" if query.greatest else r"\text{min}")
+        step = book.open("extreme value")
+        step.rest_on(symbol)
+        step.say(f"With this value, {step.result(extreme, whole, book.units.get(goal, ''), law=True)}.")
+        step.close()
+        return extreme.name
+
+
+def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, symbol: str) -> None:
+    """Write for which value of a symbol a formula is greatest or least."""
+    core, turned = _core(whole, symbol)
+    greatest = query.greatest is not turned
+    try:
+        slope = _numerator(derivative(core, symbol))
+    except TypeError as error:
+        raise UnsolvedError(str(error)) from error
+    step, name = book.open("derivative"), book.fresh("D")
+    step.rest_on(goal)
+    step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+    said = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
+    extreme = "greatest" if query.greatest else "least"
+    where = "" if core == whole else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"
+    step.say(f"It is {extreme}{where}. There the derivative ${said}$ vanishes; but for a factor that does not")
+    step.say(f"vanish, it is {step.result(name, slope, '', law=True)}, so that {step.law(name, ZERO)}.")
+    step.close()
+    Inversion(book, name.name, 0.0, symbol).write()
+
+
+def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
+    """What a positive formula grows with, without roots and factors free of a symbol; whether it falls with that."""
+    match held:
+        case Root():
+            return _core(held.inside, symbol)
+        case Product():
+            kept = [factor for factor in held.factors if symbol in factor.symbols()]
+            if len(kept) == 1:
+                return _core(kept[0], symbol)
+        case Quotient() if symbol not in held.below.symbols():
+            return _core(held.above, symbol)
+        case Quotient() if symbol not in held.above.symbols():
+            found, turned = _core(held.below, symbol)
+            return found, not turned
+        case _:
+            pass
+    return held, False
+
+
+def _numerator(slope: Expression) -> Expression:
+    """What of a derivative vanishes; UnsolvedError if it is too long."""
+    try:
+        found = shortened(fraction(slope)[0].factored()).expression
+    except (OverflowError, ClosedFormError) as error:
+        raise UnsolvedError("its derivative is too long") from error
+    if isinstance(found, Quotient):
+        found = found.above
+    if len(found.latex()) > LONGEST:
+        raise UnsolvedError("its derivative is too long")
+    return found

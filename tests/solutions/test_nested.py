@@ -1,0 +1,76 @@
+"""Solutions of questions about how the answer to another question depends on a number: closed forms and drawn ones."""
+
+from collections import Counter
+from collections.abc import Iterator
+from math import isclose
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions import MODES, Query, Target
+from sim2reason.questions.kinds.comparison import ComparisonQuery
+from sim2reason.questions.kinds.parts.nested import stripped
+from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.solutions import solve
+from sim2reason.solutions.closed_forms import closed_form
+from sim2reason.testing.solutions.faults import SEEN, faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+
+def test_a_comparison_puts_the_other_value_into_the_formula() -> None:
+    scene = atwood(3.0, 2.0)
+    body = next(body.name for body in scene.mechanism.bodies if body.coordinates)
+    inner = Query("start", Target("acceleration", body), AllAlong())
+    path = next(p.path for p in scene.parameters if p.value == 3.0 and p.measure.name == "mass")
+    query = ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path)
+    setting = asked(scene, query)
+    found = solve(setting)
+    assert found.answer == pytest.approx(2.5, rel=1e-9)
+    assert found.strategy == "comparison"
+    one, other = (
+        next(p.path for p in scene.parameters if p.value == value and p.measure.name == "mass") for value in (3.0, 2.0)
+    )
+    heavy, light = (setting.lexicon.givens[path].symbol for path in (one, other))
+    form = closed_form(found)
+    assert {*form.symbols} == {heavy, light}
+    assert isclose(form.value({heavy: 5.0, light: 1.0}), (9.0 / 11.0) / (4.0 / 6.0))
+
+
+def drawn(mode: str, kind: str, recipe: str, count: int) -> Iterator[CertifiedQuestion]:
+    for seed in range(count):
+        try:
+            search = QuestionSearch(sample(recipe, seed=seed), seed)
+            found = search.ask(MODES[mode], np.random.default_rng(seed), Counter(), kind, 2)
+        except (SceneError, SimulationError, UnsupportedError):
+            continue
+        if found is not None:
+            yield found
+
+
+@pytest.mark.parametrize("recipe", ["pulley", "hybrid", "rolling", "collision", "springs"])
+def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str) -> None:
+    count = 0
+    for found in drawn("numeric", "comparison", recipe, 8):
+        solution = solve(found.setting)
+        assert solution.answer is not None, (found.prompt, solution.reason)
+        assert not faults(solution, found.question.answer, SEEN.get("comparison", 1e-9)), solution.text
+        assert not read(solution.text).broken
+        count += 1
+    assert count
+
+
+def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:
+    formulas = [
+        found for recipe in ("pulley", "rolling", "incline") for found in drawn("symbolic", "comparison", recipe, 5)
+    ]
+    assert formulas
+    for found in formulas:
+        solution = solve(found.setting)
+        assert solution.answer == pytest.approx(found.question.answer, rel=1e-6)
+        assert found.question.formula is not None
+        assert solution.formula == found.question.formula.latex
