@@ -1,6 +1,7 @@
 """Rigid bodies with extent: what a text says of their size tells how their mass is spread."""
 
-from typing import Annotated, ClassVar
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
 
 from annotated_types import Ge, Le
 
@@ -19,6 +20,9 @@ HoleOffset = Annotated[float, Ge(0), SMALL, Measure("offset", "m", "d", called="
 Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range(0.01, 0.03)]
 Extent = Annotated[float, LEAST, SMALL, Measure("height", "m", "h"), Range(0.05, 0.3)]
 
+Overlooked = Literal["hole", "wall", "section", "height"]
+"""A hole, the thickness of a wall, what makes a bar or cylinder more than a thin rod, or more than a thin disc."""
+
 
 class Shape(Body):
     """A uniform rigid body, in axes of its own.
@@ -36,6 +40,11 @@ class Shape(Body):
     def solid(self) -> Solid:
         """How its mass is spread."""
         raise NotImplementedError
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """Figures of the same mass and centre that a reader may take it for, by what is overlooked then."""
+        return {}
 
     def reach(self, way: Vector) -> float:
         """How far it extends from its origin along a unit vector, m."""

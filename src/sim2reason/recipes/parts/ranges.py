@@ -17,7 +17,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "easy": {
         "mass": Range(0.5, 3.0),
         "pulley mass": Range(0.1, 3.0),
-        "angle": Range(10.0, 45.0),
+        "friction": Range(0.2, 0.6),
+        "angle": Range(25.0, 39.0),
         "blocks": Count(1, 1),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 1),
@@ -25,8 +26,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "medium": {
         "mass": Range(1.0, 8.0),
         "pulley mass": Range(0.2, 8.0),
-        "friction": Range(0.1, 0.5),
-        "angle": Range(10.0, 60.0),
+        "friction": Range(0.2, 0.5),
+        "angle": Range(25.0, 65.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 2),
@@ -34,8 +35,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "hard": {
         "mass": Range(2.0, 20.0),
         "pulley mass": Range(0.5, 20.0),
-        "friction": Range(0.1, 0.4),
-        "angle": Range(10.0, 70.0),
+        "friction": Range(0.15, 0.4),
+        "angle": Range(25.0, 65.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 2),
         "right_blocks": Count(1, 2),
