@@ -21,6 +21,7 @@ class Bar(Shape):
     width: Width
     thickness: Depth
 
+    bulky = True
     nouns = ("bar",)
     lone = (
         "a uniform rectangular {noun} of length {length}, width {width}, thickness {thickness} and mass {mass}",

@@ -15,6 +15,7 @@ class Cylinder(Shape):
     radius: Radius
     height: Extent
 
+    bulky = True
     nouns = ("cylinder",)
     lone = (
         "a uniform solid {noun} of radius {radius}, height {height} and mass {mass}",

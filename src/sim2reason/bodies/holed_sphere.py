@@ -21,6 +21,7 @@ class SphereWithHole(Shape):
     hole: HoleRadius
     offset: HoleOffset
 
+    bulky = True
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "hole")}
     lone = (
@@ -63,6 +64,7 @@ class HollowSphereWithHole(Shape):
     hole: Annotated[HoleRadius, Range(0.03, 0.07)]
     offset: Annotated[HoleOffset, Range(0.08, 0.15)]
 
+    bulky = True
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "opening")}
     lone = (

@@ -45,6 +45,7 @@ class HollowSphere(Shape):
     radius: Radius
     thickness: Thickness
 
+    bulky = True
     nouns = ("sphere",)
     lone = (
         "a hollow {noun} of outer radius {radius}, wall thickness {thickness} and mass {mass}",

@@ -33,6 +33,7 @@ class PolygonalPrism(Shape):
     radius: Radius
     height: Extent
 
+    bulky = True
     nouns = ("prism",)
     lone = (
         "a uniform regular {shape} {noun} of height {height} and mass {mass} with its lateral edges {radius} from its axis",

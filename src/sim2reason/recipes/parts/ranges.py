@@ -44,13 +44,14 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
 }
 
 SIZES: Mapping[str, Choice] = {
-    "UniformRod.length": Range(0.6, 1.6),
-    "Bar.length": Range(0.6, 1.4),
-    "Bar.width": Range(0.3, 0.6),
-    "radius": Range(0.15, 0.4),
-    "height": Range(0.4, 1.0),
-    "hole": Range(0.1, 0.2),
-    "offset": Range(0.1, 0.2),
+    "UniformRod.length": Range(0.4, 1.2),
+    "Bar.length": Range(0.4, 0.9),
+    "Bar.width": Range(0.15, 0.3),
+    "radius": Range(0.08, 0.2),
+    "height": Range(0.2, 0.5),
+    "SphericalCap.height": Range(0.06, 0.15),
+    "hole": Range(0.05, 0.1),
+    "offset": Range(0.05, 0.1),
     "RoundPiece.body": ("Sphere", "SphericalShell"),  # the thickness of a wall would hardly count
     "CappedPiece.body": ("Hemisphere", "SphericalCap"),
     "HoledPiece.body": ("SphereWithHole",),
