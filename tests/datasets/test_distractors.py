@@ -10,7 +10,7 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.request import Request
-from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading
+from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.recipes import Difficulty
 from sim2reason.rewards import boxed
 
@@ -21,7 +21,6 @@ CASES: tuple[tuple[str, Difficulty], ...] = (
     ("orbital", "medium"),
     ("chain", "easy"),
 )
-UNFILTERED = [name for name, slip in SIMPLIFICATIONS.items() if not slip.filtered]
 
 
 def request(recipe: str, difficulty: Difficulty, index: int = 0, kind: str = "") -> Request:
@@ -41,7 +40,7 @@ def check(item: Item) -> None:
     for wrong in item.distractors:
         assert isfinite(wrong.value)
         assert wrong.value > 0.0 or item.answer.sign
-        assert abs(wrong.value / item.answer.value - 1.0) > item.answer.tolerance
+        assert abs(wrong.value / item.answer.value - 1.0) > 2.0 * item.answer.tolerance
         assert grade_answer(item.answer, boxed(f"{wrong.value:.6g}")).reward == 0.0
         assert wrong.simplification in SIMPLIFICATIONS
         assert wrong.reason[0].isupper()
@@ -64,24 +63,6 @@ def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
     assert item.kind == "threshold"
     assert item.distractors
     check(item)
-
-
-@pytest.mark.parametrize(("recipe", "difficulty"), CASES)
-def test_problems_are_the_same_without_what_filters_do_not_look_at(
-    recipe: str, difficulty: Difficulty, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    before = made(recipe, difficulty)
-    for name in UNFILTERED:
-        monkeypatch.setattr(type(SIMPLIFICATIONS[name]), "subjects", lambda *_: [])
-    after = make(request(recipe, difficulty)).item
-    assert after is not None
-    assert after.model_copy(update={"distractors": before.distractors}) == before
-
-
-def test_there_are_such_ideas_of_either_sort() -> None:
-    found = [isinstance(SIMPLIFICATIONS[name], OtherReading) for name in UNFILTERED]
-    assert any(found)
-    assert not all(found)
 
 
 @pytest.mark.parametrize(

@@ -189,7 +189,7 @@ def test_drawn_fields_turn_the_bead_by_some_radians_and_are_reached() -> None:
         scene = drawn("EmEntity", seed)
         entity = scene.entities[0].entity
         assert isinstance(entity, EmEntity)
-        mass, charge = 1e-3 * entity.particle.mass, entity.particle.coulombs
+        mass, charge = entity.particle.mass, entity.particle.signed_charge
         if entity.magnetic is not None and entity.region is None:
             assert 0.5 < entity.magnetic.rate(charge, mass) * scene.horizon < 12.0
         if entity.region is not None and isinstance(entity.start, Launched):
@@ -238,8 +238,8 @@ def test_a_bead_starts_at_the_origin_at_t_0() -> None:
 @pytest.mark.parametrize(
     ("sign", "number", "symbol"),
     [
-        ("positive", "a positive charge of 3.0 mC", "a positive charge of $q$"),
-        ("negative", "a negative charge of magnitude 3.0 mC", "a negative charge of magnitude $q$"),
+        ("positive", "a positive charge of 3.0 µC", "a positive charge of $q$"),
+        ("negative", "a negative charge of magnitude 3.0 µC", "a negative charge of magnitude $q$"),
     ],
 )
 def test_the_number_is_the_size_of_a_charge_and_words_tell_its_sign(sign: str, number: str, symbol: str) -> None:

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from motions import rod_pendulum, spring_block
-from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, row, squeezed, table, three
+from plain_scenes import G, arm, atwood, bight, half_atwood, massive, ramp, row, squeezed, table, three
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.bored_cylinder import BoredCylinder
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.incline import Incline
@@ -21,14 +22,14 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.neighbours import OwnRestitution
-from sim2reason.entities.parts.rolling import NoSlipping, Rolling
+from sim2reason.entities.parts.rolling import Hole, NoSlipping, Rolling
 from sim2reason.entities.parts.springs import Strained
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.two_d_collision_plane import PairRestitution
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
-from sim2reason.filters.parts.effects import effects
+from sim2reason.filters.parts.effects import effects, effects_of
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, Study, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
@@ -37,6 +38,7 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
@@ -229,6 +231,40 @@ def test_what_would_pay_a_wrong_idea_goes() -> None:
     assert reason("simplification", candidate(massive(0.002), AtStart(), block)), "so light a disc is not told of"
 
 
+def test_a_disc_whose_rotation_may_be_forgotten_goes() -> None:
+    """The weight of a movable disc matters; that it turns changes the answer by 4 %, which would be paid."""
+    accelerates = Target("acceleration", "loaded.load")
+    found = candidate(bight(4.0, 5.0, 2.0), AtStart(), accelerates)
+    assert reason("simplification", found) == "pulley rotation left out: the answer changes by 0.043"
+    assert not reason("simplification", candidate(bight(4.0, 2.0, 5.0), AtStart(), accelerates))
+
+
+@pytest.mark.parametrize(("hole", "refused"), [(0.09, True), (0.14, False)])
+def test_a_hole_that_may_be_forgotten_goes(hole: float, refused: bool) -> None:
+    """What is asked about itself is the body with the hole: its inertia as of a solid one changes little."""
+    body = BoredCylinder(mass=2.0, radius=0.2, hole=hole, offset=0.05)
+    entity = RollingEntity(
+        body=body, plane=Incline(angle=0.0), hole=Hole(bearing=90.0, towards="right"), grip=NoSlipping()
+    )
+    scene = Scene(entities=(Named(name="roller", entity=entity),))
+    found = candidate(scene, AtStart(), Target("acceleration", "roller.body"))
+    assert ("hole" in reason("simplification", found)) == refused
+
+
+def test_an_angle_whose_complement_is_close_goes() -> None:
+    speeds_up = Target("acceleration", "ramp.blocks.0")
+    close = reason("simplification", candidate(ramp(angle=44.0), AtStart(), speeds_up))
+    assert close == "sine for cosine: the answer changes by 0.036"
+    assert not reason("simplification", candidate(ramp(angle=30.0), AtStart(), speeds_up))
+
+
+def test_friction_by_the_whole_weight_is_not_paid() -> None:
+    speeds_up = Target("acceleration", "ramp.blocks.0")
+    gentle = candidate(ramp(angle=20.0, friction=0.1), AtStart(), speeds_up)
+    assert reason("simplification", gentle).startswith("weight as normal force: ")
+    assert not reason("simplification", candidate(ramp(angle=35.0, friction=0.3), AtStart(), speeds_up))
+
+
 def test_a_wrong_idea_that_changes_nothing_is_paid_all_the_same() -> None:
     """N = m g cos θ, whatever rubs: whoever overlooks the friction has it right by accident."""
     force = Target("normal force", "ramp.blocks.0")
@@ -341,7 +377,7 @@ def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_par
     answer = KINDS["period"].answer(query, study)
     assert answer is not None
     found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
-    assert "length as extension" in {effect.simplification.name for effect in effects(found, part=False)}
+    assert list(effects_of(SIMPLIFICATIONS["length as extension"], found))
 
 
 def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:

@@ -121,7 +121,7 @@ def test_it_is_away_from_its_start_when_keplers_equation_says_so() -> None:
 
 # ---- charges in fields
 
-BEAD_MASS, CHARGE, SPEED = 2e-3, 3e-3, 2.0
+BEAD_MASS, CHARGE, SPEED = 2.0, 3.0, 2.0
 B, FIELD = 0.8, 1.1
 TURNS = CHARGE * B / BEAD_MASS
 
@@ -206,7 +206,7 @@ def test_from_rest_in_crossed_fields_it_is_fastest_at_the_far_end() -> None:
 
 def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns() -> None:
     """From m v̇ = −c v²: v = v₀/(1 + c v₀ t/m), in the direction Ωt, so that the acceleration is that over 1 + γt."""
-    medium, rate = QuadraticDrag(coefficient=0.5), 0.5e-3 * SPEED / BEAD_MASS
+    medium, rate = QuadraticDrag(coefficient=0.5), 0.5 * SPEED / BEAD_MASS
     slow = SPEED / (1.0 + 2.0 * rate)
     assert charged(at("velocity", BEAD, AtTime(2.0), "state"), MAGNETIC, medium=medium) == pytest.approx(slow)
     pull = hypot(rate / (1.0 + 2.0 * rate), TURNS) * slow
@@ -222,9 +222,9 @@ def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns()
 def test_in_uniform_fields_only_a_medium_makes_the_acceleration_smaller() -> None:
     """Its rate of change is that of a velocity without an electric field: a = a₀ exp(−bt/m), whatever B is."""
     medium, first = LinearDrag(coefficient=0.5), CHARGE * FIELD / BEAD_MASS - TURNS * SPEED
-    begun = hypot(first, 0.5e-3 * SPEED / BEAD_MASS)
+    begun = hypot(first, 0.5 * SPEED / BEAD_MASS)
     found = charged(at("acceleration", BEAD, AtTime(2.0), "state"), MAGNETIC, ELECTRIC, medium)
-    assert found == pytest.approx(begun * exp(-2.0 * 0.5e-3 / BEAD_MASS))
+    assert found == pytest.approx(begun * exp(-2.0 * 0.5 / BEAD_MASS))
     assert charged(at("net force", BEAD, AtTime(2.0), "state"), MAGNETIC, ELECTRIC) == pytest.approx(
         BEAD_MASS * abs(first)
     )

@@ -11,7 +11,7 @@ from sim2reason.bodies.hollow_sphere import SphericalShell
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack, Track
@@ -20,7 +20,9 @@ from sim2reason.dsl.connection import FREE, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.entities.fixed_support import FixedSupport
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
+from sim2reason.entities.mass_with_reverse_movable_pulley import MassWithReverseMovablePulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import RoundPiece
 from sim2reason.entities.parts.rolling import NoSlipping
@@ -68,6 +70,16 @@ def drawn_shell() -> Scene:
     shell = SphericalShell(mass=1.1, radius=0.36)
     rolls = Named(name="roll", entity=RollingEntity(body=shell, plane=Incline(angle=30.0), grip=NoSlipping()))
     return _joined(rolls, _hanging("other", 0.95, None), free=2.8)
+
+
+def bight(mass: float, load: float, disc: float | None = None) -> Scene:
+    """A block on a string over a fixed pulley, under a movable one with a load, and up to a hook."""
+    pulley = MovablePulley() if disc is None else MovablePulley(mass=disc)
+    loaded = Named(name="loaded", entity=MassWithReverseMovablePulley(pulley=pulley, load=Block(mass=load)))
+    hook = Named(name="hook", entity=FixedSupport())
+    links = (("one", "tail"), ("loaded", "under"), ("hook", "end"))
+    string = String(links=tuple(Link(entity=entity, port=port) for entity, port in links))
+    return Scene(entities=(_hanging("one", mass, None), loaded, hook), connections=(string,))
 
 
 def _hanging(name: str, mass: float, pulley: float | None) -> Named:

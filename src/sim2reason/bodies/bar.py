@@ -1,12 +1,13 @@
 """A rectangular bar."""
 
+from collections.abc import Mapping
 from typing import Annotated
 
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Rectangular
 from sim2reason.dsl.measures import LEAST, Length, Measure, Range
-from sim2reason.dsl.shape import SMALL, Shape
-from sim2reason.dsl.solids import Solid, box
+from sim2reason.dsl.shape import SMALL, Overlooked, Shape
+from sim2reason.dsl.solids import Solid, box, rod
 
 Width = Annotated[float, LEAST, SMALL, Measure("width", "m", "w"), Range(0.05, 0.2)]
 Depth = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "h"), Range(0.02, 0.05)]
@@ -20,6 +21,7 @@ class Bar(Shape):
     width: Width
     thickness: Depth
 
+    bulky = True
     nouns = ("bar",)
     lone = (
         "a uniform rectangular {noun} of length {length}, width {width}, thickness {thickness} and mass {mass}",
@@ -34,6 +36,11 @@ class Bar(Shape):
     def solid(self) -> Solid:
         """About its centre."""
         return box(self.width, self.thickness, self.length)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A thin rod."""
+        return {"section": rod(self.length)}
 
     @property
     def look(self) -> Rectangular:

@@ -1,5 +1,6 @@
 """A cylinder with a hole bored along its whole length beside its axis."""
 
+from collections.abc import Mapping
 from math import hypot
 from typing import Annotated, ClassVar, Self
 
@@ -9,7 +10,7 @@ from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
 from sim2reason.dsl.measures import Range
 from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.shape import HoleOffset, HoleRadius, Radius, Shape
+from sim2reason.dsl.shape import HoleOffset, HoleRadius, Overlooked, Radius, Shape
 from sim2reason.dsl.solids import Axes, Solid, disc
 from sim2reason.dsl.vectors import Vector
 
@@ -43,6 +44,11 @@ class BoredCylinder(Shape):
     def solid(self) -> Solid:
         """A disc less the hole: its length does not change how it turns about its axis."""
         return (disc(self.radius) - disc(self.hole).moved((self.offset, 0.0, 0.0))).turned(self.seen)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A disc without the hole."""
+        return {"hole": disc(self.radius).turned(self.seen)}
 
     @property
     def look(self) -> Axial:

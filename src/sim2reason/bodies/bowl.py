@@ -22,6 +22,7 @@ class SphericalCap(Shape):
     radius: Radius
     height: CutHeight
 
+    bulky = True
     nouns = ("cap",)
     words = {"front": Word("mass", {}, "flat face")}
     lone = (
@@ -58,6 +59,7 @@ class Bowl(Shape):
     height: CutHeight
     thickness: Thickness
 
+    bulky = True
     nouns = ("bowl",)
     words = {"front": Word("mass", {}, "opening")}
     lone = (

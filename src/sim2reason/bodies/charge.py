@@ -10,9 +10,9 @@ from sim2reason.dsl.looks import Small, Unseen
 from sim2reason.dsl.measures import LEAST, Measure, Range, Speed
 from sim2reason.dsl.template import Word
 
-BeadMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "g", "m"), Range(1.0, 5.0)]
+BeadMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "mg", "m"), Range(1.0, 5.0)]
 Charge = Annotated[
-    float, LEAST, Le(1e6), Measure("charge", "mC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
+    float, LEAST, Le(1e6), Measure("charge", "uC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
 ]
 Heading = Annotated[float, Ge(0), Lt(360), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 359.0)]
 
@@ -42,9 +42,9 @@ class ChargedBead(Body):
     )
 
     @property
-    def coulombs(self) -> float:
-        """The charge with its sign, C."""
-        return 1e-3 * self.charge * (1.0 if self.sign == "positive" else -1.0)
+    def signed_charge(self) -> float:
+        """The charge with its sign, uC."""
+        return self.charge if self.sign == "positive" else -self.charge
 
     @property
     def look(self) -> Small:

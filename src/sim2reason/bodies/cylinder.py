@@ -1,9 +1,11 @@
 """Solid cylinders: of a stated height, or rollers whose length never matters."""
 
+from collections.abc import Mapping
+
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
-from sim2reason.dsl.shape import Extent, Radius, Shape
-from sim2reason.dsl.solids import Solid, cylinder, disc
+from sim2reason.dsl.shape import Extent, Overlooked, Radius, Shape
+from sim2reason.dsl.solids import Solid, cylinder, disc, rod
 
 
 @body
@@ -13,6 +15,7 @@ class Cylinder(Shape):
     radius: Radius
     height: Extent
 
+    bulky = True
     nouns = ("cylinder",)
     lone = (
         "a uniform solid {noun} of radius {radius}, height {height} and mass {mass}",
@@ -27,6 +30,11 @@ class Cylinder(Shape):
     def solid(self) -> Solid:
         """About its centre."""
         return cylinder(self.radius, self.height)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A thin rod, and a thin disc."""
+        return {"section": rod(self.height), "height": disc(self.radius)}
 
     @property
     def look(self) -> Axial:

@@ -13,6 +13,7 @@ class Hemisphere(Shape):
 
     radius: Radius
 
+    bulky = True
     nouns = ("hemisphere",)
     words = {"front": Word("mass", {}, "flat face")}
     lone = (

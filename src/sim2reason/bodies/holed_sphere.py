@@ -1,5 +1,6 @@
 """Spheres with a spherical hole off their centre, solid or hollow."""
 
+from collections.abc import Mapping
 from typing import Annotated, Self
 
 from pydantic import model_validator
@@ -7,7 +8,7 @@ from pydantic import model_validator
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Spherical
 from sim2reason.dsl.measures import Range
-from sim2reason.dsl.shape import HoleOffset, HoleRadius, Radius, Shape, Thickness
+from sim2reason.dsl.shape import HoleOffset, HoleRadius, Overlooked, Radius, Shape, Thickness
 from sim2reason.dsl.solids import Solid, ball, lens
 from sim2reason.dsl.template import Word
 
@@ -20,6 +21,7 @@ class SphereWithHole(Shape):
     hole: HoleRadius
     offset: HoleOffset
 
+    bulky = True
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "hole")}
     lone = (
@@ -43,6 +45,11 @@ class SphereWithHole(Shape):
         return ball(self.radius) - ball(self.hole).moved((0.0, 0.0, self.offset))
 
     @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A ball without the hole."""
+        return {"hole": ball(self.radius)}
+
+    @property
     def look(self) -> Spherical:
         """A disc with its hole, as if cut open."""
         return Spherical(self.radius, hole=self.hole, offset=self.offset)
@@ -57,6 +64,7 @@ class HollowSphereWithHole(Shape):
     hole: Annotated[HoleRadius, Range(0.03, 0.07)]
     offset: Annotated[HoleOffset, Range(0.08, 0.15)]
 
+    bulky = True
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "opening")}
     lone = (
@@ -84,6 +92,11 @@ class HollowSphereWithHole(Shape):
         inner = self.radius - self.thickness
         cut = lens(self.radius, self.hole, self.offset) - lens(inner, self.hole, self.offset)
         return ball(self.radius) - ball(inner) - cut
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A hollow sphere without the opening."""
+        return {"hole": ball(self.radius) - ball(self.radius - self.thickness)}
 
     @property
     def look(self) -> Spherical:

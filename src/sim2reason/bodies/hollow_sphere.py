@@ -1,12 +1,13 @@
 """Hollow spheres: with a wall of any thickness, or with one too thin to matter."""
 
+from collections.abc import Mapping
 from typing import Self
 
 from pydantic import model_validator
 
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import THIN, Spherical
-from sim2reason.dsl.shape import Radius, Shape, Thickness
+from sim2reason.dsl.shape import Overlooked, Radius, Shape, Thickness
 from sim2reason.dsl.solids import Solid, ball, sphere_surface
 
 
@@ -44,6 +45,7 @@ class HollowSphere(Shape):
     radius: Radius
     thickness: Thickness
 
+    bulky = True
     nouns = ("sphere",)
     lone = (
         "a hollow {noun} of outer radius {radius}, wall thickness {thickness} and mass {mass}",
@@ -64,6 +66,11 @@ class HollowSphere(Shape):
     def solid(self) -> Solid:
         """One ball less another."""
         return ball(self.radius) - ball(self.radius - self.thickness)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A thin shell."""
+        return {"wall": sphere_surface(self.radius)}
 
     @property
     def look(self) -> Spherical:

@@ -1,5 +1,6 @@
 """Pipes: hollow cylinders that roll, with a thin wall or a thick one."""
 
+from collections.abc import Mapping
 from typing import Annotated, Self
 
 from pydantic import model_validator
@@ -7,7 +8,7 @@ from pydantic import model_validator
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import THIN, Axial
 from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.shape import SMALL, Radius, Shape
+from sim2reason.dsl.shape import SMALL, Overlooked, Radius, Shape
 from sim2reason.dsl.solids import Solid, disc, ring
 
 Bore = Annotated[float, LEAST, SMALL, Measure("inner radius", "m", "r"), Range(0.02, 0.12)]
@@ -67,6 +68,11 @@ class ThickPipe(Shape):
     def solid(self) -> Solid:
         """A disc less its middle: its length does not change how it turns about its axis."""
         return disc(self.radius) - disc(self.bore)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A thin pipe."""
+        return {"wall": ring(self.radius)}
 
     @property
     def look(self) -> Axial:

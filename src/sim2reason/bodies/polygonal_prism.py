@@ -1,12 +1,13 @@
 """Regular prisms: of a stated height, or long ones that tumble and whose length never matters."""
 
+from collections.abc import Mapping
 from math import cos, pi, sin
 from typing import Literal
 
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
-from sim2reason.dsl.shape import Extent, Radius, Shape
-from sim2reason.dsl.solids import Solid, polygon, prism
+from sim2reason.dsl.shape import Extent, Overlooked, Radius, Shape
+from sim2reason.dsl.solids import Solid, polygon, prism, rod
 from sim2reason.dsl.vectors import Vector, add, scale
 
 Polygon = Literal[
@@ -32,6 +33,7 @@ class PolygonalPrism(Shape):
     radius: Radius
     height: Extent
 
+    bulky = True
     nouns = ("prism",)
     lone = (
         "a uniform regular {shape} {noun} of height {height} and mass {mass} with its lateral edges {radius} from its axis",
@@ -51,6 +53,11 @@ class PolygonalPrism(Shape):
     def solid(self) -> Solid:
         """About its centre."""
         return prism(self.sides, self.radius, self.height)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A thin rod, and a thin plate."""
+        return {"section": rod(self.height), "height": polygon(self.sides, self.radius)}
 
     @property
     def look(self) -> Axial:

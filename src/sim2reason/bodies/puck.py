@@ -22,7 +22,7 @@ class Puck(Body):
     vx: Velocity
     vy: Velocity
 
-    nouns = ("puck", "disc", "sphere")
+    nouns = ("puck", "disc")
     lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
     named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
     listed = "{letter} ({mass})"

@@ -1,18 +1,26 @@
 """A rocket, and where it may start: on an airless planet, on level ground, in deep space."""
 
-from typing import Annotated, Self
+from collections.abc import Mapping
+from math import pi
+from typing import Annotated, Any, Self
 
+import numpy as np
 from annotated_types import Gt, Le
 from pydantic import model_validator
 
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import BodyLook, Globe, Small, Unseen
 from sim2reason.dsl.measures import LEAST, Mass, Measure, Range
+from sim2reason.dsl.model import as_said
 
-PlanetRadius = Annotated[float, LEAST, Le(1e6), Measure("radius", "km", "R"), Range(500.0, 3000.0)]
+PlanetRadius = Annotated[float, LEAST, Le(1e6), Measure("radius", "km", "R"), Range(800.0, 2800.0)]
 SurfaceGravity = Annotated[
-    float, Gt(0), Le(1e3), Measure("gravity", "m/s^2", "g", called="acceleration of free fall"), Range(1.0, 6.0)
+    float, Gt(0), Le(1e3), Measure("gravity", "m/s^2", "g", called="acceleration of free fall"), Range(0.4, 4.0)
 ]
+
+GRAVITATION = 6.674e-11  # N m²/kg²
+KILO = 1e3
+ROCK = Range(1800.0, 5200.0)  # kg/m³
 
 
 @body
@@ -63,12 +71,25 @@ class AirlessPlanet(StartingPlace):
     radius: PlanetRadius
     gravity: SurfaceGravity
 
+    matter = "planet"
     nouns = ("planet",)
     lone = (
         "stands upright on the surface of an airless {noun} of radius {radius}, where g is {gravity}",
         "stands upright on an airless {noun} of radius {radius} with g = {gravity} at its surface",
     )
     symbols = {"gravity": "g_0"}
+
+    @property
+    def density(self) -> float:
+        """From g = 4πGρR/3."""
+        return self.gravity / (4.0 / 3.0 * pi * GRAVITATION * KILO * self.radius)
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Give it the gravity of a ball of rock, or of ice and rock."""
+        density = rng.uniform(ROCK.low, ROCK.high)
+        gravity = density * 4.0 / 3.0 * pi * GRAVITATION * KILO * drawn["radius"]
+        return {"gravity": as_said(cls, "gravity", gravity)}
 
     @property
     def look(self) -> Globe:

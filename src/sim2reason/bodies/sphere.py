@@ -12,6 +12,7 @@ class Sphere(Shape):
 
     radius: Radius
 
+    bulky = True
     nouns = ("sphere",)
     lone = (
         "a uniform solid {noun} of radius {radius} and mass {mass}",

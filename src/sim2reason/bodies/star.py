@@ -10,7 +10,7 @@ from sim2reason.dsl.measures import LEAST, Measure, Range
 from sim2reason.dsl.template import Word
 
 StarMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "M"), Range(0.5, 2.0)]
-PlanetMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "m"), Range(0.005, 0.1)]
+PlanetMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "m"), Range(1e-5, 5e-4)]
 PlaceX = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "x", decimals=2), Range(-3.0, 3.0)]
 PlaceY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "y", decimals=2), Range(-3.0, 3.0)]
 OrbitalVelocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "au/yr", "v", decimals=2), Range(-8.0, 8.0)]

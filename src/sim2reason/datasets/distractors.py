@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from sim2reason.datasets.item import Distractor
 from sim2reason.dsl.entity import Part
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.effects import Effect, effects, far_effects, unfiltered_effects
+from sim2reason.filters.parts.effects import Effect, effects, far_effects
 from sim2reason.filters.parts.numbers import elasticities, matters
 from sim2reason.prose.description import Description
 
+CLEARLY = 2.0  # of the tolerance: how far every wrong answer is from the right one
 APART = 1e-2  # relative: wrong answers that differ by less are one
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
 FEW = 1  # wrong answers: where there are fewer, time is spent on others
@@ -18,14 +19,13 @@ ENOUGH = 4  # of them, as many as stand beside the right one of five
 def distractors(candidate: Candidate, description: Description) -> tuple[Distractor, ...]:
     """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
 
-    Where those that filters look at lead to few, others are made; then parts are forgotten that nobody forgets easily;
-    at last answers are looked for that are far from the right one.
+    Where few lead to one, parts are forgotten that nobody forgets easily; at last answers are looked for that are far
+    from the right one.
     """
     found = list[Effect]()
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
     for effect in (e for e in heard if e.simplification.misleads):
         _add(effect, candidate, found)
-    _fill(found, FEW, unfiltered_effects(candidate), candidate)
     _fill(found, ENOUGH, (e for e in heard if not e.simplification.misleads), candidate)
     _fill(found, FEW, far_effects(candidate), candidate)
     return tuple(_told(effect, description) for effect in sorted(found, key=_place))
@@ -45,7 +45,11 @@ def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate
 def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
     """One more, if somebody could give this answer, would be wrong, and it is not there yet."""
     value, question = effect.answer, candidate.question
-    if value is None or effect.close or not SMALLEST < abs(value / question.answer) < LARGEST:
+    if (
+        value is None
+        or effect.change < CLEARLY * effect.tolerance
+        or not SMALLEST < abs(value / question.answer) < LARGEST
+    ):
         return
     if value < 0.0 and not question.sign:  # nobody gives a size that is negative
         return

@@ -1,11 +1,13 @@
 """Bodies: frozen values with parameters, a noun, a series of letters and ways to be introduced."""
 
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, Literal, TypeVar
 
 from sim2reason.dsl.looks import BodyLook
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.template import Word, slots
 from sim2reason.registry import Registry
+
+Matter = Literal["solid", "planet"]
 
 
 class Body(Model):
@@ -25,11 +27,17 @@ class Body(Model):
     listed: ClassVar[str] = ""
     alike: ClassVar[str] = ""
     words: ClassVar[dict[str, Word]] = {}
+    matter: ClassVar[Matter] = "solid"  # of which it is, which says what densities are plausible
     symbols: ClassVar[dict[str, str]] = {}  # where a number's symbol is not that of its measure
 
     @property
     def look(self) -> BodyLook | None:
         """How a drawing shows it; None where its class declares nothing, and a drawing says so."""
+        return None
+
+    @property
+    def density(self) -> float | None:
+        """Its mean density, kg/m³; None where the text does not say how large it is."""
         return None
 
     @classmethod

@@ -80,6 +80,12 @@ def composed(axes: Axes, then: Axes) -> Axes:
     return (x, y, z)
 
 
+def transposed(axes: Axes) -> Axes:
+    """How a figure is turned back that was turned so."""
+    x, y, z = zip(*axes, strict=True)
+    return (x, y, z)
+
+
 def seen(way: Vector, axes: Axes) -> Vector:
     """A direction in the own axes of a figure that is turned."""
     return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))

@@ -15,7 +15,18 @@ from typing import Final, NamedTuple
 
 from sim2reason.dsl.unit_text import UnitError, factors
 
-__all__ = ["SI", "Dimension", "Unit", "UnitError", "UnitSystem", "coherent", "parse_unit"]
+__all__ = [
+    "ASTRONOMICAL",
+    "MINUTE",
+    "SI",
+    "SYSTEMS",
+    "Dimension",
+    "Unit",
+    "UnitError",
+    "UnitSystem",
+    "coherent",
+    "parse_unit",
+]
 
 
 class Dimension(NamedTuple):
@@ -200,23 +211,44 @@ def coherent(text: str) -> tuple[str, Decimal]:
 
 @dataclass(frozen=True, slots=True)
 class UnitSystem:
-    """A coherent system of units, in which a mechanism's numbers stand and its text speaks."""
+    """A coherent system of units, in which a mechanism's numbers stand and its text speaks.
+
+    `derived` are its names for units of the SI other than metre, kilogram and second, such as ``uN`` for ``N``; without
+    any, derived units are spelled as products of the base units.
+    """
 
     name: str
     length: str = "m"
     mass: str = "kg"
     time: str = "s"
+    derived: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def own(self) -> frozenset[str]:
+        """The units that are not those of the SI."""
+        return frozenset({self.length, self.mass, self.time, *(name for _, name in self.derived)} - {"m", "kg", "s"})
 
     def spell(self, unit: str) -> str:
-        """The unit of this system for the quantity that has `unit` in the SI: ``J`` becomes ``Msun*au^2/yr^2``."""
+        """The unit of this system for the quantity that has `unit` in the SI: ``J`` becomes ``Msun*au^2/yr^2``.
+
+        Units of electric and magnetic fields stay as they are.
+        """
         if self.name == SI.name:
             return unit
         d = parse_unit(unit).dimension
-        if not (d.length or d.mass or d.time):
+        if not (d.length or d.mass or d.time) or d.current:
             return unit
+        if self.derived:
+            words = {"kg": self.mass, "m": self.length, "s": self.time, **dict(self.derived)}
+            return _name({words.get(word, word): power for word, power in factors(parse_unit(unit).name)})
         powers = ((self.mass, d.mass), (self.length, d.length), (self.time, d.time), ("rad", d.angle))
         return _name({word: n for word, n in powers if n})
 
 
 SI: Final = UnitSystem("SI")
 ASTRONOMICAL: Final = UnitSystem("astronomical", "au", "Msun", "yr")
+MINUTE: Final = UnitSystem(
+    "milligrams and microcoulombs", mass="mg", derived=(("N", "uN"), ("J", "uJ"), ("W", "uW"), ("C", "uC"))
+)
+"""What suits small charged particles: a charge of 1 uC in 1 N/C feels 1 uN, which accelerates 1 mg by 1 m/s^2."""
+SYSTEMS: Final = (SI, ASTRONOMICAL, MINUTE)

@@ -1,11 +1,14 @@
 """A block on a spring that is fixed at its other end, and takes a string."""
 
-from typing import Literal
+from collections.abc import Mapping
+from typing import Any, Literal
+
+import numpy as np
 
 from sim2reason.authoring import End, Entity, Frame, Word, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import Spring
-from sim2reason.entities.parts.stretched import AT_FIRST, StartLength
+from sim2reason.entities.parts.stretched import AT_FIRST, StartLength, fitted_spring
 
 
 @entity
@@ -56,6 +59,11 @@ class AnchoredSpring(Entity):
         AT_FIRST,
     )
     end = End(sites=("hook",), tied="{block}", leaves="{from}", arrives="{to} to {block}")
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """A spring firm enough for the block, about as long as it is by itself."""
+        return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
         """The support at the origin, and the block as far from it as the spring is long."""

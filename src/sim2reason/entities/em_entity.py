@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import model_validator
@@ -11,9 +11,9 @@ from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, assuming, ei
 from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
 from sim2reason.dsl.model import rebuilt
+from sim2reason.dsl.units import MINUTE, UnitSystem
 from sim2reason.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
 
-MILLI = 1e-3
 TURN = 8.0  # rad of the fastest thing that the fields do, for which the motion is followed
 USUAL = 2.0  # s, where nothing sets a time
 BENT = 1.5  # times the longest straight way through a region: how long a way through it may be
@@ -23,6 +23,8 @@ AIM = 12.0  # degrees by which a drawn bead misses the middle of a region, at mo
 @entity
 class EmEntity(Entity):
     """It moves in the x-y plane; electric fields lie in it, magnetic ones are square to it."""
+
+    units: ClassVar[UnitSystem] = MINUTE
 
     magnetic: Annotated[MagneticField | None, Chance(0.7)] = None
     electric: Annotated[ElectricField | None, Chance(0.7)] = None
@@ -84,7 +86,7 @@ class EmEntity(Entity):
     @property
     def horizon(self) -> float:
         """A turn or so of the fastest thing that the fields do, or time to come to their region and through it, s."""
-        mass, charge = MILLI * self.particle.mass, self.particle.coulombs
+        mass, charge = self.particle.mass, self.particle.signed_charge
         fastest = max(field.rate(charge, mass) for field in self.fields.values())
         enough = TURN / fastest if fastest else USUAL
         if self.region is None or not isinstance(self.start, Launched):
@@ -95,7 +97,7 @@ class EmEntity(Entity):
     def build(self, room: Frame) -> None:
         """Two slides in a level plane, and a force for each field; a medium is everywhere."""
         vx, vy = self.start.velocity
-        bead = room.body("particle", MILLI * self.particle.mass).slide(X, vx, name="x").slide(Y, vy, name="y")
+        bead = room.body("particle", self.particle.mass).slide(X, vx, name="x").slide(Y, vy, name="y")
         region = self.region.shape if self.region is not None else None
         for name, field in self.fields.items():
-            bead.force(name, field.law(self.particle.coulombs), None if field is self.medium else region)
+            bead.force(name, field.law(self.particle.signed_charge), None if field is self.medium else region)

@@ -8,13 +8,11 @@ import numpy as np
 from annotated_types import Le
 
 from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity, starting
-from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.rocket import GRAVITATION, KILO, AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.model import as_said
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u"), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
-G = 6.674e-11  # N m²/kg²
-KILO = 1e3
 THRUST = Range(0.8, 4.0)  # times the weight at the start: below 1 the rocket waits until it is light enough
 AWAY = Range(1.2, 2.5)  # the same where it goes so far from a planet that its attraction falls off
 ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in terms of the escape speed
@@ -93,5 +91,5 @@ class RocketEntity(Entity):
         rocket.burn(self.rate, KILO * self.exhaust, self.burning_time, way)
         if isinstance(self.place, AirlessPlanet):
             radius = KILO * self.place.radius
-            planet = room.body("place", self.place.gravity * radius**2 / G, at=(-radius, 0.0, 0.0))
-            rocket.attract(planet, G)
+            planet = room.body("place", self.place.gravity * radius**2 / GRAVITATION, at=(-radius, 0.0, 0.0))
+            rocket.attract(planet, GRAVITATION)

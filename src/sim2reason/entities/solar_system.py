@@ -15,10 +15,10 @@ from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
 
 G = 4.0 * pi**2  # au³/(Msun yr²): what is 1 au from 1 solar mass takes 1 year for a circle
-LIGHT = 1e-3  # solar masses; of a planet whose mass is not said, and does not matter
+LIGHT = 1e-6  # solar masses; of a planet whose mass is not said, and does not matter
 INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
 APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets
-RATIO = Range(0.01, 0.05)  # of the mass of a heavy planet to that of its star
+RATIO = Range(2e-4, 1e-3)  # of the mass of a heavy planet to that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
 FULL = 1.2  # periods: one is over within them, also where a number is a little larger
 LONGEST = 50.0  # yr
@@ -117,13 +117,11 @@ def orbiting(
     mass: float,
     eccentricities: Range,
     rng: np.random.Generator,
-    gap: Range | None = None,
 ) -> tuple[AnyPlanet, ...]:
     """The same planets somewhere on ellipses about a star of some mass, each orbit outside the one before.
 
     With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
-    (−sin ν, e + cos ν) in axes of which the first points to the perihelion. A `gap` is the ratio of a perihelion to the
-    aphelion before it.
+    (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
     """
     found: list[AnyPlanet] = []
     nearest = rng.uniform(INNERMOST.low, INNERMOST.high)
@@ -135,7 +133,7 @@ def orbiting(
         along, across = -speed * sin(angle), speed * (e + cos(angle))
         vx, vy = along * cos(turn) - across * sin(turn), along * sin(turn) + across * cos(turn)
         orbit = {name: as_said(type(planet), name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
-        apart = gap or (FAR_APART if isinstance(planet, HeavyPlanet) else APART)
+        apart = FAR_APART if isinstance(planet, HeavyPlanet) else APART
         nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
         found.append(rebuilt(planet, **orbit))
     return tuple(found)

@@ -1,9 +1,11 @@
 """A block on a smooth table, held by springs at angles."""
 
+from collections.abc import Mapping
 from itertools import combinations
-from math import dist, pi, sqrt
-from typing import Annotated, Self
+from math import dist, hypot, pi, sqrt
+from typing import Annotated, Any, Self
 
+import numpy as np
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
@@ -26,12 +28,16 @@ from sim2reason.authoring import (
 )
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import NailedSpring
+from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.entities.parts.springs import DASHPOTS
 
 Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-0.3, 0.3)]
 Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-0.3, 0.3)]
 Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
 NEAREST = 0.05  # m from the block to a nail, and from nail to nail
+LONG = Range(0.8, 1.25)  # times its natural length that a drawn spring is long at the start
+SHORTEST = 0.1  # m, of a drawn spring
+SWING = 0.3  # of the shortest natural length: the amplitude of a launch from rest
 PERIODS = 2.0  # of an oscillation along all springs at once that the motion is followed for
 
 
@@ -95,6 +101,23 @@ class SpringBlock(Entity):
             if dist(one, other) < NEAREST:
                 raise ValueError(f"springs.{i} and springs.{j} have one fixed end; make one spring of them")
         return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Springs that are about as long as they are by themselves, and a launch that does not stretch them far."""
+        block, x, y = drawn["block"], drawn["x"], drawn["y"]
+        springs = list[NailedSpring]()
+        for spring in drawn["springs"]:
+            natural = dist((spring.x, spring.y), (x, y)) / rng.uniform(LONG.low, LONG.high)
+            springs.append(rebuilt(spring, length=max(as_said(NailedSpring, "length", natural), SHORTEST)))
+        launch = drawn.get("launch")
+        if not isinstance(launch, Launch):
+            return {"springs": tuple(springs)}
+        frequency = sqrt(sum(spring.stiffness for spring in springs) / block.mass)
+        fastest = SWING * min(spring.length for spring in springs) * frequency
+        share = min(1.0, fastest / max(hypot(launch.x, launch.y), SHORTEST))
+        slower = {name: as_said(Launch, name, share * getattr(launch, name)) for name in ("x", "y")}
+        return {"springs": tuple(springs), "launch": rebuilt(launch, **slower)}
 
     @property
     def horizon(self) -> float:

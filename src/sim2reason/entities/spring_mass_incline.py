@@ -1,11 +1,16 @@
 """A block on a plane, tied by a spring to a stop below it, with a string that leads up the slope."""
 
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
 from sim2reason.authoring import End, Entity, Frame, Word, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.spring import Spring
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
-from sim2reason.entities.parts.stretched import AT_FIRST, StartLength
+from sim2reason.entities.parts.stretched import AT_FIRST, StartLength, fitted_spring
 
 
 @entity
@@ -33,6 +38,11 @@ class SpringMassIncline(Entity):
         AT_FIRST,
     )
     right = End(sites=("hook",), tied="{block}", leaves="runs {plane.uphill}", arrives="reaches {block} {plane.above}")
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """A spring firm enough for the block, about as long as it is by itself."""
+        return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
         """The stop at the origin, and the block up the slope from it."""

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
+from sim2reason.questions import KINDS, MODES, Kind, Query, Question, Study, Words
 from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
@@ -85,7 +85,7 @@ class Candidate:
         return self._responses[other]
 
     def _answered(self, other: Study) -> float | None:
-        if not _has(other, self.question.query.target):
+        if not _has(other, self.question.query):
             return None
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
@@ -95,7 +95,7 @@ class Candidate:
 
     def far_response(self, other: Study | None) -> float | None:
         """The same, looked for as far as it takes, where no result is given."""
-        if other is None or self.question.given is not None or not _has(other, self.question.query.target):
+        if other is None or self.question.given is not None or not _has(other, self.question.query):
             return self.response(other)
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
@@ -112,9 +112,12 @@ class Candidate:
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
-def _has(study: Study, target: Target | None) -> bool:
-    """Whether a changed scene still has what is asked about; what is held has no normal force of its own, say."""
-    return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
+def _has(study: Study, query: Query) -> bool:
+    """Tell whether a changed scene still has what a query speaks of; what is held has no normal force of its own."""
+    mechanism, target = study.mechanism, query.target
+    if query.moment is not None and not query.moment.possible(mechanism):
+        return False
+    return target is None or target.subject in QUANTITIES[target.quantity].subjects(mechanism)
 
 
 @dataclass(frozen=True, slots=True)

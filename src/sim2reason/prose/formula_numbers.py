@@ -5,7 +5,7 @@ from functools import cache
 
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.unit_text import factors
-from sim2reason.dsl.units import ASTRONOMICAL, coherent, parse_unit
+from sim2reason.dsl.units import SYSTEMS, coherent, parse_unit
 
 DIGITS = 12  # of a number that was counted and is said again
 MINUS = "\N{MINUS SIGN}"
@@ -14,11 +14,11 @@ DEGREES, RADIANS = "deg", "rad"
 
 @cache
 def factor(unit: str) -> float:
-    """What a number of some unit is multiplied by for a formula: 1 but for degrees, kilometres, grams, millicoulombs.
+    """What a number of some unit is multiplied by for a formula: 1 but for degrees and kilometres.
 
-    Astronomical units stand in formulas as they are.
+    Units of coherent systems other than the SI, such as those of astronomy, stand in formulas as they are.
     """
-    own = {ASTRONOMICAL.length, ASTRONOMICAL.mass, ASTRONOMICAL.time}
+    own = frozenset[str]().union(*(system.own for system in SYSTEMS))
     return 1.0 if own & {word for word, _ in factors(unit)} else parse_unit(unit).factor
 
 

@@ -20,7 +20,10 @@ SIMPLE = {
     "pieces": Count(1, 1),
     "angle": Range(10.0, 60.0),
     **SIZES,
-    "distance": Range(0.15, 0.6),
+    "radius": Range(0.06, 0.1),
+    "height": Range(0.15, 0.3),
+    "SphericalCap.height": Range(0.05, 0.11),
+    "distance": Range(0.1, 0.4),
 }
 TIERS = {
     "easy": Tier(

@@ -27,9 +27,8 @@ ROCKS = {  # with a hole so large, and on so gentle a slope, that it counts
     "grip": ("NoSlipping",),
     "bearing": Range(20.0, 160.0),
     "radius": Range(0.15, 0.2),
-    "BoredCylinder.hole": Range(0.05, 0.08),
-    "SphereWithHole.hole": Range(0.06, 0.09),
-    "offset": Range(0.05, 0.1),
+    "hole": Range(0.1, 0.14),
+    "offset": Range(0.03, 0.07),
 }
 LIVELY = {**ROLLS, "grip": ("Rough",), "start?": 1.0, "start": ("Sliding", "Spinning", "Spinning")}
 IDEAS = {

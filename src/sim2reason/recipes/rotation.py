@@ -28,8 +28,8 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.bearing import idle
 from sim2reason.recipes.parts.ranges import SIZES
 
-NEAR = {**SIZES, "distance": Range(0.15, 0.8), "side?": 0.4, "side": (OTHER,)}
-FAR = {"distance": Range(0.3, 1.2), "side?": 0.4, "side": (OTHER,)}
+NEAR = {**SIZES, "distance": Range(0.1, 0.5), "side?": 0.4, "side": (OTHER,)}
+FAR = {"distance": Range(0.2, 0.8), "side?": 0.4, "side": (OTHER,)}
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}
 SMALL = 0.5  # the chance that a further piece is a small ball

@@ -8,8 +8,9 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND = "SpringBlock"
+FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": Range(-0.8, 0.8)}  # of the nail at the origin
 # one spring from the origin: energy and angular momentum are kept
-CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0}
+CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself

@@ -29,8 +29,8 @@ from sim2reason.testing.solutions.reading import read
 from worked import answer, asked
 
 BEAD = "fields.particle"
-MASS, CHARGE, SPEED = 2e-3, 3e-3, 2.0
-B, FIELD, DRAG = 0.8, 1.1, 0.5e-3
+MASS, CHARGE, SPEED = 2.0, 3.0, 2.0
+B, FIELD, DRAG = 0.8, 1.1, 0.5
 TIME = 1.3
 MAGNETIC = UniformMagnetic(strength=B, way="positive z")
 ELECTRIC = UniformElectric(strength=FIELD, way="positive y")
@@ -95,13 +95,13 @@ def found_back(setting: Setting) -> Solution:
 
 def test_a_speed_from_an_impulse_up_to_a_distance() -> None:
     """J = q E t, with (v t)² + (q E t²/2m)² = d²: v = √((d/t)² − (q E t/2m)²)."""
-    impulse, distance = 0.004, 3.0
+    impulse, distance = 4.0, 3.0
     time = impulse / (CHARGE * FIELD)
     speed = sqrt((distance / time) ** 2 - (0.5 * impulse / MASS) ** 2)
     entity = fields(electric=ELECTRIC).model_copy(update={"start": Launched(speed=speed, angle=0.0)})
     query = StretchQuery("sum", None, Away(BEAD, distance), "impulse of the net force", BEAD)
     setting = asked(Scene(entities=(Named(name="fields", entity=entity),)), query)
-    found = found_back(replace(setting, unknown="fields.start.speed", stated=StatedResult("0.004", "N s")))
+    found = found_back(replace(setting, unknown="fields.start.speed", stated=StatedResult("4", "uN*s")))
     assert found.answer == pytest.approx(speed)
 
 

@@ -51,6 +51,8 @@ def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
 Sprung = TypeVar("Sprung", Joined, Buffered)
 HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of springs that are drawn: those that join swing on and on
 
+SQUEEZED = 0.45  # of its length, by which a spring between two bodies becomes shorter at most
+
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
     """What was drawn, from left to right with room between neighbours, and on firm springs."""
@@ -74,14 +76,14 @@ def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, .
 def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
     """Those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
 
-    With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.6 of the room.
+    With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.45 of the room.
     """
     fastest, found = 2.0 * max(abs(glider.v) for glider in gliders), list[Sprung]()
     for pair in pairs:
         one, other = gliders[pair.first], gliders[pair.second]
         room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
         spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
-        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (0.6 * room)) ** 2
+        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (SQUEEZED * room)) ** 2
         if least <= HARDEST[type(pair)]:
             stiff = rebuilt(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
             found.append(rebuilt(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))

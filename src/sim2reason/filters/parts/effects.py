@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
-from sim2reason.questions.simplifications import SIMPLIFICATIONS, ChangedMechanism, OtherReading, Simplification
+from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification
 from sim2reason.questions.tolerance import NEARLY
 
 SAME = 0.02  # of the tolerance: an answer that changes by less is the same
@@ -48,49 +48,47 @@ class Effect:
 
 
 def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
-    """Those of all simplifications that take a `part` of the scene away, or of all that do not, that filters look at.
+    """Yield those of all simplifications that take a `part` of the scene away, or of all that do not.
 
-    What the question itself speaks of stays as it is. What such answers by nature do not depend on may well be left
-    out, as how it begins of the period of small oscillations: that is no slip.
+    Nothing that the question itself speaks of is taken away or held. What such answers by nature do not depend on may
+    well be left out, as how it begins of the period of small oscillations: that is no slip.
     """
-    query, study = candidate.question.query, candidate.study
-    asked, until = _asked(candidate), _until(candidate)
     for simplification in SIMPLIFICATIONS.values():
-        if not simplification.filtered or simplification.part != part or _is_beside(simplification, candidate):
-            continue
-        for subject in simplification.subjects(query, study):
-            if subject in asked:
-                continue
-            other = simplification.simplified(study, subject, until)
-            effect = _effect(simplification, subject, candidate, other, candidate.response(other))
-            if other is None or part or not (effect.same and candidate.kind.indifferent(query, study, other)):
-                yield effect
+        if simplification.part == part:
+            yield from effects_of(simplification, candidate)
 
 
-def unfiltered_effects(candidate: Candidate) -> Iterator[Effect]:
-    """Those of simplifications that filters do not look at, also of what the question speaks of; each takes time."""
-    if _is_of_no_motion(candidate):
+def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator[Effect]:
+    """Yield those of one simplification."""
+    if _is_beside(simplification, candidate):
         return
-    offered = [found for found in SIMPLIFICATIONS.values() if not found.filtered]
-    for simplification in sorted(offered, key=lambda found: isinstance(found, OtherReading)):
-        for subject in simplification.subjects(candidate.question.query, candidate.study):
-            other = simplification.simplified(candidate.study, subject, _until(candidate))
-            yield _effect(simplification, subject, candidate, other, candidate.response(other))
+    query, study = candidate.question.query, candidate.study
+    asked, until = _spared(simplification, candidate), _until(candidate)
+    for subject in simplification.subjects(query, study):
+        if subject in asked:
+            continue
+        other = simplification.simplified(study, subject, until)
+        effect = _effect(simplification, subject, candidate, other, candidate.response(other))
+        indifferent = other is not None and effect.same and candidate.kind.indifferent(query, study, other)
+        if simplification.part or not indifferent:
+            yield effect
 
 
 def far_effects(candidate: Candidate) -> Iterator[Effect]:
-    """Those of all that is another mechanism, followed for longer, with answers far from the right one; they cost most.
+    """Yield those of all that is another mechanism, followed for longer, with answers far from the right one.
 
-    First those of simplifications that filters do not look at.
+    They take the most time.
     """
     query, study = candidate.question.query, candidate.study
-    asked, until = _asked(candidate), LONGER * _until(candidate)
-    for simplification in sorted(SIMPLIFICATIONS.values(), key=lambda found: found.filtered):
-        if isinstance(simplification, ChangedMechanism):
-            for subject in simplification.subjects(query, study):
-                if not (simplification.filtered and subject in asked):
-                    other = simplification.simplified(study, subject, until)
-                    yield _effect(simplification, subject, candidate, other, candidate.far_response(other))
+    until = LONGER * _until(candidate)
+    for simplification in SIMPLIFICATIONS.values():
+        if isinstance(simplification, OtherReading):
+            continue
+        spared = _spared(simplification, candidate)
+        for subject in simplification.subjects(query, study):
+            if subject not in spared:
+                other = simplification.simplified(study, subject, until)
+                yield _effect(simplification, subject, candidate, other, candidate.far_response(other))
 
 
 def _effect(
@@ -99,8 +97,10 @@ def _effect(
     return Effect(simplification, subject, answer, candidate.change_to(answer), candidate.tolerance, other)
 
 
-def _asked(candidate: Candidate) -> set[str]:
-    """What the question itself speaks of."""
+def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
+    """Return what the question itself speaks of where a simplification would take that away, or hold it."""
+    if not (simplification.part or simplification.holds):
+        return set()
     query = candidate.question.query
     return {query.subject, *(query.moment.subjects if query.moment is not None else ())} - {""}
 

@@ -5,9 +5,10 @@ from dataclasses import replace
 from sim2reason.dsl.ablation import with_bodies
 from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.effects import effects
+from sim2reason.filters.parts.effects import effects_of
+from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.questions.simplifications.gravity_left_out import GravityLeftOut
-from sim2reason.questions.simplifications.point_mass import solid
+from sim2reason.questions.simplifications.parts.which import solid
 
 TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
 MORE = 1.1  # times the inertia
@@ -25,8 +26,8 @@ def turns_by_weight(candidate: Candidate) -> bool:
     other = candidate.study.changed("more inertia", _harder_to_turn, candidate.until)
     if candidate.change(other) <= BEARS:
         return False
-    changed = {effect.simplification.name for effect in effects(candidate, part=False) if not effect.close}
-    return GravityLeftOut.name in changed
+    without = effects_of(SIMPLIFICATIONS[GravityLeftOut.name], candidate)
+    return any(not effect.close for effect in without)
 
 
 def _harder_to_turn(mechanism: Mechanism) -> Mechanism:

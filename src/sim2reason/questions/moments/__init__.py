@@ -7,6 +7,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
@@ -37,6 +38,11 @@ class Moment(ABC):
     def subjects(self) -> tuple[str, ...]:
         """The names of what it speaks of, bodies, lines or pairs; none by default."""
         return ()
+
+    def possible(self, mechanism: Mechanism) -> bool:
+        """Tell whether a mechanism has what it speaks of, as an arm that is held does not swing; by default so."""
+        del mechanism
+        return True
 
     @property
     def channels(self) -> tuple[Channel, ...]:

@@ -22,19 +22,18 @@ class Simplification(ABC):
         reason: what is wrong, a sentence about ``{subject}``.
         part: whether it takes a part of the scene away, so that an answer which stays shows a part without bearing;
             else it is a mistake about the physics of a part that bears.
+        holds: whether its subject no longer moves, so that a question about that one has no answer any more.
         misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
         sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
             or a choice that need not be made.
-        filtered: whether filters drop questions that it answers as well, or nearly; else it is there for the wrong
-            answers that it leads to, and no more than these hang on it.
     """
 
     name: ClassVar[str]
     reason: ClassVar[str]
     part: ClassVar[bool] = False
+    holds: ClassVar[bool] = False
     misleads: ClassVar[bool] = True
     sound_if_same: ClassVar[bool] = False
-    filtered: ClassVar[bool] = True
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

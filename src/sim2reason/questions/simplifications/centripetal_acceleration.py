@@ -16,7 +16,7 @@ class CentripetalAcceleration(OtherReading):
 
     name = "centripetal acceleration"
     reason = "the acceleration is taken to be v\N{SUPERSCRIPT TWO}/r, as on a circle about the star"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where planets go round a star, and something is asked that hangs on it."""

@@ -19,7 +19,7 @@ class CircularOrbit(OtherReading):
 
     name = "circular orbit"
     reason = "the orbit is taken as a circle about the star through the starting point"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where planets go round a star."""

@@ -18,7 +18,7 @@ class CircularOrbitSpeed(OtherReading):
 
     name = "circular orbit speed"
     reason = "the speed is taken to be that on a circle at the momentary distance, \N{SQUARE ROOT}(GM/r)"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where planets go round a star, and something is asked that hangs on it."""

@@ -19,7 +19,7 @@ class ConstantOrbitalSpeed(OtherReading):
 
     name = "constant orbital speed"
     reason = "the speed is taken to be the same all along the orbit"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where planets go round a star, and something is asked that hangs on it."""

@@ -16,6 +16,7 @@ class FixedCarrier(ChangedMechanism):
 
     name = "fixed carrier"
     reason = "{subject} is taken as fixed"
+    holds = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Whatever carries something and can move."""

@@ -16,7 +16,8 @@ class FixedMovablePulley(ChangedMechanism):
 
     name = "fixed movable pulley"
     reason = "a movable pulley is taken as fixed"
-    filtered = False
+    holds = True
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """All movable pulleys."""

@@ -15,7 +15,7 @@ class HalfForgotten(OtherReading):
 
     name = "half forgotten"
     reason = "the distance covered from rest is taken to be a t\N{SUPERSCRIPT TWO}, without the factor 1/2"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where all accelerations are constant."""

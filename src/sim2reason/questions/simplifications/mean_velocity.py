@@ -15,7 +15,7 @@ class MeanVelocity(OtherReading):
 
     name = "mean velocity"
     reason = "the mean velocity is taken for the velocity at the end"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where all accelerations are constant."""

@@ -6,7 +6,7 @@ from sim2reason.dsl.ablation import inertialess, with_bodies
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
-from sim2reason.questions.simplifications.parts.which import massive
+from sim2reason.questions.simplifications.parts.which import solid
 from sim2reason.questions.study import Study
 
 
@@ -26,16 +26,3 @@ class PointMass(ChangedMechanism):
         """Without that inertia."""
         del subject
         return with_bodies(mechanism, solid(mechanism), inertialess)
-
-
-def solid(mechanism: Mechanism) -> list[str]:
-    """The bodies with inertia about their centres of mass that can turn."""
-    return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
-
-
-def _turns(mechanism: Mechanism, name: str) -> bool:
-    """Whether it, or what carries it, has a hinge."""
-    body = mechanism.body[name]
-    if any(coordinate.kind == "hinge" for coordinate in body.coordinates):
-        return True
-    return body.parent is not None and _turns(mechanism, body.parent)

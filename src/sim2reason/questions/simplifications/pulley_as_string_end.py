@@ -16,7 +16,7 @@ class PulleyAsStringEnd(ChangedMechanism):
 
     name = "pulley as string end"
     reason = "a movable pulley is taken to move as far as the end of its string, without the factor 2"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The strings that run from a movable pulley to a fixed place, where they end."""

@@ -16,7 +16,7 @@ class StringsLeftOut(ChangedMechanism):
 
     name = "strings left out"
     reason = "each body is taken to move as if no string held it"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where there are strings."""

@@ -19,7 +19,7 @@ class UniformAngularSpeed(OtherReading):
 
     name = "uniform angular speed"
     reason = "equal angles are taken to be swept out in equal times, as on a circle"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where planets go round a star and return."""

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
-from math import isfinite
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.mobility import weighs
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.which import rough
 from sim2reason.questions.study import Study
 
 LEVEL = 1.0 - 1e-9  # cosine of a slope that is none
@@ -20,7 +20,7 @@ class WeightAsNormalForce(ChangedMechanism):
 
     name = "weight as normal force"
     reason = "the normal force that friction hangs on is taken to be the whole weight, though the face is sloped"
-    filtered = False
+    sound_if_same = True  # then what lies there does not slip
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where a slope is rough."""
@@ -41,9 +41,9 @@ class WeightAsNormalForce(ChangedMechanism):
 
 def _sloped(mechanism: Mechanism) -> dict[str, float]:
     """The cosine of the slope by what lies on one that is rough."""
-    rough = [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction) and not face.turning]
-    if not rough:
+    sloped = [face for face in rough(mechanism) if not face.turning]
+    if not sloped:
         return {}
     frames = start(mechanism)
-    found = {face.subject: float(frames.normal(face.subject)[2]) for face in rough}
+    found = {face.subject: float(frames.normal(face.subject)[2]) for face in sloped}
     return {name: cosine for name, cosine in found.items() if 0.0 < cosine < LEVEL}

@@ -17,7 +17,7 @@ class WeightAsTension(ChangedMechanism):
 
     name = "weight as tension"
     reason = "the tension in a string is taken to balance the weight that hangs from it"
-    filtered = False
+    sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Whatever hangs."""

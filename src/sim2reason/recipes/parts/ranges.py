@@ -17,7 +17,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "easy": {
         "mass": Range(0.5, 3.0),
         "pulley mass": Range(0.1, 3.0),
-        "angle": Range(10.0, 45.0),
+        "friction": Range(0.2, 0.6),
+        "angle": Range(25.0, 39.0),
         "blocks": Count(1, 1),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 1),
@@ -25,8 +26,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "medium": {
         "mass": Range(1.0, 8.0),
         "pulley mass": Range(0.2, 8.0),
-        "friction": Range(0.1, 0.5),
-        "angle": Range(10.0, 60.0),
+        "friction": Range(0.2, 0.5),
+        "angle": Range(25.0, 65.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 2),
@@ -34,8 +35,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "hard": {
         "mass": Range(2.0, 20.0),
         "pulley mass": Range(0.5, 20.0),
-        "friction": Range(0.1, 0.4),
-        "angle": Range(10.0, 70.0),
+        "friction": Range(0.15, 0.4),
+        "angle": Range(25.0, 65.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 2),
         "right_blocks": Count(1, 2),
@@ -43,13 +44,14 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
 }
 
 SIZES: Mapping[str, Choice] = {
-    "UniformRod.length": Range(0.6, 1.6),
-    "Bar.length": Range(0.6, 1.4),
-    "Bar.width": Range(0.3, 0.6),
-    "radius": Range(0.15, 0.4),
-    "height": Range(0.4, 1.0),
-    "hole": Range(0.1, 0.2),
-    "offset": Range(0.1, 0.2),
+    "UniformRod.length": Range(0.4, 1.2),
+    "Bar.length": Range(0.4, 0.9),
+    "Bar.width": Range(0.15, 0.3),
+    "radius": Range(0.08, 0.2),
+    "height": Range(0.2, 0.5),
+    "SphericalCap.height": Range(0.06, 0.15),
+    "hole": Range(0.05, 0.1),
+    "offset": Range(0.05, 0.1),
     "RoundPiece.body": ("Sphere", "SphericalShell"),  # the thickness of a wall would hardly count
     "CappedPiece.body": ("Hemisphere", "SphericalCap"),
     "HoledPiece.body": ("SphereWithHole",),

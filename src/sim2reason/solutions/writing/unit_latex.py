@@ -4,6 +4,8 @@ import re
 
 DEGREES = r"^\circ"
 
+MICRO = "\N{MICRO SIGN}"
+
 
 def latex(unit: str) -> str:
     """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
@@ -12,7 +14,8 @@ def latex(unit: str) -> str:
     if unit.startswith("1/"):
         base, _, power = unit[2:].partition("^")
         return f"{latex(base)}^{{-{power or 1}}}"
-    text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))
+    text = re.sub(r"\bu(?=[A-Za-z])", MICRO, unit.replace("*", " "))
+    text = re.sub(r"\^(\d)", r"}^\1\\text{", text)
     return rf"\ \text{{{text}}}".replace(r"\text{}", "") if unit else ""
 
 
@@ -23,7 +26,7 @@ def unit_of(text: str) -> str:
     found = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(?:\^\{-(\d)\})?$", text)
     if found is None:
         return ""
-    unit = re.sub(r"\\text\{([^{}]*)\}", r"\1", found[1]).strip()
+    unit = re.sub(r"\\text\{([^{}]*)\}", r"\1", found[1]).strip().replace(MICRO, "u")
     return f"1/{unit}{f'^{found[2]}' if found[2] != '1' else ''}" if found[2] else unit
 
 

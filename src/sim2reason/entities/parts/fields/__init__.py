@@ -25,7 +25,7 @@ class ForceField(Part):
         return tuple(kind for kind in FIELDS.values() if issubclass(kind, cls))
 
     def law(self, charge: float) -> Law:
-        """The force on a charge, C, in SI units."""
+        """The force on a charge, uC, in uN, at places in m and times in s."""
         raise NotImplementedError
 
     def rate(self, charge: float, mass: float) -> float:

@@ -7,8 +7,7 @@ from annotated_types import Le
 from sim2reason.authoring import LEAST, Law, Measure, Range, Resistance, either
 from sim2reason.entities.parts.fields import Medium, force_field
 
-MILLI = 1e-3
-Drag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s/m", "b", called="constant"), Range(0.1, 1.0)]
+Drag = Annotated[float, LEAST, Le(1e6), Measure("drag", "uN s/m", "b", called="constant"), Range(0.1, 1.0)]
 
 
 @force_field
@@ -28,9 +27,9 @@ class LinearDrag(Medium):
     def law(self, charge: float) -> Law:
         """F = −bv."""
         del charge
-        return Resistance(linear=MILLI * self.coefficient)
+        return Resistance(linear=self.coefficient)
 
     def rate(self, charge: float, mass: float) -> float:
         """By which the speed decays."""
         del charge
-        return MILLI * self.coefficient / mass
+        return self.coefficient / mass

@@ -6,9 +6,8 @@ from annotated_types import Le
 
 from sim2reason.authoring import LEAST, Law, Measure, Range, Resistance, either
 from sim2reason.entities.parts.fields import Medium, force_field
-from sim2reason.entities.parts.fields.linear_drag import MILLI
 
-SquareDrag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s^2/m^2", "c", called="constant"), Range(0.1, 0.5)]
+SquareDrag = Annotated[float, LEAST, Le(1e6), Measure("drag", "uN s^2/m^2", "c", called="constant"), Range(0.1, 0.5)]
 
 
 @force_field
@@ -28,4 +27,4 @@ class QuadraticDrag(Medium):
     def law(self, charge: float) -> Law:
         """F = −c|v|v."""
         del charge
-        return Resistance(quadratic=MILLI * self.coefficient)
+        return Resistance(quadratic=self.coefficient)

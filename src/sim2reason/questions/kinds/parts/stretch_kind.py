@@ -178,8 +178,10 @@ def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
 
 @lru_cache(maxsize=32)
 def _value(query: StretchQuery, study: Study) -> float | None:
-    end = _end(query, study)
-    return FUNCTIONALS[query.functional].value(study.trace, query.name, end) if end is not None else None
+    functional, end = FUNCTIONALS[query.functional], _end(query, study)
+    if end is None or query.name not in functional.of.names(study.mechanism):  # it is held in a changed mechanism
+        return None
+    return functional.value(study.trace, query.name, end)
 
 
 def _end(query: StretchQuery, study: Study) -> float | None:

@@ -7,6 +7,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.subjects import Subject
 from sim2reason.questions.choices import apart
@@ -63,6 +64,10 @@ class Passage(VerbHappening):
     def subjects(self) -> tuple[str, ...]:
         """The one that it happens to."""
         return (self.name,)
+
+    def possible(self, mechanism: Mechanism) -> bool:
+        """Tell whether its subject is still one of those that it can happen to."""
+        return self.name in self.of.names(mechanism)
 
     @property
     def channels(self) -> tuple[Channel, ...]:

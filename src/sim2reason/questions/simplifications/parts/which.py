@@ -1,6 +1,8 @@
 """Which parts of a mechanism a simplification can be about."""
 
-from sim2reason.dsl.mechanism import Mechanism
+from math import isfinite
+
+from sim2reason.dsl.mechanism import Face, Mechanism
 
 
 def wheels(mechanism: Mechanism) -> tuple[str, ...]:
@@ -38,3 +40,21 @@ def carriers(mechanism: Mechanism) -> tuple[str, ...]:
 def _led(mechanism: Mechanism) -> set[str]:
     """The sites that lines pass on their way, as over a pulley."""
     return {site for line in mechanism.lines for site in line.through[1:-1]}
+
+
+def solid(mechanism: Mechanism) -> list[str]:
+    """The bodies with inertia about their centres of mass that can turn."""
+    return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
+
+
+def _turns(mechanism: Mechanism, name: str) -> bool:
+    """Whether it, or what carries it, has a hinge."""
+    body = mechanism.body[name]
+    if any(coordinate.kind == "hinge" for coordinate in body.coordinates):
+        return True
+    return body.parent is not None and _turns(mechanism, body.parent)
+
+
+def rough(mechanism: Mechanism) -> list[Face]:
+    """The faces on which something can slip against friction."""
+    return [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction)]
