@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Kind, ParsedQuestion, Question, QuestionMode, Study, Words, mode
+from sim2reason.questions import KINDS, Kind, ParsedQuestion, Query, Question, QuestionMode, Study, Words, mode
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
@@ -21,10 +21,12 @@ class Numeric(QuestionMode):
         return next((question for question in found if question is not None), None)
 
     def _asked(self, asked: Kind, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        offered = targets(words)
-        query = asked.draw(study, words, offered, rng)
-        if query is None:
-            return None
+        query = asked.draw(study, words, targets(words), rng)
+        return self.asking(query, study, words, rng) if query is not None else None
+
+    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """The question with a query, if that has a finite answer."""
+        asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
         if answer is None or not np.isfinite(answer):
             return None

@@ -94,9 +94,13 @@ class QuestionMode(ABC):
 
     Class data:
         name: under which it is registered.
+        several: whether an item asks several questions about one scene, each of which leads to another.
+        offers_options: whether an item comes with options, one of which is its answer.
     """
 
     name: ClassVar[str]
+    several: ClassVar[bool] = False
+    offers_options: ClassVar[bool] = False
 
     @property
     def kinds(self) -> frozenset[str]:
@@ -111,6 +115,11 @@ class QuestionMode(ABC):
     @abstractmethod
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
+
+    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """The question with a query that was found in another way; None, as by default, if this mode has none."""
+        del query, study, words, rng
+        return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """A question that filters keep, with what costs too much to be found for others; None if there is no such.

@@ -49,6 +49,7 @@ class Kind(ABC):
         of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
+        hides: whether its questions leave a number of the text open, which other questions about it may need.
     """
 
     name: ClassVar[str]
@@ -56,6 +57,7 @@ class Kind(ABC):
     of_symbols: ClassVar[bool] = True
     whole: ClassVar[bool] = False
     awaited: ClassVar[bool] = False
+    hides: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:
@@ -70,6 +72,16 @@ class Kind(ABC):
     @abstractmethod
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """Something to ask about a moment of which another question speaks; None, as by default, if there is nothing.
+
+        The moment is the end of a stretch where the kind asks about stretches.
+        """
+        del moment, study, words, targets, rng
+        return None
 
     @abstractmethod
     def answer(self, query: Query, study: Study) -> float | None:

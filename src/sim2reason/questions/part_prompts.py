@@ -1,0 +1,138 @@
+"""Prompts of several parts: the scene once, then the questions (a), (b) and so on, and how to give all answers.
+
+They are read back part by part: the scene with one of the questions is a prompt like any other.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.errors import TextError
+from sim2reason.grading.parts import LABELS
+from sim2reason.prose.description import Description
+from sim2reason.prose.phrases import join
+from sim2reason.questions import KINDS, Question
+from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE, Prompt, composed, unit_in_words
+
+FORMS = (
+    "Give all answers together in one box, as in {box}: {units}{digits}.",
+    "Put the answers into one box, in the form {box}: {units}{digits}.",
+    "Write the final answers in a single box as {box}, that is, {units}{digits}.",
+)
+DIGITS = ", to three significant figures"
+AS_WHOLE, AS_PURE = "as a whole number", "as a pure number"
+ANSWER = "Answer:"
+_PART = re.compile(rf"\(([{LABELS}])\) (.+)")
+_UNIT = re.compile(rf"\(([{LABELS}])\) (?:in (\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{LABELS}]\)|\.$)")
+
+
+@dataclass(frozen=True)
+class PartPrompt:
+    """What a prompt of several parts consists of: the scene, the questions, and the units of their answers in words.
+
+    A unit is `AS_WHOLE` for what is counted and `AS_PURE` for a number without one.
+    """
+
+    scene: str
+    questions: tuple[str, ...]
+    units: tuple[str, ...]
+    form: int = 0
+    """Which of `FORMS` tells how to answer."""
+
+    @classmethod
+    def read(cls, text: str) -> "PartPrompt":
+        """The parts of a prompt; TextError for a text that is no such prompt."""
+        body, _, last = text.rpartition("\n\n")
+        scene, _, listed = body.rpartition("\n\n")
+        lines = [_PART.fullmatch(line) for line in listed.splitlines()]
+        units = tuple(found[2] or _as_number(found[0]) for found in _UNIT.finditer(last))
+        labels = "".join(line[1] for line in lines if line is not None)
+        for form in range(len(FORMS)):
+            found = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
+            if len(units) > 1 and labels == LABELS[: len(units)] and found.text == text:
+                return found
+        raise TextError(
+            "prompt", "it has no parts (a), (b), … with a last line about their answers", "give one of ours"
+        )
+
+    @property
+    def text(self) -> str:
+        """The whole prompt."""
+        listed = (f"({label}) {question}" for label, question in zip(LABELS, self.questions, strict=False))
+        return "\n\n".join([self.scene, "\n".join(listed), self.last_line])
+
+    @property
+    def last_line(self) -> str:
+        """How to give the answers."""
+        told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
+        box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
+        digits = DIGITS if any(unit != AS_WHOLE for unit in self.units) else ""
+        return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=join(told), digits=digits)
+
+    def single(self, part: int) -> Iterator[str]:
+        """The prompts of one part alone, one of which is as the library writes them."""
+        form = _single_form(self.units[part])
+        for between in (" ", "\n\n"):  # a table ends with an empty line
+            yield f"{self.scene}{between}{self.questions[part]} {form}"
+
+    def after(self, part: int, answers: Sequence[str]) -> str:
+        """The prompt of one part that gives the answers to all before it."""
+        before = [
+            f"({label}) {question} {ANSWER} {answer}."
+            for label, question, answer in zip(LABELS, self.questions[:part], answers, strict=False)
+        ]
+        listed = "\n".join([*before, f"({LABELS[part]}) {self.questions[part]}"])
+        return "\n\n".join([self.scene, listed, _single_form(self.units[part], f"your answer to ({LABELS[part]})")])
+
+
+def together(description: Description, questions: Sequence[Question], rng: np.random.Generator) -> Prompt:
+    """One prompt with several questions, in a shape that has the question last."""
+    last = questions[-1].text
+    body = composed(description, last, rng, question_last=True)
+    scene = body.text.removesuffix(last).rstrip()
+    units = tuple(map(_unit_of, questions))
+    found = PartPrompt(scene, tuple(each.text for each in questions), units, int(rng.random() * len(FORMS)))
+    return Prompt(found.text, body.shape)
+
+
+def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
+    """Read each part of a prompt by itself, as `parse_prompt` does; it raises what that does."""
+    found = PartPrompt.read(text)
+    return tuple(_parsed(found, part, rng) for part in range(len(found.questions)))
+
+
+def _parsed(found: PartPrompt, part: int, rng: np.random.Generator | None) -> ParsedPrompt:
+    refused: list[TextError] = []
+    for text in found.single(part):
+        try:
+            return parse_prompt(text, rng)
+        except TextError as error:
+            refused.append(error)
+    raise refused[0]
+
+
+def _unit_of(question: Question) -> str:
+    if KINDS[question.query.kind].measured(question.query).whole:
+        return AS_WHOLE
+    return unit_in_words(question.unit) if question.unit else AS_PURE
+
+
+def _told(unit: str) -> str:
+    return unit if unit in (AS_WHOLE, AS_PURE) else f"in {unit}"
+
+
+def _as_number(said: str) -> str:
+    return AS_WHOLE if AS_WHOLE in said else AS_PURE
+
+
+def _single_form(unit: str, answer: str = "your answer") -> str:
+    """The last line of a prompt with one question."""
+    form = {AS_WHOLE: WHOLE, AS_PURE: PLAIN_FORMATS}.get(unit, FORMATS)[0]
+    return (
+        form.replace("your answer", answer).format(unit=unit)
+        if form in FORMATS
+        else form.replace("your answer", answer)
+    )
