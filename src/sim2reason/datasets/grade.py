@@ -13,7 +13,8 @@ from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, formula, number
+from sim2reason.grading import Outcome, Score, formula, number, parts
+from sim2reason.grading.parts import Grader
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_answer", "graded", "line", "responses"]
 
@@ -37,21 +38,25 @@ class GradedResponse(NamedTuple):
     kind: str
 
 
-def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False) -> Score:
+def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
     `item` may be a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow give it; only its
     answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
-    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken.
+    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
+    answers to several parts. Of those all must be right, unless `partial` pays for the share that is.
 
     Raises:
         DatasetError: a row without an answer that can be read.
     """
-    return grade_answer(item.answer if isinstance(item, Item) else answer_of(item), response, lenient=lenient)
+    answer = item.answer if isinstance(item, Item) else answer_of(item)
+    return grade_answer(answer, response, lenient=lenient, partial=partial)
 
 
-def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> Score:
+def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
     """The same for whoever holds the answer alone, as the rows of exports do."""
+    if answer.parts:
+        return parts(response, [_grader(part) for part in answer.parts], partial=partial)
     if answer.formula is not None:
         held = answer.formula
         return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
@@ -60,8 +65,12 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> 
     )
 
 
+def _grader(answer: Answer) -> Grader:
+    return lambda response: grade_answer(answer, response)
+
+
 def graded(
-    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False
+    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False, partial: bool = False
 ) -> Iterator[GradedResponse]:
     """Responses to a dataset with their scores, in their order; some are held at a time, never all.
 
@@ -79,7 +88,7 @@ def graded(
             if row["split"] not in splits:
                 passed_over = True
                 continue
-            found, score = True, grade(row, response.response, lenient=lenient)
+            found, score = True, grade(row, response.response, lenient=lenient, partial=partial)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
     if passed_over and not found:
         raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
@@ -131,13 +140,15 @@ def _whole(read: object) -> object:
 
 def line(response: Response, score: Score) -> str:
     """One line of a file of scores."""
-    fields = {
+    fields: dict[str, object] = {
         "id": response.id,
         "reward": score.reward,
         "outcome": score.outcome,
         "parsed": score.parsed,
         "why": score.why,
     }
+    if score.parts:
+        fields["parts"] = [{"reward": part.reward, "outcome": part.outcome} for part in score.parts]
     return json.dumps(fields, ensure_ascii=False)
 
 

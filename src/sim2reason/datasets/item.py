@@ -16,6 +16,7 @@ from pydantic import (
 from pydantic_core import from_json
 
 from sim2reason.dsl.measures import join_unit
+from sim2reason.grading.parts import LABELS
 from sim2reason.prose.formula_numbers import said_in
 
 
@@ -83,16 +84,22 @@ class Answer(Record):
     """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
     formula: FormulaRecord | None = None
+    parts: "tuple[Answer, ...]" = ()
+    """The answers to all parts, if there are several; the answer itself is then that to the last one."""
 
     @property
     def told(self) -> str:
-        """For people: the number with its unit, or the formula and its value in the scene."""
+        """For people: the number with its unit, or the formula and its value in the scene; or that of each part."""
+        if self.parts:
+            return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 
     @property
     def shown(self) -> str:
         """The same with what counts as positive."""
+        if self.parts:
+            return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
 
 
@@ -144,6 +151,23 @@ class QueryRecord(Record):
     given_unit: str | None = None
 
 
+class Part(Record):
+    """One part of a problem; its answer stands with those of the others in the item's answer."""
+
+    text: str
+    """The question, as the prompt has it behind the label."""
+    kind: str
+    asked: QueryRecord
+    uses: tuple[int, ...] = ()
+    """The earlier parts whose answers lead to this one, counted from zero."""
+    distractors: tuple[Distractor, ...] = ()
+    solution: SolutionRecord | None = None
+    """Where solutions were asked for; it starts from the answers to the parts that it uses."""
+    unsolved: str = ""
+    certificate: Annotated[dict[str, JsonValue], FOLDED]
+    """How well the engines agree about this part."""
+
+
 class Provenance(Record):
     """Where an item comes from: with the same versions, the same request gives the same bytes."""
 
@@ -176,8 +200,11 @@ class Item(Record):
     entities: tuple[str, ...]
     """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
+    """Where there are several parts, by the last one, as are kind and certificate."""
+    parts: tuple[Part, ...] = ()
+    """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()
-    """Wrong answers with their reasons, each beyond the tolerance."""
+    """Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own."""
     idle: tuple[str, ...] = ()
     """What of the scene has no bearing on the answer, as the prompt calls it."""
     idle_numbers: tuple[str, ...] = ()

@@ -2,24 +2,29 @@
 
 import hashlib
 import json
+from collections.abc import Callable
 
 from pydantic import JsonValue
 
-from sim2reason.datasets import item_search, question_search
+from sim2reason.datasets import item_search, part_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Part, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import recorded, worked
+from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
+from sim2reason.filters import Candidate
+from sim2reason.prose.description import Description
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
-SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
+SETTINGS = hashlib.sha256(
+    json.dumps([*item_search.SETTINGS, *question_search.SETTINGS, *part_search.SETTINGS]).encode()
+).hexdigest()[:16]
 
 
 def make(request: Request) -> Made:
@@ -46,9 +51,10 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=_query_of(found),
-        distractors=distractors(found.candidate, found.description),
-        idle=idle_parts(found.candidate, found.description),
-        idle_numbers=idle_numbers(found.candidate, found.description),
+        parts=_parts_of(request, found),
+        distractors=distractors(found.candidate, found.description) if not found.parts else (),
+        idle=_in_all(found, idle_parts),
+        idle_numbers=_in_all(found, idle_numbers),
         solution=solution,
         unsolved=unsolved,
         scene=dump(found.study.scene),
@@ -68,11 +74,44 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
     return told_in(system_named(request.units), item)
 
 
+def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[Part, ...]:
+    """The records of the parts of a problem that has several."""
+    solutions = worked_parts(request, found) if request.solutions else []
+    records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
+    return tuple(
+        Part(
+            text=part.text,
+            kind=part.certified.question.query.kind,
+            asked=_query_of(part.certified),
+            uses=part.uses,
+            distractors=distractors(part.certified.candidate, found.description),
+            solution=solution,
+            unsolved=unsolved,
+            certificate=summary(part.certified.certificate),
+        )
+        for part, (solution, unsolved) in zip(found.parts, records, strict=True)
+    )
+
+
+def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
+    """What has no bearing on any part."""
+    candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
+    each = [idle(candidate, found.description) for candidate in candidates]
+    return tuple(name for name in each[0] if all(name in others for others in each[1:]))
+
+
 def answer_of(found: CertifiedQuestion) -> Answer:
-    """The record of its answer."""
+    """The record of its answer, or of those to its parts."""
     question, tolerance = found.question, found.candidate.tolerance
     formula = _formula_of(question.formula) if question.formula is not None else None
-    return Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=tolerance, formula=formula)
+    return Answer(
+        value=question.answer,
+        unit=question.unit,
+        sign=question.sign,
+        tolerance=tolerance,
+        formula=formula,
+        parts=tuple(answer_of(part.certified) for part in found.parts),
+    )
 
 
 def _formula_of(formula: Formula) -> FormulaRecord:

@@ -168,9 +168,11 @@ class PartSearch:
         ordered = self._ordered(parts)
         questions = [part.question for part in ordered]
         description = self._search.described(questions)
-        prompt = together(description, questions, self._rng)
+        prompt, texts = together(description, questions, self._search.words, self._rng)
         held = tuple(
-            CertifiedPart(part.certified, part.solution, tuple(n for n in range(k) if part.follows(ordered[n])))
+            CertifiedPart(
+                part.certified, part.solution, texts[k], tuple(n for n in range(k) if part.follows(ordered[n]))
+            )
             for k, part in enumerate(ordered)
         )
         return replace(ordered[-1].certified, description=description, shape=prompt.shape, parts=held, text=prompt.text)
@@ -229,9 +231,12 @@ def is_new(question: Question, other: Question, study: Study) -> bool:
     """Whether neither question tells the answer to the other, nor does one answer follow from the other at once.
 
     An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
-    multiple times a number that the text states: K = m v²/2, f = 1/T.
+    multiple times a number that the text states: K = m v²/2, f = 1/T. Nor do both state numbers for different moments.
     """
     if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
+        return False
+    moments = [held.query.moment for held in (question, other)]
+    if moments[0] != moments[1] and all(moment is not None and moment.stated for moment in moments):
         return False
     if any(_tells(*pair) for pair in ((question, other), (other, question))):
         return False

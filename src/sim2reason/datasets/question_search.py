@@ -63,10 +63,11 @@ class CertifiedQuestion:
 
 @dataclass(frozen=True)
 class CertifiedPart:
-    """A part of a problem: a question that passed, with its solution and the earlier parts that this uses."""
+    """A part of a problem: a question that passed, with its solution and the earlier parts that lead to it."""
 
     certified: CertifiedQuestion
     solution: Solution
+    text: str  # of the question, as the prompt has it
     uses: tuple[int, ...]
 
 

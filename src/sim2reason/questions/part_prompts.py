@@ -6,6 +6,7 @@ They are read back part by part: the scene with one of the questions is a prompt
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -13,9 +14,10 @@ from sim2reason.errors import TextError
 from sim2reason.grading.parts import LABELS
 from sim2reason.prose.description import Description
 from sim2reason.prose.phrases import join
-from sim2reason.questions import KINDS, Question
+from sim2reason.questions import KINDS, Question, Words
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE, Prompt, composed, unit_in_words
+from sim2reason.questions.references import referring, spelled_out
 
 FORMS = (
     "Give all answers together in one box, as in {box}: {units}{digits}.",
@@ -26,7 +28,8 @@ DIGITS = ", to three significant figures"
 AS_WHOLE, AS_PURE = "as a whole number", "as a pure number"
 ANSWER = "Answer:"
 _PART = re.compile(rf"\(([{LABELS}])\) (.+)")
-_UNIT = re.compile(rf"\(([{LABELS}])\) (?:in (\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{LABELS}]\)|\.$)")
+_UNIT = re.compile(rf"\([{LABELS}]\) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{LABELS}]\)|\.$)")
+_SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,|\.$)")
 
 
 @dataclass(frozen=True)
@@ -48,8 +51,10 @@ class PartPrompt:
         body, _, last = text.rpartition("\n\n")
         scene, _, listed = body.rpartition("\n\n")
         lines = [_PART.fullmatch(line) for line in listed.splitlines()]
-        units = tuple(found[2] or _as_number(found[0]) for found in _UNIT.finditer(last))
         labels = "".join(line[1] for line in lines if line is not None)
+        same = _SAME.search(last)
+        said = [same] * len(labels) if same is not None else list(_UNIT.finditer(last))
+        units = tuple(found["unit"] or _as_number(found[0]) for found in said)
         for form in range(len(FORMS)):
             found = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
             if len(units) > 1 and labels == LABELS[: len(units)] and found.text == text:
@@ -70,13 +75,14 @@ class PartPrompt:
         told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
         box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
         digits = DIGITS if any(unit != AS_WHOLE for unit in self.units) else ""
-        return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=join(told), digits=digits)
+        each = join(told) if len({*self.units}) > 1 else f"{'both' if len(told) == 2 else 'all'} {_told(self.units[0])}"
+        return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=each, digits=digits)
 
-    def single(self, part: int) -> Iterator[str]:
-        """The prompts of one part alone, one of which is as the library writes them."""
+    def single(self, part: int, question: str) -> Iterator[str]:
+        """The prompts of one part alone, in full words; one of them is as the library writes such."""
         form = _single_form(self.units[part])
         for between in (" ", "\n\n"):  # a table ends with an empty line
-            yield f"{self.scene}{between}{self.questions[part]} {form}"
+            yield f"{self.scene}{between}{question} {form}"
 
     def after(self, part: int, answers: Sequence[str]) -> str:
         """The prompt of one part that gives the answers to all before it."""
@@ -88,25 +94,42 @@ class PartPrompt:
         return "\n\n".join([self.scene, listed, _single_form(self.units[part], f"your answer to ({LABELS[part]})")])
 
 
-def together(description: Description, questions: Sequence[Question], rng: np.random.Generator) -> Prompt:
-    """One prompt with several questions, in a shape that has the question last."""
+def together(
+    description: Description, questions: Sequence[Question], words: Words, rng: np.random.Generator
+) -> tuple[Prompt, tuple[str, ...]]:
+    """One prompt with several questions, in a shape that has the question last, and their texts in it.
+
+    Where two in a row are about one moment, the second one calls it that moment.
+    """
     last = questions[-1].text
+    texts = [questions[0].text]
+    for before, question in pairwise(questions):
+        moment = question.query.moment
+        again = moment is not None and moment == before.query.moment
+        texts.append(referring(question.text, moment, words) if again else question.text)
     body = composed(description, last, rng, question_last=True)
     scene = body.text.removesuffix(last).rstrip()
     units = tuple(map(_unit_of, questions))
-    found = PartPrompt(scene, tuple(each.text for each in questions), units, int(rng.random() * len(FORMS)))
-    return Prompt(found.text, body.shape)
+    found = PartPrompt(scene, tuple(texts), units, int(rng.random() * len(FORMS)))
+    return Prompt(found.text, body.shape), found.questions
 
 
 def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
     """Read each part of a prompt by itself, as `parse_prompt` does; it raises what that does."""
     found = PartPrompt.read(text)
-    return tuple(_parsed(found, part, rng) for part in range(len(found.questions)))
+    parsed: list[ParsedPrompt] = []
+    for part in range(len(found.questions)):
+        parsed.append(_parsed(found, part, parsed[-1:], rng))
+    return tuple(parsed)
 
 
-def _parsed(found: PartPrompt, part: int, rng: np.random.Generator | None) -> ParsedPrompt:
+def _parsed(
+    found: PartPrompt, part: int, before: Sequence[ParsedPrompt], rng: np.random.Generator | None
+) -> ParsedPrompt:
+    question = found.questions[part]
+    meant = [full for held in before for full in spelled_out(question, held.query.moment, held.words)]
     refused: list[TextError] = []
-    for text in found.single(part):
+    for text in (text for each in (meant or [question]) for text in found.single(part, each)):
         try:
             return parse_prompt(text, rng)
         except TextError as error:
