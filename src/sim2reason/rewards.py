@@ -4,6 +4,7 @@ What is right travels with each row of an export as one JSON text, its *solution
 letter of a multiple choice. The functions here read it, and are pure: any thread or process may call them.
 """
 
+import json
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -17,6 +18,7 @@ from sim2reason.grading.parts import LABELS
 
 __all__ = ["Letter", "accuracy", "answered", "boxed", "compute_score", "partial_accuracy", "score", "solution"]
 
+EXTRA = "parts", "letter", "options"  # of an answer, which most do not have
 SHOWN = 80  # characters of a text that is no solution
 
 
@@ -33,19 +35,21 @@ _SOLUTION: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
 def solution(right: Item | Answer | Letter) -> str:
     """What a grader must know, as one line of JSON."""
     held = right.answer if isinstance(right, Item) else right
-    absent = {"parts"} if isinstance(held, Answer) and not held.parts else None
-    return held.model_dump_json(exclude_none=True, exclude=absent)
+    given = held.model_dump(mode="json", exclude_none=True)
+    return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
 
 
 def answered(right: Item) -> str:
     """The right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
 
-    Of a problem with several parts, all answers with their labels.
+    Of a problem with several parts, all answers with their labels; of one with options, the letter.
     """
     return _written(right.answer)
 
 
 def _written(answer: Answer) -> str:
+    if answer.letter:
+        return answer.letter
     if answer.parts:
         return "; ".join(f"({label}) {_written(part)}" for label, part in zip(LABELS, answer.parts, strict=False))
     return answer.formula.latex if answer.formula is not None else f"{answer.value:.6g}"

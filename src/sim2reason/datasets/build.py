@@ -177,7 +177,7 @@ def _write(journal: Journal, overlap: FindsOverlap, number: int, outcomes: Seque
         counts=shard_files.counts(by_split),
         histograms=counted(item for _, item in made),
         rejected=merged({r.recipe: each.rejected} for each, r in requests),
-        cells=table(wanted, ((item.mode, item.kind, item.recipe) for _, item in made)),
+        cells=table(wanted, ((item.mode, kind, item.recipe) for _, item in made for kind in item.kinds)),
         quarantined=tuple(failed),
         contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
         unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),

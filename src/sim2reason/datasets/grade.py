@@ -13,8 +13,9 @@ from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, formula, number, parts
+from sim2reason.grading import Outcome, Score, choice, formula, number, parts
 from sim2reason.grading.parts import Grader
+from sim2reason.questions.choice_prompts import LETTERS
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_answer", "graded", "line", "responses"]
 
@@ -57,6 +58,9 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False, par
     """The same for whoever holds the answer alone, as the rows of exports do."""
     if answer.parts:
         return parts(response, [_grader(part) for part in answer.parts], partial=partial)
+    if answer.letter:
+        letters = LETTERS[: len(answer.options)]
+        return choice(response, answer.letter, letters, answer.options, answer.unit)
     if answer.formula is not None:
         held = answer.formula
         return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from sim2reason.datasets.item import Answer, Distractor, Item, Part, QueryRecord
+from sim2reason.questions.choice_prompts import ChoicePrompt
 from sim2reason.questions.part_prompts import PartPrompt
 from sim2reason.questions.prompt import unit_in_words
 from sim2reason.questions.spoken_units import SpokenUnits, spoken_in
@@ -19,6 +20,8 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
     system = system.beside(item.prompt, *((answer.value, answer.unit) for answer in answers))
     if item.parts:
         return _parts_told_in(system, item)
+    if item.answer.letter:
+        return _options_told_in(system, item)
     unit = system.spelled(item.answer.unit)[0]
     begin, asked, end = item.prompt.rpartition(f" in {unit_in_words(item.answer.unit)}")
     if asked and item.answer.unit and ". " not in end:  # the last sentence
@@ -27,6 +30,20 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
         update={
             "prompt": spoken_in(system, f"{begin}{asked}{end}"),
             "answer": _answer(system, item.answer),
+            "distractors": tuple(_distractor(system, wrong, item.answer.unit) for wrong in item.distractors),
+            "idle": tuple(spoken_in(system, part) for part in item.idle),
+            "asked": _asked(system, item.asked),
+        }
+    )
+
+
+def _options_told_in(system: SpokenUnits, item: Item) -> Item:
+    """The same of a multiple choice, whose options are in the unit of the answer."""
+    answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
+    return item.model_copy(
+        update={
+            "prompt": ChoicePrompt.of(spoken_in(system, told.question), answer.options, answer.unit).text,
+            "answer": answer,
             "distractors": tuple(_distractor(system, wrong, item.answer.unit) for wrong in item.distractors),
             "idle": tuple(spoken_in(system, part) for part in item.idle),
             "asked": _asked(system, item.asked),
@@ -60,7 +77,9 @@ def _part(system: SpokenUnits, part: Part, question: str, unit: str) -> Part:
 def _answer(system: SpokenUnits, answer: Answer) -> Answer:
     unit, factor = system.spelled(answer.unit)
     parts = tuple(_answer(system, part) for part in answer.parts)
-    return answer.model_copy(update={"unit": unit, "value": answer.value * float(factor), "parts": parts})
+    options = tuple(value * float(factor) for value in answer.options)
+    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options}
+    return answer.model_copy(update=told)
 
 
 def _distractor(system: SpokenUnits, wrong: Distractor, unit: str) -> Distractor:

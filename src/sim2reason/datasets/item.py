@@ -86,6 +86,10 @@ class Answer(Record):
     formula: FormulaRecord | None = None
     parts: "tuple[Answer, ...]" = ()
     """The answers to all parts, if there are several; the answer itself is then that to the last one."""
+    letter: str = ""
+    """The letter of the answer, where it is one of several options."""
+    options: tuple[FiniteFloat, ...] = ()
+    """The numbers of all options, from A on, in `unit`."""
 
     @property
     def told(self) -> str:
@@ -93,6 +97,7 @@ class Answer(Record):
         if self.parts:
             return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
+        number = f"{self.letter}. {number}" if self.letter else number
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 
     @property
@@ -218,6 +223,11 @@ class Item(Record):
     certificate: Annotated[dict[str, JsonValue], FOLDED]
     """How well the engines agree."""
     provenance: Provenance
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of question of all parts, or its own."""
+        return tuple(dict.fromkeys(part.kind for part in self.parts)) or (self.kind,)
 
     @field_validator("certificate")
     @classmethod

@@ -11,6 +11,7 @@ from sim2reason.datasets.distractors import distractors, idle_numbers, idle_part
 from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Part, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.options import Options, values
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
@@ -18,6 +19,8 @@ from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
 from sim2reason.filters import Candidate
 from sim2reason.prose.description import Description
 from sim2reason.questions import KINDS, Formula
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
+from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
@@ -71,7 +74,16 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             units=request.units,
         ),
     )
-    return told_in(system_named(request.units), item)
+    return told_in(system_named(request.units), with_options(item, found.options) if found.options else item)
+
+
+def with_options(item: Item, chosen: Options) -> Item:
+    """A numeric item as a multiple choice."""
+    answer, body = item.answer, without_form(item.prompt)[0]
+    numbers = tuple(values(answer, chosen))
+    prompt = ChoicePrompt.of(body, numbers, answer.unit).text
+    told = answer.model_copy(update={"letter": LETTERS[chosen.index(None)], "options": numbers})
+    return item.model_copy(update={"prompt": prompt, "answer": told})
 
 
 def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[Part, ...]:

@@ -17,6 +17,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
 from sim2reason.questions.constancy import lasts
 from sim2reason.questions.kinds import changed, is_something
+from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.part_prompts import together
@@ -30,7 +31,7 @@ from sim2reason.solutions.algebra.expressions import Symbol
 NUMBERS: dict[Difficulty, tuple[int, ...]] = {"easy": (2,), "medium": (2, 3), "hard": (3, 4)}
 """How many parts a problem has, each number as often."""
 FEWEST = 2
-LOOKED_AT, SIFTED = 24, 10  # candidates whose solutions are looked at, and those of them that filters see
+LOOKED_AT, SIFTED = 16, 6  # candidates whose solutions are looked at, and those of them that filters see
 SURE_FIRST = 0.7  # how often what surely leads to a part is tried first
 EACH = 2  # further questions of a kind about one moment
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
@@ -77,7 +78,7 @@ class PartSearch:
     def around(self, found: CertifiedQuestion) -> CertifiedQuestion | None:
         """A problem with `found` among its parts, whose last part it stands for; None if nothing leads to it."""
         parts, asked = [_Part(found, solve(found.setting))], {found.question.query}
-        while len(parts) < self._number:
+        while len(parts) < self._number and (len(parts) > 1 or self._may_be_joined(parts[0])):
             more = self._one_more(parts, asked)
             if more is None:
                 break
@@ -108,6 +109,10 @@ class PartSearch:
                 return _Part(certified, solution)
         return None
 
+    def _may_be_joined(self, part: _Part) -> bool:
+        """Whether other parts may lead to it: its solution finds something on its way, or it waits for something."""
+        return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
+
     def _setting(self, question: Question) -> Setting:
         search = self._search
         return Setting.of(question, search.study, search.words, search.description)
@@ -117,18 +122,21 @@ class PartSearch:
         here, there = (question, solution), (part.question, part.solution)
         return _leads(*here, *there) or _leads(*there, *here)
 
-    def _offered(self, parts: list[_Part]) -> list[Query]:
+    def _offered(self, parts: list[_Part]) -> Iterator[Query]:
         """What may lead to parts, or they to it, in a random order; what surely leads to one comes first, mostly."""
+        first = self._rng.random() < SURE_FIRST
+        if not first:
+            yield from self._others(parts)
         sure = [query for part in parts for query in self._on_the_way(part)]
-        others = [*self._about_same_moments(parts), *self._elsewhere()]
-        sure, others = ([some[n] for n in self._rng.permutation(len(some)).tolist()] for some in (sure, others))
-        return [*sure, *others] if self._rng.random() < SURE_FIRST else [*others, *sure]
+        yield from (sure[number] for number in self._rng.permutation(len(sure)).tolist())
+        if first:
+            yield from self._others(parts)
 
     def _on_the_way(self, part: _Part) -> Iterator[Query]:
         """Quantities that its solution finds, and the time of its moment."""
-        study, moment = self._search.study, part.question.query.moment
+        study, moments = self._search.study, _moments([part])
         values = list(_found_in(part.solution).values())
-        for when in dict.fromkeys(filter(None, (AtStart(), moment))):
+        for when in moments:
             yield from self._at("time_to_event", when)
             at = study.time(when)
             if at is None:
@@ -139,18 +147,16 @@ class PartSearch:
                 if any(_same(value, known) for known, _ in values):
                     yield from _query(target, when, study)
 
-    def _about_same_moments(self, parts: list[_Part]) -> Iterator[Query]:
-        """Further questions about the moments of the parts, and about the start."""
-        moments = [part.question.query.moment for part in parts]
-        for moment in dict.fromkeys([*filter(None, moments), AtStart()]):
-            for name in sorted(self._mode.kinds):
-                yield from dict.fromkeys(query for _ in range(EACH) for query in self._at(name, moment))
-
-    def _elsewhere(self) -> Iterator[Query]:
-        """One question of each kind about anything."""
-        search = self._search
-        for name in sorted(self._mode.kinds):
-            query = KINDS[name].draw(search.study, search.words, self._targets, self._rng)
+    def _others(self, parts: list[_Part]) -> Iterator[Query]:
+        """Further questions about the moments of the parts and the start; then one of each kind about anything."""
+        search, kinds = self._search, sorted(self._mode.kinds)
+        pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
+        order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
+        for number in order:
+            yield from self._at(*pairs[number // EACH])
+        order = self._rng.permutation(len(kinds)).tolist()
+        for number in order:
+            query = KINDS[kinds[number]].draw(search.study, search.words, self._targets, self._rng)
             yield from [query] if query is not None else []
 
     def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
@@ -190,6 +196,13 @@ class PartSearch:
             ordered.append(next(ready, waiting[0]))
             waiting.remove(ordered[-1])
         return ordered
+
+
+def _moments(parts: list[_Part]) -> list[Moment]:
+    """The start, and those of which parts speak."""
+    told = [part.question.query.moment for part in parts]
+    found: list[Moment] = [AtStart(), *(moment for moment in told if moment is not None)]
+    return list(dict.fromkeys(found))
 
 
 def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:

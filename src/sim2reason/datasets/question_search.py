@@ -7,6 +7,7 @@ from itertools import chain
 
 import numpy as np
 
+from sim2reason.datasets.item import Distractor
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
@@ -43,6 +44,7 @@ class CertifiedQuestion:
     shape: str  # of the prompt
     parts: "tuple[CertifiedPart, ...]" = ()  # where there are several, of which this is the last
     text: str = ""  # the prompt with all parts
+    options: tuple[Distractor | None, ...] = ()  # of a multiple choice; None is the right one
 
     @property
     def question(self) -> Question:

@@ -19,7 +19,7 @@ TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
 BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})
 FORMULA = pa.struct({"latex": TEXT, "symbols": pa.list_(TEXT), "units": pa.list_(TEXT), "bindings": pa.list_(BINDING)})
 ONE = {"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL, "formula": FORMULA}
-ANSWER = pa.struct({**ONE, "parts": pa.list_(pa.struct(ONE))})
+ANSWER = pa.struct({**ONE, "parts": pa.list_(pa.struct(ONE)), "letter": TEXT, "options": pa.list_(REAL)})
 ASKED = pa.struct(
     {
         "subject": TEXT,

@@ -5,9 +5,10 @@ from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions import Question
+from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.parts import starting_from, together
+from sim2reason.solutions.parts import chosen, starting_from, together
 from sim2reason.solutions.writing.asked_units import told_in
 
 
@@ -18,7 +19,10 @@ def worked(request: Request, found: CertifiedQuestion) -> Solution:
     """
     if found.parts:
         return together(worked_parts(request, found, whole=True))
-    return _in_units(request, found, found.question, solve(found.setting))
+    solution = _in_units(request, found, found.question, solve(found.setting))
+    if found.options and solution.answer is not None:
+        return chosen(solution, LETTERS_OF_OPTIONS[found.options.index(None)])
+    return solution
 
 
 def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.words import Words
 
@@ -29,10 +30,13 @@ def spelled_out(text: str, moment: Moment | None, words: Words) -> Iterator[str]
 
 
 def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
-    """How a question speaks of a moment in full and in short, the longest first; nothing where sides differ."""
-    if not isinstance(moment, Happening) or moment.sided is not None:
+    """How a question speaks of a moment in full and in short, the longest first; nothing of other moments.
+
+    Those just before or after an event must say so.
+    """
+    if not isinstance(moment, Happening | AtTime) or moment.sided is not None:
         return []
-    clause = moment.clause(words)
+    clause = moment.clause(words) if isinstance(moment, Happening) else None
     told = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
     if clause is not None:
         told += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]

@@ -1,8 +1,8 @@
-"""The worked solution of a problem with several parts: those of its parts, later ones starting from earlier results."""
+"""Worked solutions of problems with several parts, later ones starting from earlier results, or with options."""
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 from sim2reason.grading.parts import LABELS
 from sim2reason.solutions.algebra.expressions import Number, Symbol
@@ -36,6 +36,25 @@ class PartsSolution(Solution):
             said = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
             told.append(rf"Answers: $\boxed{{{said}}}$.")
         return "\n\n".join(told)
+
+
+@dataclass(frozen=True, slots=True)
+class ChosenSolution(Solution):
+    """A solution whose answer is one of several options."""
+
+    letter: str = ""
+
+    @property
+    def text(self) -> str:
+        """The solution of the question without options, and the letter in a box."""
+        text = _BOX.sub(r"\1", super(ChosenSolution, self).text)
+        return rf"{text}\n\nThat is option $\boxed{{\text{{{self.letter}}}}}$."
+
+
+def chosen(solution: Solution, letter: str) -> Solution:
+    """The solution of a multiple choice from that of its question."""
+    held = {each.name: getattr(solution, each.name) for each in fields(Solution)}
+    return ChosenSolution(**held, letter=letter)
 
 
 def together(parts: Sequence[Solution]) -> Solution:
