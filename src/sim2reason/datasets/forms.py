@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.datasets.distractors import distractors
+from sim2reason.datasets.distractors import ENOUGH, distractors
 from sim2reason.datasets.item import Answer
 from sim2reason.datasets.options import options
 from sim2reason.datasets.part_search import PartSearch
@@ -35,7 +35,7 @@ def formed(
         return found
     question = found.question
     answer = Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance)
-    chosen = options(answer, distractors(found.candidate, found.description), name)
+    chosen = options(answer, distractors(found.candidate, found.description, ENOUGH), name)
     if chosen is None:
         refused[FEW_OPTIONS] += 1
         return None

@@ -167,23 +167,25 @@ class Tally(NamedTuple):
 
 
 class Tallies:
-    """How many responses came out how."""
+    """How many responses came out how, and what they were paid."""
 
     def __init__(self) -> None:
         """None yet."""
         self._counts: dict[tuple[str, str], Counter[Outcome]] = {}
+        self._paid: dict[tuple[str, str], float] = {}
 
     def add(self, found: GradedResponse) -> None:
         """Count one more, in each of its groups."""
         for group in (("all", ""), ("recipe", found.recipe), ("kind", found.kind)):
             self._counts.setdefault(group, Counter())[found.score.outcome] += 1
+            self._paid[group] = self._paid.get(group, 0.0) + found.score.reward
 
     def __iter__(self) -> Iterator[Tally]:
         """Over all, then by recipe and by kind, in alphabetical order."""
         order = sorted(self._counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
-        return (_tally(*group, self._counts[group]) for group in order)
+        return (_tally(*group, self._counts[group], self._paid[group]) for group in order)
 
 
-def _tally(by: str, name: str, count: Counter[Outcome]) -> Tally:
+def _tally(by: str, name: str, count: Counter[Outcome], paid: float) -> Tally:
     total = count.total()
-    return Tally(by, name, total, count[Outcome.CORRECT] / total, {outcome: count[outcome] for outcome in Outcome})
+    return Tally(by, name, total, paid / total, {outcome: count[outcome] for outcome in Outcome})

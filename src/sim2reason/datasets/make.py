@@ -9,7 +9,7 @@ from pydantic import JsonValue
 from sim2reason.datasets import item_search, part_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Part, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, Distractor, FormulaRecord, Item, Part, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.options import Options, values
 from sim2reason.datasets.plan import Made, versions
@@ -55,7 +55,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=_query_of(found),
         parts=_parts_of(request, found),
-        distractors=distractors(found.candidate, found.description) if not found.parts else (),
+        distractors=_wrong_answers(found),
         idle=_in_all(found, idle_parts),
         idle_numbers=_in_all(found, idle_numbers),
         solution=solution,
@@ -84,6 +84,15 @@ def with_options(item: Item, chosen: Options) -> Item:
     prompt = ChoicePrompt.of(body, numbers, answer.unit).text
     told = answer.model_copy(update={"letter": LETTERS[chosen.index(None)], "options": numbers})
     return item.model_copy(update={"prompt": prompt, "answer": told})
+
+
+def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
+    """Those of a question; where it has options, the wrong ones among them, and parts have their own."""
+    if found.parts:
+        return ()
+    if found.options:
+        return tuple(wrong for wrong in found.options if wrong is not None)
+    return distractors(found.candidate, found.description)
 
 
 def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[Part, ...]:
