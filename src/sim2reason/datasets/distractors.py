@@ -18,8 +18,8 @@ ENOUGH = 4  # of them, as many as stand beside the right one of five
 def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
     """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
 
-    Where those that filters look at lead to fewer than `few`, others are made; then parts are forgotten that nobody forgets easily;
-    at last answers are looked for that are far from the right one.
+    Where those that filters look at lead to fewer than `few`, others are made; then parts are forgotten that nobody
+    forgets easily; at last answers are looked for that are far from the right one.
     """
     found = list[Effect]()
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from hashlib import blake2b
 
 from sim2reason.datasets.grade import grade_answer
-from sim2reason.datasets.item import Answer, Distractor
+from sim2reason.datasets.item import Answer, Distractor, Item
 from sim2reason.questions.choice_prompts import LETTERS, said
 
 FEWEST = 3  # wrong answers
@@ -32,6 +32,14 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
         return None
     order = [blake2b(f"{name}\n{number}".encode()).digest() for number in range(len(chosen))]
     return tuple(chosen[number] for number in sorted(range(len(chosen)), key=lambda number: order[number]))
+
+
+def options_of(item: Item) -> Options | None:
+    """The options of a multiple choice, or those that an item could have; None for too few."""
+    if not item.answer.letter:
+        return options(item.answer, item.distractors, item.id)
+    label, wrong = LETTERS.index(item.answer.letter), iter(item.distractors)
+    return tuple(None if number == label else next(wrong) for number in range(len(item.answer.options)))
 
 
 def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:

@@ -1,7 +1,7 @@
 """Multiple choice: the right answer among wrong ones that a slip leads to."""
 
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.options import LACKS, options, values
+from sim2reason.datasets.options import LACKS, options_of, values
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import asked, facts
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
@@ -19,7 +19,7 @@ class MultipleChoice(Export):
     def row(self, item: Item, place: Place) -> Row | None:
         """The question, its options in an order that hangs on the item's id alone, and which one is right."""
         del place
-        chosen = options(item.answer, item.distractors, item.id)
+        chosen = options_of(item)
         if chosen is None:
             return None
         told = _prompt(item, values(item.answer, chosen))
