@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from sim2reason.datasets.item import Answer, Distractor, Item, Part, QueryRecord
+from sim2reason.datasets.item import Answer, Distractor, Item, QueryRecord, QuestionPart
 from sim2reason.questions.choice_prompts import ChoicePrompt
 from sim2reason.questions.part_prompts import PartPrompt
 from sim2reason.questions.prompt import unit_in_words
@@ -69,7 +69,7 @@ def _parts_told_in(system: SpokenUnits, item: Item) -> Item:
     )
 
 
-def _part(system: SpokenUnits, part: Part, question: str, unit: str) -> Part:
+def _part(system: SpokenUnits, part: QuestionPart, question: str, unit: str) -> QuestionPart:
     wrong = tuple(_distractor(system, each, unit) for each in part.distractors)
     return part.model_copy(update={"text": question, "distractors": wrong, "asked": _asked(system, part.asked)})
 

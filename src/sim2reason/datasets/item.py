@@ -156,7 +156,7 @@ class QueryRecord(Record):
     given_unit: str | None = None
 
 
-class Part(Record):
+class QuestionPart(Record):
     """One part of a problem; its answer stands with those of the others in the item's answer."""
 
     text: str
@@ -206,7 +206,7 @@ class Item(Record):
     """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
     """Where there are several parts, by the last one, as are kind and certificate."""
-    parts: tuple[Part, ...] = ()
+    parts: tuple[QuestionPart, ...] = ()
     """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()
     """Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own."""

@@ -9,7 +9,16 @@ from pydantic import JsonValue
 from sim2reason.datasets import item_search, part_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, Distractor, FormulaRecord, Item, Part, Provenance, QueryRecord
+from sim2reason.datasets.item import (
+    Answer,
+    Binding,
+    Distractor,
+    FormulaRecord,
+    Item,
+    Provenance,
+    QueryRecord,
+    QuestionPart,
+)
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.options import Options, values
 from sim2reason.datasets.plan import Made, versions
@@ -95,12 +104,12 @@ def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
     return distractors(found.candidate, found.description)
 
 
-def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[Part, ...]:
+def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
     """The records of the parts of a problem that has several."""
     solutions = worked_parts(request, found) if request.solutions else []
     records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
     return tuple(
-        Part(
+        QuestionPart(
             text=part.text,
             kind=part.certified.question.query.kind,
             asked=_query_of(part.certified),

@@ -1,6 +1,6 @@
 """A problem with several parts as several problems, each with the answers to the parts before it."""
 
-from sim2reason.datasets.item import Answer, Item, Part
+from sim2reason.datasets.item import Answer, Item, QuestionPart
 from sim2reason.dsl.measures import join_unit
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.choice_prompts import MINUS, said
@@ -20,7 +20,7 @@ def separated(item: Item) -> tuple[Item, ...]:
 
 
 def _single(item: Item, number: int, prompt: str) -> Item:
-    part: Part = item.parts[number]
+    part: QuestionPart = item.parts[number]
     return item.model_copy(
         update={
             "id": f"{item.id}-{LABELS[number]}",

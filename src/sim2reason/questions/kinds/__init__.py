@@ -76,10 +76,7 @@ class Kind(ABC):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Something to ask about a moment of which another question speaks; None, as by default, if there is nothing.
-
-        The moment is the end of a stretch where the kind asks about stretches.
-        """
+        """Something to ask about a moment of which another question speaks; None, as by default, for nothing."""
         del moment, study, words, targets, rng
         return None
 
