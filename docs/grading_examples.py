@@ -1,9 +1,10 @@
 """Make the table of examples in grading.md by grading them: ``python docs/grading_examples.py [--check]``."""  # noqa: INP001
 
 import sys
+from functools import partial
 from pathlib import Path
 
-from sim2reason.grading import formula, number
+from sim2reason.grading import choice, formula, number, parts
 
 PAGE = Path(__file__).with_name("grading.md")
 BEGIN, END = "<!-- examples: made by grading_examples.py -->\n", "<!-- end of examples -->\n"
@@ -71,6 +72,24 @@ FORMULAS = [
     (r"\boxed{v_0\mathrm{e}^{-kt}}", r"\frac{v_0}{\exp(kt)}"),
     (r"\boxed{0.5}", r"\sin 30^\circ"),
 ]
+PARTS: list[tuple[float, str]] = [(2.1, "m/s"), (-34.0, "N")]
+LABELLED = [
+    r"\boxed{(a) 2.1; (b) -34}",
+    r"\boxed{\text{(b) }-34\text{ N, (a) }2.1\text{ m/s}}",
+    r"\boxed{(a) 2.1; (b) 34}",
+    r"\boxed{(a) 2.1}",
+    r"\boxed{2.1; -34}",
+    r"\boxed{(a) 2.1; (a) 3; (b) -34}",
+]
+OPTIONS = (4.5, 9.0, -4.5, 13.0)
+LETTERED = [
+    r"\boxed{B}",
+    r"\boxed{\text{(B) }9.0\text{ m/s}}",
+    r"\boxed{9.0}",
+    r"\boxed{A}",
+    r"\boxed{A. 9.0}",
+    r"\boxed{A or B}",
+]
 
 
 def code(text: str) -> str:
@@ -88,6 +107,14 @@ def table() -> str:
     for response, truth in FORMULAS:
         score = formula(response, truth)
         lines.append(f"| {code(response)} | {code(truth)} | {score.outcome} | {score.why} |")
+    for response in LABELLED:
+        score = parts(response, [partial(number, reference=value, unit=unit) for value, unit in PARTS])
+        told = "; ".join(f"({name}) {value:g}, {unit}" for name, (value, unit) in zip("ab", PARTS, strict=True))
+        lines.append(f"| {code(response)} | {told} | {score.outcome} | {score.why} |")
+    for response in LETTERED:
+        score = choice(response, "B", "ABCD", OPTIONS, "m/s")
+        told = "B of " + ", ".join(f"{name}. {value:g}" for name, value in zip("ABCD", OPTIONS, strict=True))
+        lines.append(f"| {code(response)} | {told}, m/s | {score.outcome} | {score.why} |")
     return "\n".join(lines) + "\n"
 
 

@@ -4,6 +4,7 @@ What is right travels with each row of an export as one JSON text, its *solution
 letter of a multiple choice. The functions here read it, and are pure: any thread or process may call them.
 """
 
+import json
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -13,9 +14,11 @@ from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Answer, Item, Record
 from sim2reason.errors import DatasetError
 from sim2reason.grading import Score, choice
+from sim2reason.grading.parts import LABELS
 
-__all__ = ["Letter", "accuracy", "answered", "boxed", "compute_score", "score", "solution"]
+__all__ = ["Letter", "accuracy", "answered", "boxed", "compute_score", "partial_accuracy", "score", "solution"]
 
+EXTRA = "parts", "letter", "options"  # of an answer, which most do not have
 SHOWN = 80  # characters of a text that is no solution
 
 
@@ -32,12 +35,23 @@ _SOLUTION: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
 def solution(right: Item | Answer | Letter) -> str:
     """What a grader must know, as one line of JSON."""
     held = right.answer if isinstance(right, Item) else right
-    return held.model_dump_json(exclude_none=True)
+    given = held.model_dump(mode="json", exclude_none=True)
+    return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
 
 
 def answered(right: Item) -> str:
-    """The right answer as somebody would write it: the formula, or the number to six digits in the asked unit."""
-    answer = right.answer
+    """The right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
+
+    Of a problem with several parts, all answers with their labels; of one with options, the letter.
+    """
+    return _written(right.answer)
+
+
+def _written(answer: Answer) -> str:
+    if answer.letter:
+        return answer.letter
+    if answer.parts:
+        return "; ".join(f"({label}) {_written(part)}" for label, part in zip(LABELS, answer.parts, strict=False))
     return answer.formula.latex if answer.formula is not None else f"{answer.value:.6g}"
 
 
@@ -46,8 +60,10 @@ def boxed(answer: str) -> str:
     return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"
 
 
-def score(solution: str, response: object) -> Score:
+def score(solution: str, response: object, *, partial: bool = False) -> Score:
     """The grade of a response, which is a text or messages, by a row's solution.
+
+    With `partial`, a response to a problem of several parts is paid the share of the parts that are right.
 
     Raises:
         DatasetError: the solution is none of ours.
@@ -55,7 +71,7 @@ def score(solution: str, response: object) -> Score:
     right = _read(solution)
     if isinstance(right, Letter):
         return choice(response, right.letter, right.letters)
-    return grade_answer(right, response)
+    return grade_answer(right, response, partial=partial)
 
 
 def accuracy(
@@ -75,6 +91,19 @@ def accuracy(
     del prompts, columns
     pairs = zip(solution, completions, strict=True)
     return [score(right, said).reward if right else None for right, said in pairs]
+
+
+def partial_accuracy(
+    prompts: Sequence[object],
+    completions: Sequence[object],
+    *,
+    solution: Sequence[str | None],
+    **columns: object,
+) -> list[float | None]:
+    """The same, but for a problem of several parts the share of the parts that are right."""
+    del prompts, columns
+    pairs = zip(solution, completions, strict=True)
+    return [score(right, said, partial=True).reward if right else None for right, said in pairs]
 
 
 def compute_score(

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 from sim2reason import rewards
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Answer, Distractor, Item
+from sim2reason.datasets.options import APART, FEWEST, options_of, values
 from sim2reason.exports import EXPORTS, Place
-from sim2reason.exports.multiple_choice import FEWEST, LETTERS, options, said
 from sim2reason.grading import number
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, said
 
 CHOICE, HERE = EXPORTS["multiple-choice"], Place("train", 0)
 NUMBERS = st.floats(1e-8, 1e8).flatmap(lambda x: st.sampled_from((x, -x)))
@@ -23,6 +24,15 @@ def value_of(text: str) -> float:
     """What an option says, without its unit."""
     plain = text.removesuffix(" N").replace("\N{MINUS SIGN}", "-")
     return float(plain.replace(" × 10^", "e"))
+
+
+def told_options(item: Item) -> dict[str, Distractor | None] | None:
+    """The options of an item as texts."""
+    chosen = options_of(item)
+    if chosen is None:
+        return None
+    told = ChoicePrompt.of("", values(item.answer, chosen), item.answer.unit).options
+    return dict(zip(told, chosen, strict=True))
 
 
 def template(problems: Path) -> Item:
@@ -57,21 +67,21 @@ def test_options_are_apart_and_only_the_right_one_passes(
 ) -> None:
     wrong = tuple(Distractor(value=value * f, simplification="x", reason="X.") for f in factors if abs(f - 1) > 0.05)
     changes = {"id": name, "answer": Answer(value=value, unit="N"), "distractors": wrong}
-    told = options(template(problems).model_copy(update=changes))
+    told = told_options(template(problems).model_copy(update=changes))
     if told is None:
         return
     assert list(told.values()).count(None) == 1
     rewarded = [number(rf"\boxed{{{text}}}", value, "N").reward for text in told]
     assert rewarded == [float(slip is None) for slip in told.values()]
-    values = sorted(map(value_of, told))
-    assert all(abs(a - b) > 0.05 * max(abs(a), abs(b)) for a, b in pairwise(values))
+    numbers = sorted(map(value_of, told))
+    assert all(abs(a - b) > APART * max(abs(a), abs(b)) for a, b in pairwise(numbers))
 
 
 @given(st.lists(NUMBERS, min_size=1, max_size=5))
-def test_numbers_are_told_in_three_digits_and_in_one_style(values: list[float]) -> None:
-    texts = said(values)
+def test_numbers_are_told_in_three_digits_and_in_one_style(numbers: list[float]) -> None:
+    texts = said(numbers)
     assert len({"10^" in text for text in texts}) == 1
-    for value, text in zip(values, texts, strict=True):
+    for value, text in zip(numbers, texts, strict=True):
         assert isclose(value_of(text), value, rel_tol=5.001e-3)
 
 

@@ -1,10 +1,14 @@
 """Export a dataset for a library that trains or evaluates models."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from sim2reason.cli import console, options
+
+if TYPE_CHECKING:
+    from sim2reason.exports.parts.export import Parts
 
 EXAMPLE = """\b
 Example:
@@ -28,8 +32,15 @@ Exit code 0: written; 2: wrong input, or a folder that is not empty.
     help="The folder to be written, a new one.",
 )
 @options.split()
+@click.option(
+    "--parts",
+    type=click.Choice(["together", "separate"]),
+    default="together",
+    show_default=True,
+    help="Of a problem with several parts: one row, or a row for each part with the answers to those before it.",
+)
 @options.to_json("For a program to read: {folder, rows, left_out}.")
-def command(dataset: Path, to: str, out: Path, split: options.Names, to_json: bool) -> None:
+def command(dataset: Path, to: str, out: Path, split: options.Names, parts: "Parts", to_json: bool) -> None:
     """Write the DATASET as another library reads it, into a folder of its own."""
     from sim2reason.datasets.dataset import Dataset
     from sim2reason.exports import EXPORTS
@@ -38,7 +49,7 @@ def command(dataset: Path, to: str, out: Path, split: options.Names, to_json: bo
     lacks, counts = EXPORTS[to].lacks, Dataset(dataset).manifest.counts.get("split", {})
     chosen = counts if split == options.ALL else split
     with console.progress("problems", sum(counts.get(name, 0) for name in chosen)) as advance:
-        done = export(dataset, out, to=to, split=split, advance=advance)
+        done = export(dataset, out, to=to, split=split, parts=parts, advance=advance)
     if to_json:
         console.as_json({"folder": str(done.folder), "rows": done.rows, "left_out": done.left_out})
         return

@@ -26,9 +26,10 @@ last complete box after the thinking. Exit code 0: graded; 2: no finished datase
 @options.out("Write {id, reward, outcome, parsed, why} here; to - they are printed, and the table goes to stderr.")
 @options.split()
 @click.option("--lenient", is_flag=True, help="Without a box, take the last number. For evaluation only.")
+@click.option("--partial", is_flag=True, help="Pay the share of the parts that are right; else all must be.")
 @options.to_json("For a program to read: a list of groups with their outcomes.")
 def command(
-    dataset: Path, responses: Path, out: Path | None, split: options.Names, lenient: bool, to_json: bool
+    dataset: Path, responses: Path, out: Path | None, split: options.Names, lenient: bool, partial: bool, to_json: bool
 ) -> None:
     """Grade responses to the DATASET; sum up by recipe, kind and outcome."""
     from sim2reason.datasets import grade
@@ -39,7 +40,8 @@ def command(
         raise click.UsageError("--json and -o - both want standard output; give one of them a file.")
     name, tallies = "standard input" if responses == results.STDOUT else str(responses), grade.Tallies()
     with click.open_file(responses, "rb") as file, results.lines(out) as say:
-        for found in grade.graded(Dataset(dataset), grade.responses(file, name), split=split, lenient=lenient):
+        given = grade.responses(file, name)
+        for found in grade.graded(Dataset(dataset), given, split=split, lenient=lenient, partial=partial):
             tallies.add(found)
             say(grade.line(found.response, found.score))
     if to_json:

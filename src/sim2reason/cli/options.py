@@ -79,7 +79,7 @@ def difficulty() -> Callable[[F], F]:
 
 def mode(default: str = "numeric") -> Callable[[F], F]:
     """Modes of questions."""
-    return several("--mode", "Modes of questions (numeric, reverse, symbolic), separated by commas, or all.", default)
+    return several("--mode", "Modes of questions, as in numeric,reverse; or all. See: sim2reason list modes.", default)
 
 
 def split() -> Callable[[F], F]:
@@ -99,7 +99,9 @@ def one_difficulty() -> Callable[[F], F]:
 
 def one_mode() -> Callable[[F], F]:
     """The mode of one problem."""
-    return click.option("--mode", default="numeric", show_default=True, help="numeric, reverse or symbolic.")
+    return click.option(
+        "--mode", default="numeric", show_default=True, help="Which mode of questions; see: sim2reason list modes."
+    )
 
 
 def seed(text: str) -> Callable[[F], F]:

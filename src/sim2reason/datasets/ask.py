@@ -4,6 +4,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from itertools import islice
 
+from sim2reason.datasets.forms import formed
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.names import modes_named
@@ -55,10 +56,13 @@ def asked(scene: Scene, mode: Names, items: int, seed: int) -> AskedScene:
         if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
             break
         name = modes[attempt % len(modes)]
-        certified = search.ask(MODES[name], generator("ask", name, seed, attempt), result.refused)
+        rng, base = generator("ask", name, seed, attempt), f"{scene.name}-{name}-{seed}"
+        certified = search.ask(MODES[name], rng, result.refused)
+        if certified is not None:
+            certified = formed(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
         if certified is not None and certified.question.text not in result.found:
             item = item_of(Request("", "", name, seed, attempt), certified)
-            named = item.model_copy(update={"id": f"{scene.name}-{name}-{seed}-{attempt}"})
+            named = item.model_copy(update={"id": f"{base}-{attempt}"})
             kept = variants if problem(named) in problems else result.found
             kept[certified.question.text] = certified, named
             problems.add(problem(named))

@@ -16,7 +16,7 @@ class Cell(Record):
 
     `asked` counts the requests that the weights gave this kind, among those that their scenes offer and of which no
     textbook has the answers ready (`few laws`); `kept` the items, those included that took the place of a kind whose
-    questions were all refused.
+    questions were all refused. An item with several parts counts for each kind that it asks.
     """
 
     mode: str

@@ -16,18 +16,17 @@ FEW = 1  # wrong answers: where there are fewer, time is spent on others
 ENOUGH = 4  # of them, as many as stand beside the right one of five
 
 
-def distractors(candidate: Candidate, description: Description) -> tuple[Distractor, ...]:
+def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
     """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
 
-    Where few lead to one, parts are forgotten that nobody forgets easily; at last answers are looked for that are far
-    from the right one.
+    Where they lead to fewer than `few`, answers are looked for that are far from the right one.
     """
     found = list[Effect]()
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
     for effect in (e for e in heard if e.simplification.misleads):
         _add(effect, candidate, found)
     _fill(found, ENOUGH, (e for e in heard if not e.simplification.misleads), candidate)
-    _fill(found, FEW, far_effects(candidate), candidate)
+    _fill(found, few, far_effects(candidate), candidate)
     return tuple(_told(effect, description) for effect in sorted(found, key=_place))
 
 

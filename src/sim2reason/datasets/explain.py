@@ -1,9 +1,10 @@
 """All about one problem of a dataset: where it comes from, what vouches for it, and why it was kept."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from textwrap import indent
+from typing import TypeVar
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
@@ -16,7 +17,10 @@ from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.filters import in_order
+from sim2reason.grading.parts import LABELS
 from sim2reason.simulation import trace_files
+
+T = TypeVar("T")
 
 
 class Explanation(dict[str, tuple[str, ...]]):
@@ -64,12 +68,12 @@ def explain(
         {
             "Problem": (*item.prompt.splitlines(), "", f"Answer: {item.answer.shown}"),
             "Scene": tuple(item.scene.splitlines()),
-            "Certificate": tuple(f"{key}: {value}" for key, value in item.certificate.items()),
+            "Certificate": tuple(_certificates(item)),
             "Refused before it": tuple(f"{n} × {reason}" for reason, n in sorted(refused.items())) or ("nothing",),
             "Difficulty": tuple(_measured(item)),
             "Solution": tuple(_solution(request, found).splitlines()),
             "Filters": tuple(_filters(found)),
-            "Wrong answers": tuple(f"{d.value:.4g}: {d.reason}" for d in item.distractors) or ("none",),
+            "Wrong answers": tuple(_wrong_answers(item)) or ("none",),
             "Without bearing": (*item.idle, *(f"the number {path}" for path in item.idle_numbers)) or ("nothing",),
         }
     )
@@ -96,8 +100,30 @@ def _solution(request: Request, found: CertifiedQuestion) -> str:
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 
+def _certificates(item: Item) -> Iterator[str]:
+    """How well the engines agree, about each part if there are several."""
+    for label, certificate in _labelled([part.certificate for part in item.parts], item.certificate):
+        yield from (f"{label}{key}: {value}" for key, value in certificate.items())
+
+
+def _wrong_answers(item: Item) -> Iterator[str]:
+    for label, wrong in _labelled([part.distractors for part in item.parts], item.distractors):
+        yield from (f"{label}{each.value:.4g}: {each.reason}" for each in wrong)
+
+
+def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
+    """Something of each part behind its label, or of the whole problem where there are no parts."""
+    labels = [f"({label}) " for label in LABELS]
+    yield from zip(labels, parts, strict=False) if parts else [("", whole)]
+
+
 def _filters(found: CertifiedQuestion) -> Iterator[str]:
-    """Every filter with its verdict and what it found."""
+    """Every filter with its verdict and what it found, for each part if there are several."""
+    for label, held in _labelled([part.certified for part in found.parts], found):
+        yield from (f"{label}{line}" for line in _verdicts(held))
+
+
+def _verdicts(found: CertifiedQuestion) -> Iterator[str]:
     candidate = replace(found.candidate, certificate=found.certificate)
     for name, each in in_order():
         yield f"{name}: {each.reason(candidate) or 'keeps it'}"

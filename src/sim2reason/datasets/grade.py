@@ -13,7 +13,9 @@ from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, formula, number
+from sim2reason.grading import Outcome, Score, choice, formula, number, parts
+from sim2reason.grading.parts import Grader
+from sim2reason.questions.choice_prompts import LETTERS
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_answer", "graded", "line", "responses"]
 
@@ -37,21 +39,28 @@ class GradedResponse(NamedTuple):
     kind: str
 
 
-def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False) -> Score:
+def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
     `item` may be a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow give it; only its
     answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
-    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken.
+    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
+    answers to several parts. Of those all must be right, unless `partial` pays for the share that is.
 
     Raises:
         DatasetError: a row without an answer that can be read.
     """
-    return grade_answer(item.answer if isinstance(item, Item) else answer_of(item), response, lenient=lenient)
+    answer = item.answer if isinstance(item, Item) else answer_of(item)
+    return grade_answer(answer, response, lenient=lenient, partial=partial)
 
 
-def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> Score:
+def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
     """The same for whoever holds the answer alone, as the rows of exports do."""
+    if answer.parts:
+        return parts(response, [_grader(part) for part in answer.parts], partial=partial)
+    if answer.letter:
+        letters = LETTERS[: len(answer.options)]
+        return choice(response, answer.letter, letters, answer.options, answer.unit)
     if answer.formula is not None:
         held = answer.formula
         return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
@@ -60,8 +69,12 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> 
     )
 
 
+def _grader(answer: Answer) -> Grader:
+    return lambda response: grade_answer(answer, response)
+
+
 def graded(
-    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False
+    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False, partial: bool = False
 ) -> Iterator[GradedResponse]:
     """Responses to a dataset with their scores, in their order; some are held at a time, never all.
 
@@ -79,7 +92,7 @@ def graded(
             if row["split"] not in splits:
                 passed_over = True
                 continue
-            found, score = True, grade(row, response.response, lenient=lenient)
+            found, score = True, grade(row, response.response, lenient=lenient, partial=partial)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
     if passed_over and not found:
         raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
@@ -131,13 +144,15 @@ def _whole(read: object) -> object:
 
 def line(response: Response, score: Score) -> str:
     """One line of a file of scores."""
-    fields = {
+    fields: dict[str, object] = {
         "id": response.id,
         "reward": score.reward,
         "outcome": score.outcome,
         "parsed": score.parsed,
         "why": score.why,
     }
+    if score.parts:
+        fields["parts"] = [{"reward": part.reward, "outcome": part.outcome} for part in score.parts]
     return json.dumps(fields, ensure_ascii=False)
 
 
@@ -152,23 +167,25 @@ class Tally(NamedTuple):
 
 
 class Tallies:
-    """How many responses came out how."""
+    """How many responses came out how, and what they were paid."""
 
     def __init__(self) -> None:
         """None yet."""
         self._counts: dict[tuple[str, str], Counter[Outcome]] = {}
+        self._paid: dict[tuple[str, str], float] = {}
 
     def add(self, found: GradedResponse) -> None:
         """Count one more, in each of its groups."""
         for group in (("all", ""), ("recipe", found.recipe), ("kind", found.kind)):
             self._counts.setdefault(group, Counter())[found.score.outcome] += 1
+            self._paid[group] = self._paid.get(group, 0.0) + found.score.reward
 
     def __iter__(self) -> Iterator[Tally]:
         """Over all, then by recipe and by kind, in alphabetical order."""
         order = sorted(self._counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
-        return (_tally(*group, self._counts[group]) for group in order)
+        return (_tally(*group, self._counts[group], self._paid[group]) for group in order)
 
 
-def _tally(by: str, name: str, count: Counter[Outcome]) -> Tally:
+def _tally(by: str, name: str, count: Counter[Outcome], paid: float) -> Tally:
     total = count.total()
-    return Tally(by, name, total, count[Outcome.CORRECT] / total, {outcome: count[outcome] for outcome in Outcome})
+    return Tally(by, name, total, paid / total, {outcome: count[outcome] for outcome in Outcome})

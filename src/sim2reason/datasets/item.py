@@ -17,6 +17,7 @@ from pydantic import (
 from pydantic_core import from_json
 
 from sim2reason.dsl.measures import join_unit
+from sim2reason.grading.parts import LABELS
 from sim2reason.prose.formula_numbers import counted_in, said_in
 
 
@@ -93,6 +94,12 @@ class Answer(Record):
     """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
     formula: FormulaRecord | None = None
+    parts: "tuple[Answer, ...]" = ()
+    """The answers to all parts, if there are several; the answer itself is then that to the last one."""
+    letter: str = ""
+    """The letter of the answer, where it is one of several options."""
+    options: tuple[FiniteFloat, ...] = ()
+    """The numbers of all options, from A on, in `unit`."""
 
     @model_validator(mode="before")
     @classmethod
@@ -107,13 +114,18 @@ class Answer(Record):
 
     @property
     def told(self) -> str:
-        """For people: the number with its unit, or the formula and its value in the scene."""
+        """For people: the number with its unit, or the formula and its value in the scene; or that of each part."""
+        if self.parts:
+            return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
+        number = f"{self.letter}. {number}" if self.letter else number
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 
     @property
     def shown(self) -> str:
         """The same with what counts as positive."""
+        if self.parts:
+            return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
 
 
@@ -178,6 +190,23 @@ class Difficulty(Record):
     """All of it, and what the solution needs, in one number."""
 
 
+class QuestionPart(Record):
+    """One part of a problem; its answer stands with those of the others in the item's answer."""
+
+    text: str
+    """The question, as the prompt has it behind the label."""
+    kind: str
+    asked: QueryRecord
+    uses: tuple[int, ...] = ()
+    """The earlier parts whose answers lead to this one, counted from zero."""
+    distractors: tuple[Distractor, ...] = ()
+    solution: SolutionRecord | None = None
+    """Where solutions were asked for; it starts from the answers to the parts that it uses."""
+    unsolved: str = ""
+    certificate: Annotated[dict[str, JsonValue], FOLDED]
+    """How well the engines agree about this part."""
+
+
 class Provenance(Record):
     """Where an item comes from: with the same versions, the same request gives the same bytes."""
 
@@ -216,8 +245,11 @@ class Item(Record):
     """The most advanced mathematics that its shortest solution takes, from ``arithmetic`` to ``integration``."""
     measured: Difficulty | None = None
     """How difficult it is by its shortest solution; None where there is none."""
+    """Where there are several parts, by the last one, as are kind and certificate."""
+    parts: tuple[QuestionPart, ...] = ()
+    """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()
-    """Wrong answers with their reasons, each beyond the tolerance."""
+    """Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own."""
     idle: tuple[str, ...] = ()
     """What of the scene has no bearing on the answer, as the prompt calls it."""
     idle_numbers: tuple[str, ...] = ()
@@ -231,6 +263,11 @@ class Item(Record):
     certificate: Annotated[dict[str, JsonValue], FOLDED]
     """How well the engines agree."""
     provenance: Provenance
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of question of all parts, or its own."""
+        return tuple(dict.fromkeys(part.kind for part in self.parts)) or (self.kind,)
 
     @field_validator("certificate")
     @classmethod

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from sim2reason.datasets.forms import formed
 from sim2reason.datasets.needs import allowed
 from sim2reason.datasets.question_search import NOTHING, UNSUITED, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
@@ -131,6 +132,9 @@ class ItemSearch:
         refused, found = Counter[str](), None
         try:
             found = search.ask(self._mode, rng, refused, kind, TRIES)
+            if found is not None:
+                name = self._request.id
+                found = formed(found, search, self._mode, self._difficulty, rng, refused, name)
         except (SceneError, SimulationError, UnsupportedError) as error:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]

@@ -2,26 +2,45 @@
 
 import hashlib
 import json
+from collections.abc import Callable
 
 from pydantic import JsonValue
 
-from sim2reason.datasets import item_search, question_search
+from sim2reason.datasets import item_search, part_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, Difficulty, FormulaRecord, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import (
+    Answer,
+    Binding,
+    Difficulty,
+    Distractor,
+    FormulaRecord,
+    Item,
+    Provenance,
+    QueryRecord,
+    QuestionPart,
+)
 from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.options import Options, values
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import recorded, worked
+from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
+from sim2reason.filters import Candidate
+from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import counted_in
 from sim2reason.questions import KINDS, Formula
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
+from sim2reason.questions.need import greatest
+from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions.difficulty import Measured
 
-SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
+SETTINGS = hashlib.sha256(
+    json.dumps([*item_search.SETTINGS, *question_search.SETTINGS, *part_search.SETTINGS]).encode()
+).hexdigest()[:16]
 
 
 def make(request: Request) -> Made:
@@ -48,11 +67,12 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=_query_of(found),
-        needs=found.shortest.needs.label,
+        needs=_needs_of(found),
         measured=_difficulty_of(found.measured) if found.measured is not None else None,
-        distractors=distractors(found.candidate, found.description),
-        idle=idle_parts(found.candidate, found.description),
-        idle_numbers=idle_numbers(found.candidate, found.description),
+        parts=_parts_of(request, found),
+        distractors=_wrong_answers(found),
+        idle=_in_all(found, idle_parts),
+        idle_numbers=_in_all(found, idle_numbers),
         solution=solution,
         unsolved=unsolved,
         scene=dump(found.study.scene),
@@ -70,14 +90,65 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             needs=request.needs,
         ),
     )
-    return told_in(system_named(request.units), item)
+    return told_in(system_named(request.units), with_options(item, found.options) if found.options else item)
+
+
+def with_options(item: Item, chosen: Options) -> Item:
+    """A numeric item as a multiple choice."""
+    answer, body = item.answer, without_form(item.prompt)[0]
+    numbers = tuple(values(answer, chosen))
+    prompt = ChoicePrompt.of(body, numbers, answer.unit).text
+    told = answer.model_copy(update={"letter": LETTERS[chosen.index(None)], "options": numbers})
+    return item.model_copy(update={"prompt": prompt, "answer": told})
+
+
+def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
+    """Those of a question; where it has options, the wrong ones among them, and parts have their own."""
+    if found.parts:
+        return ()
+    if found.options:
+        return tuple(wrong for wrong in found.options if wrong is not None)
+    return distractors(found.candidate, found.description)
+
+
+def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
+    """The records of the parts of a problem that has several."""
+    solutions = worked_parts(request, found) if request.solutions else []
+    records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
+    return tuple(
+        QuestionPart(
+            text=part.text,
+            kind=part.certified.question.query.kind,
+            asked=_query_of(part.certified),
+            uses=part.uses,
+            distractors=distractors(part.certified.candidate, found.description),
+            solution=solution,
+            unsolved=unsolved,
+            certificate=summary(part.certified.certificate),
+        )
+        for part, (solution, unsolved) in zip(found.parts, records, strict=True)
+    )
+
+
+def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
+    """What has no bearing on any part."""
+    candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
+    each = [idle(candidate, found.description) for candidate in candidates]
+    return tuple(name for name in each[0] if all(name in others for others in each[1:]))
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:
-    """The record of its answer."""
+    """The record of its answer, or of those to its parts."""
     question, tolerance = found.question, found.candidate.tolerance
     formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
-    return Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=tolerance, formula=formula)
+    return Answer(
+        value=question.answer,
+        unit=question.unit,
+        sign=question.sign,
+        tolerance=tolerance,
+        formula=formula,
+        parts=tuple(answer_of(part.certified) for part in found.parts),
+    )
 
 
 def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
@@ -90,6 +161,12 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
         unit=counted_in(unit),
         bindings=tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs),
     )
+
+
+def _needs_of(found: CertifiedQuestion) -> str:
+    """Return the most advanced mathematics that a solution takes, of all parts if there are several."""
+    parts = [part.certified for part in found.parts] or [found]
+    return greatest(part.shortest.needs for part in parts).label
 
 
 def _difficulty_of(taken: Measured) -> Difficulty:

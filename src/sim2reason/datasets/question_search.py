@@ -1,12 +1,13 @@
 """Ask about one scene until a question passes every filter."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
 import numpy as np
 
+from sim2reason.datasets.item import Distractor
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
@@ -32,7 +33,7 @@ QUESTIONS = 4  # tries that differ
 DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
 CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
-NOTHING = "nothing to ask"  # as a manifest counts it
+NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # as a manifest counts them
 UNSUITED = "needs: before an answer"  # likewise
 
 
@@ -45,6 +46,9 @@ class CertifiedQuestion:
     certificate: Certificate
     description: Description
     shape: str  # of the prompt
+    parts: "tuple[CertifiedPart, ...]" = ()  # where there are several, of which this is the last
+    text: str = ""  # the prompt with all parts
+    options: tuple[Distractor | None, ...] = ()  # of a multiple choice; None is the right one
 
     @property
     def question(self) -> Question:
@@ -54,7 +58,7 @@ class CertifiedQuestion:
     @property
     def prompt(self) -> str:
         """The whole text."""
-        return self.candidate.prompt
+        return self.text or self.candidate.prompt
 
     @cached_property
     def shortest(self) -> Solution:
@@ -74,6 +78,16 @@ class CertifiedQuestion:
         """All that a worked solution looks at."""
         assert self.candidate.words is not None
         return Setting.of(self.question, self.study, self.candidate.words, self.description)
+
+
+@dataclass(frozen=True)
+class CertifiedPart:
+    """A part of a problem: a question that passed, with its solution and the earlier parts that lead to it."""
+
+    certified: CertifiedQuestion
+    solution: Solution
+    text: str  # of the question, as the prompt has it
+    uses: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -180,25 +194,48 @@ class QuestionSearch:
             refused[self.fault] += 1
             return None
         for question in self._questions(mode, kind, rng, refused, tries):
-            told = self._told(question, mode, rng)
-            verdict = self._sift(told.candidate, witnessed=False)
-            if verdict.keep:
-                completed = mode.completed(question, self.study, self._words(told), rng)
-                if completed is None:
-                    refused["incomplete"] += 1
-                    continue
-                if completed is not question:
-                    told = self._told(completed, mode, rng)
-                    verdict = self._sift(told.candidate, witnessed=False)
-            if verdict.keep:
-                study, certificate = self._certified(question.query, told.candidate.study)
-                verdict = self._sift(replace(told.candidate, certificate=certificate), witnessed=True)
-                if verdict.keep:
-                    return CertifiedQuestion(told.candidate, study, certificate, told.description, told.shape)
-            refused[verdict.counted] += 1
-            if not question.unknown and FILTERS[verdict.filter].of_scene:
+            found = self._judged(question, mode, rng)
+            if isinstance(found, CertifiedQuestion):
+                return found
+            refused[found.counted] += 1
+            if not question.unknown and found.filter in FILTERS and FILTERS[found.filter].of_scene:
                 return None
         return None
+
+    def certified(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, refused: Counter[str]
+    ) -> CertifiedQuestion | None:
+        """A question about the scene if it passes every filter; else None, and why is counted in `refused`."""
+        found = self._judged(question, mode, rng)
+        if isinstance(found, CertifiedQuestion):
+            return found
+        refused[found.counted] += 1
+        return None
+
+    def _judged(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> CertifiedQuestion | Verdict:
+        """The question with its certificate, or the verdict against it."""
+        told = self._told(question, mode, rng)
+        verdict = self._sift(told.candidate, witnessed=False)
+        if verdict.keep:
+            completed = mode.completed(question, self.study, self._words(told), rng)
+            if completed is None:
+                return Verdict(keep=False, filter=INCOMPLETE)
+            if completed is not question:
+                told = self._told(completed, mode, rng)
+                verdict = self._sift(told.candidate, witnessed=False)
+        if not verdict.keep:
+            return verdict
+        study, certificate = self._certified(question.query, told.candidate.study)
+        verdict = self._sift(replace(told.candidate, certificate=certificate), witnessed=True)
+        if not verdict.keep:
+            return verdict
+        return CertifiedQuestion(told.candidate, study, certificate, told.description, told.shape)
+
+    def described(self, questions: Sequence[Question]) -> Description:
+        """The text for several questions about the scene: it leaves out only what matters to none of them."""
+        topics = self.description.topics
+        idle = (irrelevant(question, self.study, topics) for question in questions)
+        return self._leaving_out(frozenset[Topic].intersection(*idle))
 
     def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
         """A question with its prompt, as filters look at it."""

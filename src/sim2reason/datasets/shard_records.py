@@ -26,7 +26,7 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
         "files": shard_files.write(journal.out, journal.folder, shard.number, journal.shards, by_split),
         "counts": shard_files.counts(by_split),
         "histograms": counted(item for _, item in items),
-        "cells": table(asked, ((item.mode, item.kind, item.recipe) for _, item in items)),
+        "cells": table(asked, ((item.mode, kind, item.recipe) for _, item in items for kind in item.kinds)),
     }
     journal.note(shard.model_copy(update=changed), marks(items, scenes=len(config.split) > 1))
 

@@ -6,7 +6,7 @@ from hashlib import blake2b
 from itertools import accumulate
 
 from sim2reason.datasets.formula_fingerprint import fingerprint
-from sim2reason.datasets.item import Item
+from sim2reason.datasets.item import Item, QueryRecord
 
 _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -14,16 +14,22 @@ _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 def problem(item: Item) -> str:
     """What is asked about what kind of scene, without any number: the same for all that a teacher would call variants.
 
-    It hangs on the scene's parts and how they are joined, and on what is asked of which of them; not on words. A
-    problem whose answer is a formula is that formula, up to a factor and the names of its symbols, whatever the scene.
+    It depends on the scene's entities and how they are joined, and on what is asked of which of them; not on words, nor
+    on the order in which several parts are asked. A problem whose answer is a formula is that formula, up to a factor
+    and the names of its symbols, whatever the scene.
     """
-    asked, formula = item.asked, item.answer.formula
-    if formula is not None:
+    formula = item.answer.formula
+    if formula is not None and not item.parts:
         return fingerprint(formula.latex, formula.symbols, formula.units)
+    asked = sorted(question(part.kind, part.asked) for part in item.parts) or [question(item.kind, item.asked)]
+    return "\n".join((item.mode, *asked, without_numbers(item.scene)))
+
+
+def question(kind: str, asked: QueryRecord) -> str:
+    """What is asked, without any number."""
     event = without_numbers(asked.event or "")
     left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
-    question = item.mode, item.kind, asked.quantity, asked.subject, left_open, event
-    return "\n".join((*question, without_numbers(item.scene)))
+    return f"{kind}\n{asked.quantity}\n{asked.subject}\n{left_open}\n{event}"
 
 
 def split_of(item: Item, shares: Mapping[str, float]) -> str:

@@ -26,34 +26,51 @@ FORMULA = pa.struct(
         "bindings": pa.list_(BINDING),
     }
 )
+ONE = {"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL, "formula": FORMULA}
+ANSWER = pa.struct({**ONE, "parts": pa.list_(pa.struct(ONE)), "letter": TEXT, "options": pa.list_(REAL)})
+ASKED = pa.struct(
+    {
+        "subject": TEXT,
+        "quantity": TEXT,
+        "time": REAL,
+        "event": TEXT,
+        "unknown": TEXT,
+        "limit_of": TEXT,
+        "given": REAL,
+        "given_unit": TEXT,
+    }
+)
+DISTRACTORS = pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT}))
 STEP = pa.struct({"kind": TEXT, "text": TEXT, "relations": pa.list_(TEXT), "needs": pa.list_(WHOLE)})
 SOLUTION = pa.struct({"strategy": TEXT, "derived": pa.bool_(), "text": TEXT, "steps": pa.list_(STEP)})
+PART = pa.struct(
+    {
+        "text": TEXT,
+        "kind": TEXT,
+        "asked": ASKED,
+        "uses": pa.list_(WHOLE),
+        "distractors": DISTRACTORS,
+        "solution": SOLUTION,
+        "unsolved": TEXT,
+        "certificate": TEXT,
+    }
+)
 SCHEMA = pa.schema(
     {
         "id": TEXT,
         "prompt": TEXT,
         "shape": TEXT,
-        "answer": pa.struct({"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL, "formula": FORMULA}),
+        "answer": ANSWER,
         "mode": TEXT,
         "kind": TEXT,
         "recipe": TEXT,
         "difficulty": TEXT,
         "entities": pa.list_(TEXT),
-        "asked": pa.struct(
-            {
-                "subject": TEXT,
-                "quantity": TEXT,
-                "time": REAL,
-                "event": TEXT,
-                "unknown": TEXT,
-                "limit_of": TEXT,
-                "given": REAL,
-                "given_unit": TEXT,
-            }
-        ),
+        "asked": ASKED,
         "needs": TEXT,
         "measured": pa.struct({"laws": WHOLE, "phases": WHOLE, "unknowns": WHOLE, "score": WHOLE}),
-        "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
+        "parts": pa.list_(PART),
+        "distractors": DISTRACTORS,
         "idle": pa.list_(TEXT),
         "idle_numbers": pa.list_(TEXT),
         "solution": SOLUTION,
@@ -126,7 +143,8 @@ def _opened(path: Path) -> Generator[Any, None, None]:
 
 def _row(item: Item) -> dict[str, Any]:
     row = item.model_dump(mode="json")
-    row["certificate"] = _json(row["certificate"])
+    for held in (row, *row["parts"]):
+        held["certificate"] = _json(held["certificate"])
     row["provenance"] |= {name: _json(row["provenance"][name]) for name in OPEN}
     return row
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.splits import numbers_in, problem
+from sim2reason.datasets.splits import numbers_in, problem, question
 from sim2reason.errors import SceneError
 from sim2reason.scene_files import load
 
@@ -47,11 +47,20 @@ class Variants(NamedTuple):
 
 def variant(item: Item) -> Variant:
     """What an item is a variant of, and by which numbers."""
-    if item.answer.formula is not None:
+    if item.answer.formula is not None and not item.parts:
         return Variant(problem(item), ())
-    values = *_stated(item), item.asked.time, item.asked.given, item.answer.value
+    values = *_stated(item), *_asked(item)
     signs = "".join("?" if value is None else "0-+"[(value > 0) - (value < 0)] for value in values)
     return Variant(f"{problem(item)}\n{signs}", tuple(log(abs(value)) for value in values if value))
+
+
+def _asked(item: Item) -> list[float | None]:
+    """The numbers of the question and the answer; of several parts, in the order of what they ask."""
+    if not item.parts:
+        return [item.asked.time, item.asked.given, item.answer.value]
+    pairs = zip(item.parts, item.answer.parts, strict=True)
+    ordered = sorted(pairs, key=lambda pair: (question(pair[0].kind, pair[0].asked), pair[0].asked.time or 0.0))
+    return [value for part, answer in ordered for value in (part.asked.time, part.asked.given, answer.value)]
 
 
 def _stated(item: Item) -> list[float | None]:

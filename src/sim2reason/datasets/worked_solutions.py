@@ -3,16 +3,46 @@
 from sim2reason.datasets.item import SolutionRecord, SolutionStep
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
+from sim2reason.grading.parts import LABELS
+from sim2reason.questions import Question
+from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
+from sim2reason.solutions.parts import chosen, starting_from, together
 from sim2reason.solutions.writing.asked_units import told_in
 
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
-    """The solution of a question that passed, in the units of its text; one without an answer says why."""
-    asked = found.question
-    units = system_named(request.units).beside(found.prompt, (asked.answer, asked.unit))
-    return told_in(units, solve(found.setting), asked.unit)
+    """The solution of a question that passed, in the units of its text; one without an answer says why.
+
+    Where there are several parts, it is that of all.
+    """
+    if found.parts:
+        return together(worked_parts(request, found, whole=True))
+    solution = _in_units(request, found, found.question, solve(found.setting))
+    if found.options and solution.answer is not None:
+        return chosen(solution, LETTERS_OF_OPTIONS[found.options.index(None)])
+    return solution
+
+
+def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
+    """The solution of each part, which starts from the answers to earlier ones.
+
+    With `whole` it starts from all that their solutions find, too, as whoever has read them can.
+    """
+    solutions, earlier = list[Solution](), list[tuple[str, Solution]]()
+    for label, part in zip(LABELS, found.parts, strict=False):
+        solution = starting_from(part.solution, earlier, whole=whole)
+        earlier.append((label, solution))
+        solutions.append(_in_units(request, found, part.certified.question, solution))
+    return solutions
+
+
+def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:
+    """The solution of one question in the units of the whole text."""
+    answers = [part.certified.question for part in found.parts] or [asked]
+    said = ((question.answer, question.unit) for question in answers)
+    return told_in(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
 
 
 def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:

@@ -1,8 +1,9 @@
-"""The reward: numbers with units, formulas and letters, graded without ever running what they say."""
+"""The reward: numbers, formulas, letters and answers of several parts, graded without ever running what they say."""
 
 from sim2reason.grading.choice import choice
 from sim2reason.grading.formula import FormulaError, formula
 from sim2reason.grading.number import number
+from sim2reason.grading.parts import parts
 from sim2reason.grading.score import Outcome, Score
 
-__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number"]
+__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number", "parts"]

@@ -1,27 +1,51 @@
-"""Multiple choice: one letter in the box."""
+"""Multiple choice: one letter in the box, or the number of one option."""
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
 from sim2reason.grading.extract import boxed
+from sim2reason.grading.number import number
 from sim2reason.grading.score import Outcome, Refused, Score
 
 __all__ = ["choice"]
 
 _DRESS: Final = re.compile(r"\\(?:text|mathrm|mathbf|textbf|mathsf|textsf|rm|bf)\b|[\s${}().*\[\]]")
 """What may stand around a letter: fonts, brackets, Markdown's stars, a full stop."""
+_NAME: Final = r"\s*\(?([A-Za-z])\s*[).:]+[)\s]*"
+_RUN: Final = re.compile(rf"\s*(\\(?:text|mathrm|textbf|mathbf)\s*\{{){_NAME}([^{{}}]*)\}}")
+"""A letter at the beginning of a text in a font."""
+_LED: Final = re.compile(rf"{_NAME}(?=\S)")
+"""A letter with a bracket, a full stop or a colon, before more."""
+NEAR: Final = 0.01  # relative: how well a number must agree with an option that it repeats
 
 
-def choice(response: object, letter: str, letters: str) -> Score:
+def choice(response: object, letter: str, letters: str, values: Sequence[float] = (), unit: str | None = None) -> Score:
     """Grade a boxed letter against the right one, of all the `letters` that there are; small ones pass for capitals.
 
-    Anything beside the letter, such as a second one or a number, makes it unreadable.
+    Where the `values` of the options are known, in `unit`, the letter may be followed by the number of its option, and
+    that number alone stands for the letter. Anything else beside the letter, such as a second one or the number of
+    another option, makes it unreadable.
     """
     try:
-        said = _DRESS.sub("", boxed(response)).upper()
+        content = boxed(response)
     except Refused as refused:
         return refused.score
+    said = _DRESS.sub("", content).upper()
+    if (len(said) != 1 or said not in letters) and values:
+        said = _with_value(content, letters, values, unit)
     if len(said) != 1 or said not in letters:
         return Score.of(Outcome.UNREADABLE, None, f"the box holds no single letter of {', '.join(letters)}")
     outcome = Outcome.CORRECT if said == letter else Outcome.WRONG
     return Score.of(outcome, said, f"the answer is {said}; expected {letter}")
+
+
+def _with_value(content: str, letters: str, values: Sequence[float], unit: str | None) -> str:
+    """The letter of the option whose number an answer gives; empty where a letter before it is another one's."""
+    content = _RUN.sub(r"\2. \1\3}", content, count=1) if _RUN.match(content) else content
+    led = _LED.match(content)
+    named = led[1].upper() if led else ""
+    rest = rf"\boxed{{{content[led.end() :] if led else content}}}"
+    pairs = zip(letters, values, strict=True)
+    found = [name for name, value in pairs if number(rest, value, unit, tolerance=NEAR).outcome is Outcome.CORRECT]
+    return found[0] if len(found) == 1 and named in ("", found[0]) else ""

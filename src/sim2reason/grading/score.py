@@ -7,7 +7,7 @@ __all__ = ["Outcome", "Refused", "Score"]
 
 
 class Outcome(StrEnum):
-    """How a response ended; only `CORRECT` is paid."""
+    """How a response ended; only `CORRECT` is paid, but for the right parts of a problem that is graded in part."""
 
     CORRECT = "correct"
     WRONG = "wrong"
@@ -21,13 +21,15 @@ class Outcome(StrEnum):
 class Score:
     """The grade of one response.
 
-    `parsed` is what was read: a number in the asked unit, the text of a formula, or None if nothing was.
+    `parsed` is what was read: a number in the asked unit, the text of a formula, or None if nothing was. Where a
+    problem has several parts, `parts` are their scores.
     """
 
     reward: float
     outcome: Outcome
     parsed: float | str | None
     why: str
+    parts: tuple["Score", ...] = ()
 
     @classmethod
     def of(cls, outcome: Outcome, parsed: float | str | None, why: str) -> "Score":

@@ -8,6 +8,7 @@ from sim2reason.questions import (
     KINDS,
     Kind,
     ParsedQuestion,
+    Query,
     Question,
     QuestionMode,
     Study,
@@ -44,8 +45,11 @@ class Numeric(QuestionMode):
         drawn = (asked.draw(study, words, offered, rng) for _ in range(DRAWS))
         found = takewhile(lambda query: query is not None, drawn)
         query = next((query for query in found if query is not None and suits(query, "", None)), None)
-        if query is None:
-            return None
+        return self.asking(query, study, words, rng) if query is not None else None
+
+    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """The question with a query, if that has a finite answer."""
+        asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
         if answer is None or not np.isfinite(answer):
             return None

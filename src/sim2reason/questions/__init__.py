@@ -105,9 +105,13 @@ class QuestionMode(ABC):
 
     Class data:
         name: under which it is registered.
+        several: whether an item asks several questions about one scene, each of which leads to another.
+        offers_options: whether an item comes with options, one of which is its answer.
     """
 
     name: ClassVar[str]
+    several: ClassVar[bool] = False
+    offers_options: ClassVar[bool] = False
 
     @property
     def kinds(self) -> frozenset[str]:
@@ -127,6 +131,11 @@ class QuestionMode(ABC):
 
         What suits is looked at before an answer is worked out that costs much.
         """
+
+    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """The question with a query that was found in another way; None, as by default, if this mode has none."""
+        del query, study, words, rng
+        return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """A question that filters keep, with what costs too much to be found for others; None if there is no such.

@@ -54,6 +54,11 @@ class ParsedPrompt:
         return self.asked.query
 
     @property
+    def words(self) -> Words:
+        """What a question about its scene needs to know of its text."""
+        return _words(self.reading)
+
+    @property
     def answer(self) -> float | None:
         """The answer that the text alone leads to, in its unit."""
         found = self.counted

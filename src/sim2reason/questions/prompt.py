@@ -74,13 +74,21 @@ def prompt(description: Description, question: Question, rng: np.random.Generato
 def shaped(description: Description, question: Question, rng: np.random.Generator) -> Prompt:
     """The prompt in one of the shapes that this text and this question can have."""
     form = _last_line(question, rng)
+    body = composed(description, question.text, rng)
+    after = "\n\n" if body.text.endswith("|") else " "
+    return Prompt(f"{body.text}{after}{form}", body.shape)
+
+
+def composed(
+    description: Description, question: str, rng: np.random.Generator, *, question_last: bool = False
+) -> Prompt:
+    """Scene and question in one of the shapes that they can have, or in one that ends with the question as it is."""
     names, shares = list(SHAPES), np.array([member.share for member in SHAPES.values()])
     order: list[int] = rng.choice(len(names), len(names), replace=False, p=shares / shares.sum()).tolist()
     for number in order:
-        text = SHAPES[names[number]].compose(description, question.text, rng)
-        if text is not None:
-            after = "\n\n" if text.endswith("|") else " "
-            return Prompt(f"{text}{after}{form}", names[number])
+        text = SHAPES[names[number]].compose(description, question, rng)
+        if text is not None and (text.endswith(question) or not question_last):
+            return Prompt(text, names[number])
     raise LookupError("no shape of prompts takes every text; one must")
 
 

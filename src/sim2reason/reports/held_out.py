@@ -128,7 +128,7 @@ def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
 def _answer(item: BenchmarkItem) -> tuple[float | None, float]:
     """Value and tolerance of an answer, if it is a number and no formula."""
     answer = item.reference.get("answer")
-    if not isinstance(answer, dict) or answer.get("formula") is not None:
+    if not isinstance(answer, dict) or answer.get("formula") is not None or answer.get("parts"):
         return None, 0.0
     value, tolerance = answer.get("value"), answer.get("tolerance")
     return (value, tolerance) if isinstance(value, float) and isinstance(tolerance, float) else (None, 0.0)

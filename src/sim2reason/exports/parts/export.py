@@ -5,10 +5,12 @@ from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal, get_args
 
 from sim2reason.datasets.atomic_files import locked, put, put_text, sync
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.plan import ALL, Names
+from sim2reason.datasets.separate import separated
 from sim2reason.errors import DatasetError
 from sim2reason.exports import EXPORTS, Export, Place, Row
 from sim2reason.exports.parts import row_files
@@ -17,6 +19,10 @@ EVALUATED = "test", "validation"
 """The splits to evaluate on, the best first; without them, the last one."""
 MARK = ".sim2reason-export"
 """The file by which a folder that is being written says that it is ours."""
+
+
+Parts = Literal["together", "separate"]
+"""How problems with several parts are written."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +42,7 @@ def export(
     *,
     to: str,
     split: Names = ALL,
+    parts: Parts = "together",
     advance: Callable[[int], object] = lambda _: None,
 ) -> Exported:
     """Write a dataset as another library reads it: into the folder `out`, which must be new or empty.
@@ -47,16 +54,20 @@ def export(
         out: the folder to be written.
         to: the name of an export, as ``sim2reason list exports`` has it.
         split: those to be written: one name, several, or ``all``.
+        parts: whether a problem with several parts is one row, with an answer for each part, or a row for each part,
+            which gives the answers to those before it: ``together`` or ``separate``.
         advance: called with the number of items that are done.
 
     Raises:
         UnknownNameError: no such export.
-        DatasetError: no finished dataset, no such split, no item that fits, or a folder that holds anything or is the
-            current one.
+        DatasetError: no finished dataset, no such split, no item that fits, another word for the parts, or a folder
+            that holds anything or is the current one.
     """
+    if parts not in get_args(Parts):
+        raise DatasetError(f"parts: {parts!r} is none of {', '.join(get_args(Parts))}; give one of them")
     format_, source, folder = EXPORTS[to], Dataset(dataset), Path(out)
     with _replacing(folder) as place:
-        writing = _Writing(format_, source, place, advance)
+        writing = _Writing(format_, source, place, advance, separate=parts == "separate")
         rows = {name: writing.split(name) for name in source.splits(split)}
         rows = {name: count for name, count in rows.items() if count}
         if not rows:
@@ -74,6 +85,7 @@ class _Writing:
     dataset: Dataset
     place: Path
     advance: Callable[[int], object]
+    separate: bool = False
     left_out: int = field(default=0, init=False)
 
     def split(self, name: str) -> int:
@@ -93,12 +105,13 @@ class _Writing:
     def _rows(self, split: str) -> Iterator[Row]:
         count = 0
         for item in self.dataset.items(split):
-            row = self.export.row(item, Place(split, count))
-            if row is None:
-                self.left_out += 1
-            else:
-                yield row
-                count += 1
+            for each in separated(item) if self.separate else (item,):
+                row = self.export.row(each, Place(split, count))
+                if row is None:
+                    self.left_out += 1
+                else:
+                    yield row
+                    count += 1
             self.advance(1)
 
 

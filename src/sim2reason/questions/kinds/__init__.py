@@ -51,6 +51,7 @@ class Kind(ABC):
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
         derivable: whether it is asked only where some worked solution leads to the answer without any integration.
         beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
+        hides: whether its questions leave a number of the text open, which other questions about it may need.
     """
 
     name: ClassVar[str]
@@ -60,6 +61,7 @@ class Kind(ABC):
     awaited: ClassVar[bool] = False
     derivable: ClassVar[bool] = False
     beyond_laws: ClassVar[bool] = False
+    hides: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:
@@ -74,6 +76,13 @@ class Kind(ABC):
     @abstractmethod
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """Something to ask about a moment of which another question speaks; None, as by default, for nothing."""
+        del moment, study, words, targets, rng
+        return None
 
     @abstractmethod
     def answer(self, query: Query, study: Study) -> float | None:

@@ -4,6 +4,7 @@ import numpy as np
 
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import ValueKind, changed, drawn, kind
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Targets
@@ -21,7 +22,14 @@ class EventKind(ValueKind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A moment of this motion and a quantity that it bears on, but none that the question tells."""
         moment = drawn(self.moments(), study, words, rng)
-        if moment is None:
+        return self.at(moment, study, words, targets, rng) if moment is not None else None
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """A quantity that the moment bears on, but none that its words tell."""
+        del words
+        if moment.kind != self.name:
             return None
         offered = [target for target in targets if Channel(target.subject, target.quantity) not in moment.tells]
         if moment.own:

@@ -8,6 +8,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import only_falls, pick
 from sim2reason.questions.constancy import lasts
 from sim2reason.questions.kinds import ValueKind, drawn, is_something, kind
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.query import Query
@@ -42,6 +43,12 @@ class StartKind(ValueKind):
         if target is None:
             return None
         return Query(self.name, target, AllAlong() if lasts(target, trace) else AtStart())
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """The same, since the start is the only moment that it asks about."""
+        return self.draw(study, words, targets, rng) if moment.kind == self.name else None
 
 
 def _one_line(mechanism: Mechanism) -> bool:

@@ -4,6 +4,7 @@ import numpy as np
 
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import ValueKind, changed, drawn, kind
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Targets
@@ -20,5 +21,12 @@ class StateKind(ValueKind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A time away from events, and any quantity that is not then what it was at the start."""
         moment = drawn(self.moments(), study, words, rng)
-        target = pick(targets, rng, changed(study, moment)) if moment is not None else None
+        return self.at(moment, study, words, targets, rng) if moment is not None else None
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """Any quantity that is not then what it was at the start."""
+        del words
+        target = pick(targets, rng, changed(study, moment)) if moment.kind == self.name else None
         return Query(self.name, target, moment) if target is not None else None

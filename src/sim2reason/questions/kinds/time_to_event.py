@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
-from sim2reason.questions.moments import Happening
+from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
@@ -28,6 +28,14 @@ class TimeToEventKind(Kind):
 
         moment = drawn(_happenings(), study, words, rng, wanted)
         return Query(self.name, None, moment) if moment is not None else None
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """When that moment comes."""
+        del targets, rng
+        asked = isinstance(moment, Happening) and moment.clause(words) is not None and not moment.is_plain(study)
+        return Query(self.name, None, moment) if asked else None
 
     def answer(self, query: Query, study: Study) -> float | None:
         """The time."""

@@ -2,6 +2,7 @@
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.optimum import OptimumKind, OptimumQuery
+from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.derivatives import derivative
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
@@ -11,7 +12,6 @@ from sim2reason.solutions.algebra.expressions import (
     Symbol,
 )
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.algebra.inverse import fraction
 from sim2reason.solutions.closed_forms import ClosedFormError, shortened
 from sim2reason.solutions.laws.nested import inner_setting, lone_symbol, short_formula, solved, with_changed_scene
 from sim2reason.solutions.reverse import Inversion
@@ -111,7 +111,7 @@ def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
 def _numerator(slope: Expression) -> Expression:
     """What of a derivative vanishes; UnsolvedError if it is too long."""
     try:
-        found = shortened(fraction(slope)[0].factored()).expression
+        found = shortened(fraction(slope).above.factored()).expression
     except (OverflowError, ClosedFormError) as error:
         raise UnsolvedError("its derivative is too long") from error
     if isinstance(found, Quotient):

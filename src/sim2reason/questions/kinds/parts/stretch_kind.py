@@ -54,8 +54,19 @@ class StretchKind(Kind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A functional that a stretch of this motion has, and that is worth asking for."""
         del targets
+        offers = any(True for _ in self._offered(words))
+        return self._to(_ends(study, words, rng), study, words, rng) if offers else None
+
+    def at(
+        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        """A functional of the stretch that ends with that moment."""
+        del targets
+        return self._to([moment], study, words, rng)
+
+    def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
+        """A functional of a stretch with one of these ends."""
         offered = list(self._offered(words))
-        ends = _ends(study, words, rng) if offered else []
         if not self.ends_matter:
             ends = [moment for moment in ends if not moment.stated]
         for _ in range(TRIES):

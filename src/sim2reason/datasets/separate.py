@@ -1,0 +1,42 @@
+"""A problem with several parts as several problems, each with the answers to the parts before it."""
+
+from sim2reason.datasets.item import Answer, Item, QuestionPart
+from sim2reason.dsl.measures import join_unit
+from sim2reason.grading.parts import LABELS
+from sim2reason.questions.choice_prompts import MINUS, said
+from sim2reason.questions.part_prompts import PartPrompt
+
+
+def separated(item: Item) -> tuple[Item, ...]:
+    """Each part as an item of its own, whose prompt gives the answers to the parts before; any other item by itself.
+
+    Their ids are that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.
+    """
+    if not item.parts:
+        return (item,)
+    prompt = PartPrompt.read(item.prompt)
+    told = [_told(answer) for answer in item.answer.parts]
+    return tuple(_single(item, number, prompt.after(number, told)) for number in range(len(item.parts)))
+
+
+def _single(item: Item, number: int, prompt: str) -> Item:
+    part: QuestionPart = item.parts[number]
+    return item.model_copy(
+        update={
+            "id": f"{item.id}-{LABELS[number]}",
+            "prompt": prompt,
+            "answer": item.answer.parts[number],
+            "kind": part.kind,
+            "asked": part.asked,
+            "parts": (),
+            "distractors": part.distractors,
+            "solution": part.solution,
+            "unsolved": part.unsolved,
+            "certificate": part.certificate,
+        }
+    )
+
+
+def _told(answer: Answer) -> str:
+    """A number to three digits, with its unit."""
+    return join_unit(said([answer.value])[0].replace("-", MINUS), answer.unit)

@@ -1,0 +1,119 @@
+r"""Answers of several parts: one box, in which a label stands before each of them, ``\boxed{(a) 2.1; (b) 3.4}``."""
+
+import re
+from collections.abc import Callable, Sequence
+from typing import Final
+
+from sim2reason.grading.extract import boxed
+from sim2reason.grading.score import Outcome, Refused, Score
+
+__all__ = ["LABELS", "parts"]
+
+LABELS: Final = "abcdefgh"
+"""The letters of parts, in their order."""
+
+_FONT: Final = r"\\(?:text|textbf|textrm|textit|mathrm|mathbf|mathit|mathsf|mbox)\s*\{"
+_PLAIN: Final = rf"\(\s*([{LABELS}])\s*\)\s*[:.]?"
+_LABEL: Final = re.compile(_PLAIN)
+_INNER: Final = re.compile(rf"\(\s*{_FONT}\s*([{LABELS}])\s*\}}\s*\)")
+"""A label whose letter alone is in a font."""
+_RUN: Final = re.compile(rf"({_FONT})([^{{}}]*)\}}")
+"""A text in a font, without groups in it."""
+_BETWEEN: Final = r"(?:[;,&~\s]|\\\\(?:\[\d+pt\])?|\\[,;:! ]|\\q?quad\b|\\newline\b)"
+_AND: Final = rf"(?:and\b|{_FONT}\s*[;,.]?\s*(?:and)?\s*\}})"
+_BEFORE: Final = re.compile(rf"^(?:{_BETWEEN})+")
+_BEHIND: Final = re.compile(rf"(?:{_BETWEEN}|{_AND})+$")
+_LINES: Final = re.compile(
+    r"\s*\\begin\{(aligned|array|gathered|cases|matrix|split)\}(?:\{[lcr| ]*\})?(?P<rows>.*)\\end\{\1\}\s*", re.DOTALL
+)
+
+Grader = Callable[[str], Score]
+"""Grades the content of a box, which it is given in a box of its own."""
+
+
+def parts(response: object, graders: Sequence[Grader], *, partial: bool = False) -> Score:
+    """Grade a box with the labelled answers to several parts, each by its own grader; the score holds those of all.
+
+    The answers may stand in any order, each behind its label. A label that occurs twice, one of no part, or anything
+    before the first label makes the whole box unreadable; a part without a label has no answer.
+
+    Args:
+        response: the whole text, as all graders take it.
+        graders: one for each part, in the order of their labels.
+        partial: pay the share of the right parts; by default nothing is paid unless all are right.
+    """
+    labels = LABELS[: len(graders)]
+    try:
+        said = _answers(boxed(response), labels)
+    except Refused as refused:
+        return refused.score
+    found = tuple(_graded(said.get(label), grader) for label, grader in zip(labels, graders, strict=True))
+    return _together(labels, found, partial=partial)
+
+
+def _graded(answer: str | None, grader: Grader) -> Score:
+    if answer is None or not answer:
+        return Score.of(Outcome.NO_ANSWER, None, "the box holds no answer to it")
+    if not _is_balanced(answer):
+        return Score.of(Outcome.UNREADABLE, None, "its braces reach beyond it")
+    return grader(rf"\boxed{{{answer}}}")
+
+
+def _together(labels: str, found: tuple[Score, ...], *, partial: bool) -> Score:
+    """All parts as one score: correct if all are, else the outcome of the first part that is not."""
+    failed = [score for score in found if score.outcome is not Outcome.CORRECT]
+    outcome = failed[0].outcome if failed else Outcome.CORRECT
+    share = (len(found) - len(failed)) / len(found)
+    parsed = "; ".join(f"({label}) {_shown(score.parsed)}" for label, score in zip(labels, found, strict=True))
+    why = "; ".join(f"({label}) {score.why}" for label, score in zip(labels, found, strict=True))
+    return Score(share if partial or not failed else 0.0, outcome, parsed, why, found)
+
+
+def _shown(parsed: float | str | None) -> str:
+    if parsed is None:
+        return "nothing"
+    return parsed if isinstance(parsed, str) else f"{parsed:g}"
+
+
+def _answers(content: str, labels: str) -> dict[str, str]:
+    """The text behind each label."""
+    text = _RUN.sub(_parted, _INNER.sub(r"(\1)", _in_rows(content)))
+    found = list(_LABEL.finditer(text))
+    said: dict[str, str] = {}
+    if not found or _BEFORE.sub("", text[: found[0].start()]):
+        wanted = "; ".join(f"({label}) …" for label in labels)
+        raise Refused(Outcome.UNREADABLE, f"the box does not begin with a label, as in {wanted}")
+    ends = [*(match.start() for match in found[1:]), len(text)]
+    for match, end in zip(found, ends, strict=True):
+        label = match[1]
+        if label in said or label not in labels:
+            why = "occurs twice" if label in said else "belongs to no part"
+            raise Refused(Outcome.UNREADABLE, f"the label ({label}) {why}")
+        said[label] = _BEFORE.sub("", _BEHIND.sub("", text[match.end() : end]))
+    return said
+
+
+def _in_rows(content: str) -> str:
+    """The content; where all of it is the rows of an array, these alone."""
+    found = _LINES.fullmatch(content)
+    return found["rows"].replace("&", " ") if found else content
+
+
+def _parted(run: re.Match[str]) -> str:
+    """A text in a font, cut where labels stand in it, so that each label stands by itself."""
+    pieces = _LABEL.split(run[2])
+    if len(pieces) == 1:
+        return run[0]
+    said = [_BEHIND.sub("", piece) if n < len(pieces) - 1 else piece for n, piece in enumerate(pieces)]
+    texts = [f"{run[1]}{piece}}}" if piece.strip() else "" for piece in said[::2]]
+    return texts[0] + "".join(f"({label}){text}" for label, text in zip(pieces[1::2], texts[1:], strict=True))
+
+
+def _is_balanced(text: str) -> bool:
+    """Whether each brace has its partner within the text."""
+    depth = 0
+    for brace in re.findall(r"(?<!\\)[{}]", text):
+        depth += 1 if brace == "{" else -1
+        if depth < 0:
+            return False
+    return depth == 0

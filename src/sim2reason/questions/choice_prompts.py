@@ -1,0 +1,74 @@
+"""Prompts of multiple choice: scene and question, the options with their letters, and how to give the letter."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import floor, log10
+
+import numpy as np
+
+from sim2reason.dsl.measures import join_unit
+from sim2reason.errors import TextError
+from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, unit_in_words
+
+LETTERS = "ABCDE"
+DIGITS = 3  # significant ones, as prompts ask for
+PLAIN = range(-3, 5)  # the powers of ten that are written out
+ENDING = "Which answer is right? Give its letter inside \\boxed{}."
+MINUS = "\N{MINUS SIGN}"
+_OPTION = re.compile(rf"([{LETTERS}])\. (.+)")
+
+
+@dataclass(frozen=True)
+class ChoicePrompt:
+    """Scene and question as one text, and the options in their order."""
+
+    question: str
+    options: tuple[str, ...]
+
+    @classmethod
+    def of(cls, question: str, values: Sequence[float], unit: str) -> "ChoicePrompt":
+        """With numbers as options, all in one style."""
+        return cls(question, tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values)))
+
+    @classmethod
+    def read(cls, text: str) -> "ChoicePrompt":
+        """What a prompt consists of; TextError for a text that is no such prompt."""
+        body, _, last = text.rpartition("\n\n")
+        question, _, listed = body.rpartition("\n\n")
+        options = [_OPTION.fullmatch(line) for line in listed.splitlines()]
+        found = cls(question, tuple(option[2] for option in options if option is not None))
+        if last != ENDING or not found.options or found.text != text:
+            raise TextError("prompt", "it has no options A, B, … with a last line about them", "give one of ours")
+        return found
+
+    @property
+    def text(self) -> str:
+        """The whole prompt."""
+        listed = "\n".join(f"{letter}. {text}" for letter, text in zip(LETTERS, self.options, strict=False))
+        return f"{self.question}\n\n{listed}\n\n{ENDING}"
+
+
+def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
+    """Read a prompt of multiple choice, whose options are in `unit`, as `parse_prompt` does one without options."""
+    question = ChoicePrompt.read(text).question
+    form = FORMATS[0].format(unit=unit_in_words(unit)) if unit else PLAIN_FORMATS[0]
+    between = "\n\n" if question.endswith("|") else " "
+    return parse_prompt(f"{question}{between}{form}", rng)
+
+
+def said(values: Sequence[float]) -> list[str]:
+    """Numbers in one style: whole ones as they are, others in three digits, in powers of ten if any needs that."""
+    if all(value == round(value) and abs(value) < 10**DIGITS for value in values):
+        return [str(round(value)) for value in values]
+    if all(_power(value) in PLAIN for value in values):
+        return [f"{float(f'{value:.{DIGITS - 1}e}'):.{max(0, DIGITS - 1 - _power(value))}f}" for value in values]
+    parted = (f"{value:.{DIGITS - 1}e}".split("e") for value in values)
+    return [f"{mantissa} × 10^{int(power)}" for mantissa, power in parted]
+
+
+def _power(value: float) -> int:
+    """The power of ten of a number that was rounded."""
+    rounded = abs(float(f"{value:.{DIGITS - 1}e}"))
+    return floor(log10(rounded)) if rounded else 0

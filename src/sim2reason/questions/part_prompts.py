@@ -1,0 +1,161 @@
+"""Prompts of several parts: the scene once, then the questions (a), (b) and so on, and how to give all answers.
+
+They are read back part by part: the scene with one of the questions is a prompt like any other.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from sim2reason.errors import TextError
+from sim2reason.grading.parts import LABELS
+from sim2reason.prose.description import Description
+from sim2reason.prose.phrases import join
+from sim2reason.questions import KINDS, Question, Words
+from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE, Prompt, composed, unit_in_words
+from sim2reason.questions.references import referring, spelled_out
+
+FORMS = (
+    "Give all answers together in one box, as in {box}: {units}{digits}.",
+    "Put the answers into one box, in the form {box}: {units}{digits}.",
+    "Write the final answers in a single box as {box}, that is, {units}{digits}.",
+)
+DIGITS = ", to three significant figures"
+AS_WHOLE, AS_PURE = "as a whole number", "as a pure number"
+ANSWER = "Answer:"
+_PART = re.compile(rf"\(([{LABELS}])\) (.+)")
+_UNIT = re.compile(rf"\([{LABELS}]\) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{LABELS}]\)|\.$)")
+_SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,|\.$)")
+
+
+@dataclass(frozen=True)
+class PartPrompt:
+    """What a prompt of several parts consists of: the scene, the questions, and the units of their answers in words.
+
+    A unit is `AS_WHOLE` for what is counted and `AS_PURE` for a number without one.
+    """
+
+    scene: str
+    questions: tuple[str, ...]
+    units: tuple[str, ...]
+    form: int = 0
+    """Which of `FORMS` tells how to answer."""
+
+    @classmethod
+    def read(cls, text: str) -> "PartPrompt":
+        """The parts of a prompt; TextError for a text that is no such prompt."""
+        body, _, last = text.rpartition("\n\n")
+        scene, _, listed = body.rpartition("\n\n")
+        lines = [_PART.fullmatch(line) for line in listed.splitlines()]
+        labels = "".join(line[1] for line in lines if line is not None)
+        same = _SAME.search(last)
+        said = [same] * len(labels) if same is not None else list(_UNIT.finditer(last))
+        units = tuple(found["unit"] or _as_number(found[0]) for found in said)
+        for form in range(len(FORMS)):
+            found = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
+            if len(units) > 1 and labels == LABELS[: len(units)] and found.text == text:
+                return found
+        raise TextError(
+            "prompt", "it has no parts (a), (b), … with a last line about their answers", "give one of ours"
+        )
+
+    @property
+    def text(self) -> str:
+        """The whole prompt."""
+        listed = (f"({label}) {question}" for label, question in zip(LABELS, self.questions, strict=False))
+        return "\n\n".join([self.scene, "\n".join(listed), self.last_line])
+
+    @property
+    def last_line(self) -> str:
+        """How to give the answers."""
+        told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
+        box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
+        digits = DIGITS if any(unit != AS_WHOLE for unit in self.units) else ""
+        each = join(told) if len({*self.units}) > 1 else f"{'both' if len(told) == 2 else 'all'} {_told(self.units[0])}"
+        return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=each, digits=digits)
+
+    def single(self, part: int, question: str) -> Iterator[str]:
+        """The prompts of one part alone, in full words; one of them is as the library writes such."""
+        form = _single_form(self.units[part])
+        for between in (" ", "\n\n"):  # a table ends with an empty line
+            yield f"{self.scene}{between}{question} {form}"
+
+    def after(self, part: int, answers: Sequence[str]) -> str:
+        """The prompt of one part that gives the answers to all before it."""
+        before = [
+            f"({label}) {question} {ANSWER} {answer}."
+            for label, question, answer in zip(LABELS, self.questions[:part], answers, strict=False)
+        ]
+        listed = "\n".join([*before, f"({LABELS[part]}) {self.questions[part]}"])
+        return "\n\n".join([self.scene, listed, _single_form(self.units[part], f"your answer to ({LABELS[part]})")])
+
+
+def together(
+    description: Description, questions: Sequence[Question], words: Words, rng: np.random.Generator
+) -> tuple[Prompt, tuple[str, ...]]:
+    """One prompt with several questions, in a shape that has the question last, and their texts in it.
+
+    Where two in a row are about one moment, the second one calls it that moment.
+    """
+    last = questions[-1].text
+    texts = [questions[0].text]
+    for before, question in pairwise(questions):
+        moment = question.query.moment
+        again = moment is not None and moment == before.query.moment
+        texts.append(referring(question.text, moment, words) if again else question.text)
+    body = composed(description, last, rng, question_last=True)
+    scene = body.text.removesuffix(last).rstrip()
+    units = tuple(map(_unit_of, questions))
+    found = PartPrompt(scene, tuple(texts), units, int(rng.random() * len(FORMS)))
+    return Prompt(found.text, body.shape), found.questions
+
+
+def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
+    """Read each part of a prompt by itself, as `parse_prompt` does; it raises what that does."""
+    found = PartPrompt.read(text)
+    parsed: list[ParsedPrompt] = []
+    for part in range(len(found.questions)):
+        parsed.append(_parsed(found, part, parsed[-1:], rng))
+    return tuple(parsed)
+
+
+def _parsed(
+    found: PartPrompt, part: int, before: Sequence[ParsedPrompt], rng: np.random.Generator | None
+) -> ParsedPrompt:
+    question = found.questions[part]
+    meant = [full for held in before for full in spelled_out(question, held.query.moment, held.words)]
+    refused: list[TextError] = []
+    for text in (text for each in (meant or [question]) for text in found.single(part, each)):
+        try:
+            return parse_prompt(text, rng)
+        except TextError as error:
+            refused.append(error)
+    raise refused[0]
+
+
+def _unit_of(question: Question) -> str:
+    if KINDS[question.query.kind].measured(question.query).whole:
+        return AS_WHOLE
+    return unit_in_words(question.unit) if question.unit else AS_PURE
+
+
+def _told(unit: str) -> str:
+    return unit if unit in (AS_WHOLE, AS_PURE) else f"in {unit}"
+
+
+def _as_number(said: str) -> str:
+    return AS_WHOLE if AS_WHOLE in said else AS_PURE
+
+
+def _single_form(unit: str, answer: str = "your answer") -> str:
+    """The last line of a prompt with one question."""
+    form = {AS_WHOLE: WHOLE, AS_PURE: PLAIN_FORMATS}.get(unit, FORMATS)[0]
+    return (
+        form.replace("your answer", answer).format(unit=unit)
+        if form in FORMATS
+        else form.replace("your answer", answer)
+    )

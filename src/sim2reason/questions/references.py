@@ -1,0 +1,46 @@
+"""Moments that a question has just told: a next one calls them *that moment*, and reading says which one it is."""
+
+from collections.abc import Iterator
+
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.words import Words
+
+THAT = "that moment"
+
+
+def referring(text: str, moment: Moment | None, words: Words) -> str:
+    """A question about a moment that the question before has told; as it is if its words can't be shortened."""
+    for told, short in _phrases(moment, words):
+        if told in text:
+            return text.replace(told, short, 1)
+        if text.startswith(sentence(told)):
+            return sentence(short) + text.removeprefix(sentence(told))
+    return text
+
+
+def spelled_out(text: str, moment: Moment | None, words: Words) -> Iterator[str]:
+    """All that a question can have meant by *that moment*, if the one before spoke of a moment."""
+    for told, short in _phrases(moment, words):
+        if text.startswith(sentence(short)):
+            yield sentence(told) + text.removeprefix(sentence(short))
+        if short in text:
+            yield text.replace(short, told, 1)
+
+
+def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
+    """How a question speaks of a moment in full and in short, the longest first; nothing of other moments.
+
+    Those just before or after an event must say so.
+    """
+    if not isinstance(moment, Happening | AtTime) or moment.sided is not None:
+        return []
+    clause = moment.clause(words) if isinstance(moment, Happening) else None
+    told = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
+    if clause is not None:
+        told += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]
+    subject = moment.subject(words)
+    if subject:
+        told += [(phrase.replace(subject, moment.pronoun, 1), short) for phrase, short in told if subject in phrase]
+    return sorted(told, key=lambda pair: -len(pair[0]))
