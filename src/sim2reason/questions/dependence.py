@@ -12,6 +12,7 @@ from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.quantities.subjects.pairs import members
+from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
@@ -31,8 +32,6 @@ SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and wit
 
 ROOMY = 100.0  # times: how much longer a string may be
 GROUND = "limit"  # the event that ends the motion of what comes down
-TURNING = 1e-6  # of the mean speed: what is slower turns
-STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
 """Events in turn, by kind and subjects, which way each coordinate has changed, and whether it stands."""
@@ -264,19 +263,6 @@ def roomy(scene: Scene) -> Scene:
             with suppress(SceneError, ValueError):
                 scene = scene.having(parameter.path, ROOMY * parameter.value)
     return scene
-
-
-def ways(study: Study, time: float) -> tuple[float, ...]:
-    """Which way each coordinate has changed by a time, or begins to, and whether it turns then.
-
-    In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
-    between them takes for ever.
-    """
-    start, end = study.trace.at(0.0), study.trace.at(time)
-    changes = end.q[0] - start.q[0] if time else start.a[0]
-    largest = np.abs(changes).max()
-    turns = np.abs(end.v[0]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
-    return (*np.sign(np.where(np.abs(changes) > STILL * largest, changes, 0.0)).tolist(), *turns.tolist())
 
 
 def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:

@@ -15,7 +15,7 @@ FARTHEST = 0.2  # relative: how far one of them may lead
 EXACT, SAME = 1e-8, 5e-7  # relative: where it ends; where a place that is known is the place
 
 
-class Extreme(NamedTuple):
+class StationaryValue(NamedTuple):
     """Where an answer is greatest or least, and what it is there."""
 
     place: float
@@ -30,7 +30,7 @@ class StationaryPoint:
         """`dependence` is that of the answer on the number."""
         self._answer = dependence
 
-    def among(self, values: Sequence[float]) -> Extreme | None:
+    def among(self, values: Sequence[float]) -> StationaryValue | None:
         """The only extreme between the first and the last of some values, at least three, in order.
 
         None if there are several or none, or not all values have an answer.
@@ -58,7 +58,7 @@ class StationaryPoint:
         n = turns[0]
         return values[n], values[n + 1], values[n + 2], rises[n]
 
-    def near(self, about: float, *, greatest: bool) -> Extreme | None:
+    def near(self, about: float, *, greatest: bool) -> StationaryValue | None:
         """The extreme close to a value: just there, if it is there; None if none is."""
         at = about
         for turn in range(ROUNDS):
@@ -76,12 +76,12 @@ class StationaryPoint:
             if abs(shift) > FARTHEST * abs(about):
                 return None
             if turn == 0 and abs(shift) <= SAME * abs(at):
-                return Extreme(at, here, greatest)
+                return StationaryValue(at, here, greatest)
             at += shift
             if abs(shift) <= EXACT * abs(at):
                 break
         value = self._answer(at)
-        return Extreme(at, value, greatest) if value is not None else None
+        return StationaryValue(at, value, greatest) if value is not None else None
 
 
 def _vertex(points: Sequence[tuple[float, float]]) -> float:

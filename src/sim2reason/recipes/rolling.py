@@ -52,7 +52,8 @@ IDEAS = {
 }
 
 
-@recipe("rolling", share=2, weights={"period": 0.5})  # which hangs neither on how it begins nor on the mass
+# a period hangs neither on how it begins nor on the mass
+@recipe("rolling", share=2, weights={"period": 0.5, "optimum": 0.5})
 def draw_rolling(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A sphere, cylinder, hoop or prism on a plane, perhaps with a hole beside its axis."""
     return one_of(IDEAS[difficulty], rng, "roller")

@@ -53,7 +53,8 @@ TIERS = {
 }
 
 
-@recipe("rotation", share=2, weights={"period": 0.5})  # which hangs neither on how it begins nor on a lone mass
+# a period hangs neither on how it begins nor on a lone mass
+@recipe("rotation", share=2, weights={"period": 0.5, "optimum": 0.5})
 def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Up to four solid bodies fixed to a light arm: let go, or set turning."""
     tiers = TIERS[difficulty]

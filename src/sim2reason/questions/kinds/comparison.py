@@ -7,7 +7,7 @@ from math import log
 
 import numpy as np
 
-from sim2reason.questions.dependence import ways
+from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
 from sim2reason.questions.query import Query

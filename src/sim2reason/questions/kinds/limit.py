@@ -6,7 +6,8 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.dependence import ways
+from sim2reason.dsl.constancy import changing
+from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
 from sim2reason.questions.query import Query
@@ -45,7 +46,11 @@ class LimitKind(NestedKind):
     name = "limit"
     share = 0.12
     beyond_laws = True
-    inner = ("start", "event", "time_to_event", "period")
+    inner = ("start", "event", "time_to_event")
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """As others do, where forces are constant: what swings beside so large a mass takes long to be integrated."""
+        return None if changing(study.mechanism) else super().draw(study, words, targets, rng)
 
     def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Of the masses, where there are several."""

@@ -6,7 +6,8 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.dependence import Dependence, ways
+from sim2reason.questions.course import ways
+from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import (
     NestedKind,
@@ -18,7 +19,7 @@ from sim2reason.questions.kinds.parts.nested import (
     vouched,
 )
 from sim2reason.questions.query import Query
-from sim2reason.questions.stationary import FEW, Extreme, StationaryPoint
+from sim2reason.questions.stationary import FEW, StationaryPoint, StationaryValue
 from sim2reason.questions.study import COARSE, Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.unknown import Unknown, is_usual, range_of, some
@@ -27,7 +28,7 @@ from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import FINEST
 
-DRAWS = {"start": 1, "event": 4, "period": 1}  # of other questions, by kind
+DRAWS = {"start": 1, "event": 3, "period": 1}  # of other questions, by kind
 CLOSELY = 2  # pairs of a question and a number that are looked at closely
 PLACES = 0.6  # of such questions: how often the number is asked for, not the extreme value
 CLEARLY = 0.05  # relative: by how much the answer must differ at the ends of what is usual
@@ -53,14 +54,14 @@ class OptimumQuery(NestedQuery):
         """The number."""
         return self.path
 
-    def extreme(self, study: Study) -> Extreme | None:
+    def extreme(self, study: Study) -> StationaryValue | None:
         """In a scene: near where it is known to be, else among all usual values."""
         error = study.trace.tolerance or FINEST
         return study.once(
             ("extreme", self.inner, self.path, self.greatest, self.about), lambda: self._found(study, error)
         )
 
-    def _found(self, study: Study, error: float) -> Extreme | None:
+    def _found(self, study: Study, error: float) -> StationaryValue | None:
         point = StationaryPoint(Dependence(self.inner, study, self.path, error))
         if self.about:
             found = point.near(self.about, greatest=self.greatest)
@@ -255,7 +256,7 @@ def usual_values(study: Study, path: str) -> list[float]:
     return [value for value in values if is_usual(study.scene, path, value)][::2]
 
 
-def _is_clear(found: Extreme, end: float | None) -> bool:
+def _is_clear(found: StationaryValue, end: float | None) -> bool:
     """Whether the answer at an end of the range differs clearly, and on the right side."""
     if end is None:
         return False
