@@ -172,5 +172,7 @@ def test_answers_that_follow_from_each_other_at_once_are_not_new() -> None:
         assert not is_new(question(value, unit), asked, study), (value, unit)
         assert not is_new(asked, question(value, unit), study), (value, unit)
     assert is_new(question(1.2345 * speed, "m/s"), asked, study)
+    force = question(3.7, "N")
+    assert not is_new(question(3.7 * 0.46, "J", time=0.46), force, study), "a force times a stated distance"
     assert not is_new(question(5.0, "m", time=1.0), question(7.3, "J", time=2.0), study), "two stated times"
     assert not is_new(question(1.01, "s"), question(7.3, "J", time=1.0), study), "the text tells the time"

@@ -17,6 +17,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
 from sim2reason.questions.constancy import lasts
 from sim2reason.questions.kinds import changed, is_something
+from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.at_start import AtStart
@@ -217,7 +218,9 @@ def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
 
 def _leads(question: Question, solution: Solution, other: Question, to: Solution) -> bool:
     """Whether the answer to a question is found on the way to another answer, or is the time that it is about."""
-    if question.query.kind == "time_to_event" and question.query.moment == other.query.moment:
+    kind = KINDS[other.query.kind]
+    hangs_on_end = not isinstance(kind, StretchKind) or kind.ends_matter
+    if question.query.kind == "time_to_event" and question.query.moment == other.query.moment and hangs_on_end:
         return True
     if solution.answer is None or to.answer is None:
         return False
@@ -244,7 +247,8 @@ def is_new(question: Question, other: Question, study: Study) -> bool:
     """Whether neither question tells the answer to the other, nor does one answer follow from the other at once.
 
     An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
-    multiple times a number that the text states: K = m v²/2, f = 1/T. Nor do both state numbers for different moments.
+    multiple times a number that the text states: K = m v²/2, W = F d, f = 1/T. Nor do both state numbers for
+    different moments.
     """
     if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
         return False
@@ -256,6 +260,7 @@ def is_new(question: Question, other: Question, study: Study) -> bool:
     first, second = abs(question.answer), abs(other.answer)
     ratios = (first / second, first / second**2, second / first**2, first * second)
     stated = [abs(p.value) for p in study.scene.parameters if p.value and not p.hidden]
+    stated += [abs(number) for moment in moments if moment is not None for number, _ in moment.stated if number]
     factors = [1.0, *stated, *(1.0 / value for value in stated)]
     return not any(_is_simple(ratio / factor) for ratio in ratios for factor in factors)
 
