@@ -1,7 +1,8 @@
 """What becomes of a dataset under faults, kills and a full disk: python benchmarks/chaos.py [items] [kills].
 
 One item in a hundred goes wrong: it ends its process by a segmentation fault or an exit, hangs, raises an error that
-can't be pickled or told, or asks for more memory than there is. Then the same run is killed (SIGKILL) at random times
+can't be pickled or told, or asks for more memory than there is. Three in ten are empty or repeat others, so that later
+positions take their place. Then the same run is killed (SIGKILL) at random times
 and gone on with until it ends; four processes make a part each at once; and a run meets disks that are full at several
 sizes. Told are how many of the other items are there, which are lost or there twice, files that are torn, and whether
 the bytes at the end are those of a run that nobody disturbed. By default 2500 items and 50 kills. Exit code 1:
@@ -39,6 +40,7 @@ SHARD = 50
 PATIENCE = 2.0  # s: all but those that hang take milliseconds
 SLOW = 0.003  # s an item, so that there is time to be killed
 SEED = 7
+SAME = 5  # texts that many items repeat
 ROOM = 0.1, 0.3, 0.5, 0.7, 0.9  # of what the dataset needs, on disks that are too small
 FULL = "full-disk"  # as an argument: this process has a mount namespace of its own
 
@@ -92,7 +94,17 @@ def make(request: Request) -> Made:
     fault = fault_of(request)
     if fault < len(FAULTS):
         FAULTS[fault]()
-    return steady(request)
+    return made(request)
+
+
+def made(request: Request) -> Made:
+    """What is made where nothing goes wrong: no item, or one that repeats the words of another, for three in ten."""
+    kind = int.from_bytes(sha256(f"kind {request.id}".encode()).digest()[:4], "big") % 10
+    found = steady(request)
+    if found.item is None or kind > 2:
+        return found
+    words = f"One of {SAME} texts: {request.index % SAME}."
+    return Made(found.item.model_copy(update={"prompt": words}) if kind else None, found.rejected)
 
 
 def start(out: Path, items: int, *options: str) -> "subprocess.Popen[bytes]":
@@ -133,7 +145,11 @@ def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> bool:
     data = Dataset(out)
     config, tried = data.manifest.config, data.manifest.positions
     sound = [request for request in map(config.request, range(tried)) if fault_of(request) >= len(FAULTS)]
-    wanted = {request.id for request in sound if steady(request).item is not None}
+    first = dict[str, str]()  # of those that say the same, the one at the lowest position
+    for item in (made(request).item for request in sound):
+        if item is not None:
+            first.setdefault(item.prompt, item.id)
+    wanted = set(first.values())
     ids = Counter(item.id for item in data)
     quarantined = data.manifest.refused["quarantined"].total
     same, twice = content(out) == whole, sum(n - 1 for n in ids.values())
