@@ -8,7 +8,7 @@ from pydantic import JsonValue
 from sim2reason.datasets import item_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, Difficulty, FormulaRecord, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, MeasuredDifficulty, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
@@ -18,7 +18,7 @@ from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
-from sim2reason.solutions.difficulty import Measured
+from sim2reason.solutions.difficulty import SolutionDifficulty
 
 SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
 
@@ -85,8 +85,8 @@ def _formula_of(formula: Formula) -> FormulaRecord:
     return FormulaRecord(latex=formula.latex, symbols=formula.symbols, units=formula.units, bindings=bindings)
 
 
-def _difficulty_of(taken: Measured) -> Difficulty:
-    return Difficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
+def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
+    return MeasuredDifficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

@@ -22,7 +22,7 @@ from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.difficulty import Measured, measured, number_of_events
+from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
@@ -63,7 +63,7 @@ class CertifiedQuestion:
         return found if found is not None and found.answer is not None else solve(self.setting)
 
     @cached_property
-    def measured(self) -> Measured | None:
+    def measured(self) -> SolutionDifficulty | None:
         """How difficult it is by its shortest solution; None where there is none."""
         found, study = self.shortest, self.candidate.study
         events = number_of_events(study.trace, self.candidate.time)
@@ -114,7 +114,7 @@ class QuestionSearch:
         `needs` are those that solutions may have; the others are refused before their answers are worked out. A
         `difficulty` is ordered: questions of others are refused.
         """
-        self._difficulty = difficulty
+        self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
@@ -205,14 +205,15 @@ class QuestionSearch:
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
-        said, level = description.sentences, self._difficulty
+        said = description.sentences
+        level: Difficulty = self._difficulty or "medium"
         candidate = Candidate(
             study,
             question,
             prompt.text,
             said,
             self.words,
-            difficulty=level or "medium",
+            difficulty=level,
             tolerance=self._tolerance,
             needs=self._needs,
             labelled=self._difficulty is not None,
