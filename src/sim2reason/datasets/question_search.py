@@ -7,6 +7,7 @@ from itertools import chain
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
@@ -230,13 +231,18 @@ class QuestionSearch:
         """Whether a quantity that may be asked about is asked about."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
+    @cached_property
+    def _changing(self) -> bool:
+        """Whether accelerations change other than at events."""
+        return bool(changing(self.study.mechanism))
+
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
         """Whether a solution needs what it may.
 
         Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
         """
-        if self._needs == EVERY:
-            return True
+        if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
+            return True  # nearly all about constant accelerations is elementary, and the filter looks at it
         most = max(self._needs)
         hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
         suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs

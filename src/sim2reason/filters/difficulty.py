@@ -12,7 +12,7 @@ class FitsLabel(Filter):
     Nothing is said of a question of no label, or one that only an integration answers.
     """
 
-    order = 2
+    order = 4
 
     def reason(self, candidate: Candidate) -> str:
         """Compare the score with the band."""
