@@ -45,9 +45,9 @@ def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
 
 
 def test_numbers_without_bearing_are_named(tmp_path: Path) -> None:
-    """On a smooth level table nothing hangs on the mass where the crate comes to rest."""
-    build(tmp_path, Config(items=2, recipes=("springs",), difficulties=("easy",), seed=771), workers=1)
-    told = call("explain", tmp_path, "--id", "springs-easy-numeric-771-1")
+    """On a smooth level table nothing hangs on the mass where the block stays at rest."""
+    build(tmp_path, Config(items=7, recipes=("springs",), difficulties=("easy",), seed=771), workers=1)
+    told = call("explain", tmp_path, "--id", "springs-easy-numeric-771-6")
     assert told.exit_code == 0, told.output
     assert "Without bearing\n  the number springs.block.mass\n" in told.output
 

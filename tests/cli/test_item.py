@@ -20,7 +20,10 @@ def test_an_item_is_that_of_a_dataset_and_is_told_whole() -> None:
     problem = sim2reason.item("rocket", "easy", seed=3, index=1)
     told = call("item", "--recipe", "rocket", "--difficulty", "easy", "--seed", 3, "--index", 1)
     assert told.exit_code == 0, told.output
-    assert told.stdout.split() == f"{problem.id} {problem.prompt} Answer: {problem.answer.shown}".split()
+    assert (
+        told.stdout.split()
+        == f"{problem.id} {problem.prompt} Answer: {problem.answer.shown} Needs: {problem.needs}".split()
+    )
     assert json.loads(
         call("item", "--recipe", "rocket", "--difficulty", "easy", "--seed", 3, "--index", 1, "--json").stdout
     ) == problem.model_dump(mode="json")

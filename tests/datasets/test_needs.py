@@ -5,12 +5,14 @@ from pathlib import Path
 import pytest
 
 import sim2reason
+from sim2reason.datasets.items import made
 from sim2reason.datasets.names import needs_named
 from sim2reason.datasets.needs import SHARE, SIMPLE, allowed
 from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
 from sim2reason.recipes import DIFFICULTIES
+from sim2reason.solutions import solve
 
 ORDERED = ("special function",)
 
@@ -82,8 +84,8 @@ def test_a_shown_solution_needs_what_its_item_says(mode: str) -> None:
     for label in DIFFICULTIES:
         for recipe in ("projectile", "rocket"):
             request = Request(recipe, label, mode, 8, 0)
-            item, found = sim2reason.datasets.items.made(request)
-            shown = sim2reason.solutions.solve(found.setting)
+            item, found = made(request)
+            shown = solve(found.setting)
             assert shown.answer is not None
             assert shown.needs == NEEDS[item.needs]
             assert NEEDS[item.needs] in allowed(request)

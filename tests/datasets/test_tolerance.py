@@ -48,7 +48,7 @@ def test_its_id_is_its_own() -> None:
     strict = sim2reason.item(seed=3, index=1, tolerance=STRICT)
     assert Request.of(strict) == Request("pulley", "medium", "numeric", 3, 1, tolerance=STRICT)
     assert Request("pulley", "medium", "numeric", 3, 1).id == "pulley-medium-numeric-3-1"
-    with pytest.raises(DrawError, match="tolerance do not stand in its id"):
+    with pytest.raises(DrawError, match="tolerance or needs do not stand in its id"):
         Request.named(strict.id)
     assert sim2reason.sample(seed=3, index=1, tolerance=STRICT).name
 

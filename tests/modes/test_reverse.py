@@ -25,6 +25,7 @@ from sim2reason.questions.dependence import Dependence, roots
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.need import NEEDS
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
@@ -247,7 +248,7 @@ def test_every_sentence_is_read_back(scene: Scene) -> None:
 def test_the_unknown_follows_from_the_prompt(recipe: str) -> None:
     """Halving, on the scene that the text tells, between half and twice the answer; and the number is not in it."""
     for index in range(2):
-        item = make(Request(recipe, "medium", "reverse", 17, index)).item
+        item = make(Request(recipe, "medium", "reverse", 17, index, needs=tuple(NEEDS))).item
         assert item is not None
         read = parse_prompt(item.prompt)
         assert read.query.kind == item.kind

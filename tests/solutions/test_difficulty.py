@@ -14,7 +14,7 @@ from sim2reason.recipes import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.difficulty import LABELS, Measured, different_laws, measured, unknowns_together
+from sim2reason.solutions.difficulty import LABELS, SolutionDifficulty, different_laws, measured, unknowns_together
 from sim2reason.solutions.solution import Phase, Relation
 
 PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"
@@ -57,7 +57,7 @@ def test_a_law_that_holds_for_another_body_is_the_same() -> None:
 def test_the_score_adds_up() -> None:
     """Two laws, a second unknown, and two points for each further phase but the fifth and later ones."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
-    assert measured(whole) == Measured(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
+    assert measured(whole) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
     assert measured(whole).score == 3
     assert measured(whole, events=2).score == measured(solution(*whole.steps, phases=3)).score == 7
     assert measured(whole, events=9).score == 9

@@ -177,7 +177,7 @@ class QueryRecord(Record):
     given_unit: str | None = None
 
 
-class Difficulty(Record):
+class MeasuredDifficulty(Record):
     """What the worked solution of a problem takes, in numbers; see docs/difficulty.md."""
 
     laws: int
@@ -241,9 +241,9 @@ class Item(Record):
     entities: tuple[str, ...]
     """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
-    needs: str
-    """The most advanced mathematics that its shortest solution takes, from ``arithmetic`` to ``integration``."""
-    measured: Difficulty | None = None
+    needs: str = ""
+    """The most advanced mathematics of its shortest solution, ``arithmetic`` to ``integration``; empty: unknown."""
+    measured: MeasuredDifficulty | None = None
     """How difficult it is by its shortest solution; None where there is none."""
     """Where there are several parts, by the last one, as are kind and certificate."""
     parts: tuple[QuestionPart, ...] = ()

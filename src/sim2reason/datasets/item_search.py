@@ -22,7 +22,7 @@ TRIES = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
-UNFIT = 60  # times that all draws of a kind need other means, after which none is expected to do
+UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
 SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, ABSENT
 

@@ -1,6 +1,7 @@
 """Items by their coordinates: any one at once, or as many as are wanted in order."""
 
 from collections.abc import Iterator, Mapping
+from itertools import count
 
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
@@ -84,15 +85,14 @@ def stream(  # noqa: PLR0913 - the same
 ) -> Iterator[Item]:
     """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
 
-    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units`, `tolerance`,
-    `needs` and `solutions` are those of `item`.
+    The few requests that no draw fills are passed over, as in a dataset. What follows `start` is as in `item`.
 
     Raises:
         UnknownNameError: no such recipe, difficulty, mode, units or need.
         DrawError: a negative seed or start.
         DatasetError: a weight that makes no sense.
     """
-    position = whole("start", start)
+    first = whole("start", start)
     config = Config(
         items=0,
         recipes=recipes_named(recipe),
@@ -101,14 +101,13 @@ def stream(  # noqa: PLR0913 - the same
         seed=whole("seed", seed),
         weights=numbers("weights", weights or {}),
         units=system_named(units).name,
-        tolerance=tolerance,
         needs=needs_named(needs),
+        tolerance=tolerance,
         solutions=solutions,
     )
     check(config.weights, config.modes, config.recipes)
-    while True:
+    for position in count(first):
         found = make(config.request(position)).item
-        position += 1
         if found is not None:
             yield found
 

@@ -12,10 +12,10 @@ from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import (
     Answer,
     Binding,
-    Difficulty,
     Distractor,
     FormulaRecord,
     Item,
+    MeasuredDifficulty,
     Provenance,
     QueryRecord,
     QuestionPart,
@@ -36,7 +36,7 @@ from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
-from sim2reason.solutions.difficulty import Measured
+from sim2reason.solutions.difficulty import SolutionDifficulty
 
 SETTINGS = hashlib.sha256(
     json.dumps([*item_search.SETTINGS, *question_search.SETTINGS, *part_search.SETTINGS]).encode()
@@ -169,8 +169,8 @@ def _needs_of(found: CertifiedQuestion) -> str:
     return greatest(part.shortest.needs for part in parts).label
 
 
-def _difficulty_of(taken: Measured) -> Difficulty:
-    return Difficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
+def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
+    return MeasuredDifficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

@@ -8,6 +8,7 @@ from itertools import chain
 import numpy as np
 
 from sim2reason.datasets.item import Distractor
+from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
@@ -23,7 +24,7 @@ from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.difficulty import Measured, measured, number_of_events
+from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
@@ -67,7 +68,7 @@ class CertifiedQuestion:
         return found if found is not None and found.answer is not None else solve(self.setting)
 
     @cached_property
-    def measured(self) -> Measured | None:
+    def measured(self) -> SolutionDifficulty | None:
         """How difficult it is by its shortest solution; None where there is none."""
         found, study = self.shortest, self.candidate.study
         events = number_of_events(study.trace, self.candidate.time)
@@ -128,7 +129,7 @@ class QuestionSearch:
         `needs` are those that solutions may have; the others are refused before their answers are worked out. A
         `difficulty` is ordered: questions of others are refused.
         """
-        self._difficulty = difficulty
+        self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
@@ -242,14 +243,15 @@ class QuestionSearch:
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
-        said, level = description.sentences, self._difficulty
+        said = description.sentences
+        level: Difficulty = self._difficulty or "medium"
         candidate = Candidate(
             study,
             question,
             prompt.text,
             said,
             self.words,
-            difficulty=level or "medium",
+            difficulty=level,
             tolerance=self._tolerance,
             needs=self._needs,
             labelled=self._difficulty is not None,
@@ -266,13 +268,18 @@ class QuestionSearch:
         """Whether a quantity that may be asked about is asked about."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
+    @cached_property
+    def _changing(self) -> bool:
+        """Whether accelerations change other than at events."""
+        return bool(changing(self.study.mechanism))
+
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
         """Whether a solution needs what it may.
 
         Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
         """
-        if self._needs == EVERY:
-            return True
+        if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
+            return True  # nearly all about constant accelerations is elementary, and the filter looks at it
         most = max(self._needs)
         hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
         suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs

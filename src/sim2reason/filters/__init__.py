@@ -17,7 +17,7 @@ from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
 from sim2reason.solutions.derivation import derivation
-from sim2reason.solutions.difficulty import Measured, measured, number_of_events
+from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 
@@ -59,7 +59,7 @@ class Candidate:
         return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
 
     @cached_property
-    def measured(self) -> Measured | None:
+    def measured(self) -> SolutionDifficulty | None:
         """How difficult it is by that solution; None where there is none."""
         if self.solution is None or self.solution.answer is None:
             return None

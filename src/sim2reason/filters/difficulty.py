@@ -6,13 +6,13 @@ from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.solutions.difficulty import LABELS
 
 
-class Difficulty(Filter):
+class FitsLabel(Filter):
     """The measured score of the shortest solution lies outside the band of the label.
 
     Nothing is said of a question of no label, or one that only an integration answers.
     """
 
-    order = 2
+    order = 4
 
     def reason(self, candidate: Candidate) -> str:
         """Compare the score with the band."""
@@ -30,4 +30,4 @@ class Difficulty(Filter):
             yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
 
 
-FILTERS.add("difficulty", Difficulty())
+FILTERS.add("difficulty", FitsLabel())

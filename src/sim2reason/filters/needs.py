@@ -12,7 +12,7 @@ class Needs(Filter):
     By default few questions may need more than elementary means, see `datasets.needs`.
     """
 
-    order = 1
+    order = 4
 
     def reason(self, candidate: Candidate) -> str:
         """Look at the solution, unless anything is allowed."""

@@ -22,7 +22,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.targets import targets
 
-DRAWS = 4  # of queries of one kind, at most, until one suits
+DRAWS = 3  # of queries of one kind, at most, until one suits
 
 
 @mode

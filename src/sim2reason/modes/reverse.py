@@ -33,7 +33,7 @@ from sim2reason.questions.unknown import Unknown, far_from, range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
-DRAWS = 4  # of queries of one kind, at most, until one suits
+DRAWS = 3  # of queries of one kind, at most, until one suits
 EXACT = 15  # digits of a result that the motion has as it was drawn
 NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
 TIMES = {"": 0.1, "time_to_event": 0.5}  # of questions of any kind, or of one: how often the unknown is a time

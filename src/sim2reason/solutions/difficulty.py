@@ -52,7 +52,7 @@ LABELS: Mapping[Difficulty, Band] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class SolutionDifficulty:
     """What a worked solution takes.
 
     Attributes:
@@ -74,10 +74,10 @@ class Measured:
         return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
 
 
-def measured(solution: Solution, events: int = 0) -> Measured:
+def measured(solution: Solution, events: int = 0) -> SolutionDifficulty:
     """Return what a solution takes, of a motion with so many events before what is asked about."""
     phases = max(len(solution.phases), 1 + events)
-    return Measured(different_laws(solution), phases, unknowns_together(solution), solution.needs)
+    return SolutionDifficulty(different_laws(solution), phases, unknowns_together(solution), solution.needs)
 
 
 def number_of_events(trace: Trace, time: float | None) -> int:
