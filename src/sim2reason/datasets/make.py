@@ -14,9 +14,10 @@ from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked
+from sim2reason.prose.description import Description
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.scene_files import dump
+from sim2reason.scene_files import Wording, dump
 from sim2reason.simulation.certify import Certificate
 
 SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
@@ -51,7 +52,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         idle_numbers=idle_numbers(found.candidate, found.description),
         solution=solution,
         unsolved=unsolved,
-        scene=dump(found.study.scene),
+        scene=dump(found.study.scene, _wording_of(found.description)),
         certificate=summary(found.certificate),
         provenance=Provenance(
             recipe=request.recipe,
@@ -66,6 +67,12 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         ),
     )
     return told_in(system_named(request.units), item)
+
+
+def _wording_of(description: Description) -> Wording:
+    """How the text tells its scene, so that a figure from its file alone agrees with it."""
+    symbols = tuple(path for path in description.told if path in description.symbols)
+    return Wording(description.seed, symbols, tuple(sorted(description.without)))
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:
