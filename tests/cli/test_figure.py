@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 
 import pytest
@@ -6,11 +7,13 @@ from click.testing import CliRunner
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import LightRod
 from sim2reason.cli import main
+from sim2reason.datasets.items import item
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.prose.description import describe
+from sim2reason.recipes import Difficulty
 from sim2reason.scene_files import dump
 
 
@@ -82,3 +85,24 @@ def test_a_body_without_a_look_is_warned_of(tmp_path: Path, monkeypatch: pytest.
     assert (code, said.count("\n")) == (0, 1)
     assert "warning: no figure shows a body of the type Ball, here it.bob; give its class a look" in said
     assert ">ball</text>" in out.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("recipe", "difficulty", "index"), [("collision", "hard", 0), ("hybrid", "hard", 0), ("pulley", "easy", 1)]
+)
+def test_the_figure_of_an_items_scene_is_that_of_the_item(
+    tmp_path: Path, recipe: str, difficulty: Difficulty, index: int
+) -> None:
+    """It names things as the text does, and shows nothing that is asked for."""
+    made = item(recipe, difficulty, "reverse", seed=31, index=index)
+    file, alone, beside = tmp_path / "scene.yaml", tmp_path / "alone.svg", tmp_path / "beside.svg"
+    file.write_text(made.scene, encoding="utf-8")
+    assert run("figure", file, "-o", alone) == (0, "")
+    where = ("--recipe", recipe, "--difficulty", difficulty, "--mode", "reverse", "--seed", 31, "--index", index)
+    assert run("item", *where, "--figure", beside)[0] == 0
+    labels = [
+        set(re.findall(r"<!-- (.*?) -->|>([^<>\n]+)</text>", path.read_text(encoding="utf-8")))
+        for path in (alone, beside)
+    ]
+    assert labels[0] == labels[1]
+    assert labels[0]

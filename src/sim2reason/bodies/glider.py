@@ -3,6 +3,7 @@
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import Small
 from sim2reason.dsl.measures import Coordinate, Mass, Velocity
+from sim2reason.dsl.template import Word
 
 
 @body
@@ -14,6 +15,7 @@ class Glider(Body):
     v: Velocity
 
     nouns = ("block", "cart", "puck")
+    words = {"moving": Word("v", {0.0: "at rest"}, "moving with velocity {v}")}
     lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
     named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
     listed = "{letter} ({mass})"

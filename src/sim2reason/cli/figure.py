@@ -19,13 +19,15 @@ Angles are right; of machines of strings and planes lengths are not. Needs: pip 
 @options.scene()
 @options.out("Where to: a .svg, .png or .pdf file.", required=True, printing=False)
 @click.option("--numbers", is_flag=True, help="Write masses too.")
-@options.seed("Of the wording, as in describe.")
-def command(scene: Path, out: Path, numbers: bool, seed: int) -> None:
+@options.wording()
+def command(scene: Path, out: Path, numbers: bool, seed: int | None) -> None:
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.scenes import figure
+    from sim2reason.scene_files import wording_of
 
     check(out)
-    loaded = source.scene(scene)
+    content = source.text(scene)
+    loaded, wording = source.scene(scene, content), wording_of(content)
     with results.warnings_told(), results.written(out) as path:
-        figure(loaded, path, numbers=numbers, seed=seed)
+        figure(loaded, path, numbers=numbers, seed=seed, wording=wording)

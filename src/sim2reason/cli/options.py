@@ -109,6 +109,12 @@ def seed(text: str) -> Callable[[F], F]:
     return click.option("--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
 
 
+def wording() -> Callable[[F], F]:
+    """The seed of a text for which a scene file may have its own."""
+    text = "Of the wording, as in describe; by default that which the file states, or 0."
+    return click.option("--seed", type=click.IntRange(0, LARGEST), default=None, help=text)
+
+
 def index(text: str) -> Callable[[F], F]:
     """The number in a series of problems."""
     return click.option("--index", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)

@@ -25,13 +25,15 @@ Events are marked, and what is cut off is shaded. Needs: pip install 'sim2reason
     help="How long; as long as the scene is worth by default.",
 )
 @click.option("--engine", default="both", show_default=True, help="exact, mujoco, or both: exact, cut where they part.")
-@options.seed("Of the wording, as in describe.")
-def command(scene: Path, out: Path, duration: float | None, engine: str, seed: int) -> None:
+@options.wording()
+def command(scene: Path, out: Path, duration: float | None, engine: str, seed: int | None) -> None:
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.scenes import plot
+    from sim2reason.scene_files import wording_of
 
     check(out)
-    loaded = source.scene(scene)
+    content = source.text(scene)
+    loaded, wording = source.scene(scene, content), wording_of(content)
     with results.written(out) as path:
-        plot(loaded, path, duration=duration, engine=engine, seed=seed)
+        plot(loaded, path, duration=duration, engine=engine, seed=seed, wording=wording)

@@ -34,7 +34,7 @@ from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
 from sim2reason.questions.need import greatest
 from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.scene_files import dump
+from sim2reason.scene_files import Wording, dump
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions.difficulty import SolutionDifficulty
 
@@ -75,7 +75,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         idle_numbers=_in_all(found, idle_numbers),
         solution=solution,
         unsolved=unsolved,
-        scene=dump(found.study.scene),
+        scene=dump(found.study.scene, _wording_of(found.description)),
         certificate=summary(found.certificate),
         provenance=Provenance(
             recipe=request.recipe,
@@ -135,6 +135,12 @@ def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], t
     candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
     each = [idle(candidate, found.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))
+
+
+def _wording_of(description: Description) -> Wording:
+    """How the text tells its scene, so that a figure from its file alone agrees with it."""
+    symbols = tuple(path for path in description.told if path in description.symbols)
+    return Wording(description.seed, symbols, tuple(sorted(description.without)))
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:

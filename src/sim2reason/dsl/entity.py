@@ -239,5 +239,5 @@ def _told_by_body(cls: type[Part], head: str, model: type[Model], rest: list[str
     if rest[0] in field_types(model):
         return {f"{head}.{rest[0]}"}
     if issubclass(model, Body) and rest[0] in model.words:
-        return set()
+        return {f"{head}.{name}" for name in model.says_in(f"{{{rest[0]}}}")}
     raise TypeError(f"{cls.__name__}: a line names {head}.{rest[0]}, which {model.__name__} does not have")

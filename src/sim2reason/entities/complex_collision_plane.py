@@ -84,9 +84,9 @@ class ComplexCollisionPlane(Entity):
         ),
         each(
             "gliders",
-            "{gliders.*} is at x = {gliders.*.x} at t = 0, with velocity {gliders.*.v}.",
-            "at t = 0 {gliders.*} is at x = {gliders.*.x} with velocity {gliders.*.v}.",
-            "{gliders.*} starts from x = {gliders.*.x} at t = 0 with velocity {gliders.*.v}.",
+            "{gliders.*} is {gliders.*.moving} at x = {gliders.*.x} at t = 0.",
+            "at t = 0 {gliders.*} is {gliders.*.moving} at x = {gliders.*.x}.",
+            "the position of {gliders.*} at t = 0 is x = {gliders.*.x}; it is then {gliders.*.moving}.",
             table=(
                 "the table gives each {noun}'s {columns} at t = 0.",
                 "the table shows the {columns} of each {noun} at t = 0.",

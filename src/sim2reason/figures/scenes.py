@@ -6,25 +6,45 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.figures.canvas import check, draw, matplotlib
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
-from sim2reason.prose.description import describe
+from sim2reason.prose.description import Description, describe
+from sim2reason.scene_files import Wording
 from sim2reason.simulation.scenes import BOTH, simulate
 
 
-def figure(scene: Scene, out: Path | str, *, numbers: bool = False, seed: int = 0) -> None:
-    """Draw the initial state of a scene into a .svg, .png or .pdf file, labelled as its text of that seed names things.
+def figure(
+    scene: Scene,
+    out: Path | str,
+    *,
+    numbers: bool = False,
+    seed: int | None = None,
+    wording: Wording | None = None,
+) -> None:
+    """Draw the initial state of a scene into a .svg, .png or .pdf file, labelled as its text names things.
 
-    `numbers` writes masses, too. A FigureWarning says what can only be hinted at.
+    That is the text of a `seed`, by default that of the `wording` which the scene's file states (`wording_of`), or 0;
+    for numbers that the wording says as symbols, symbols are shown. `numbers` writes masses, too. A FigureWarning says
+    what can only be hinted at.
 
     Raises:
         MissingExtraError: matplotlib is not installed.
         UnsupportedError: `out` ends otherwise.
     """
     check(Path(out))
-    draw(drawing(scene, describe(scene, seed), numbers=numbers), Path(out))
+    draw(drawing(scene, _described(scene, seed, wording), numbers=numbers), Path(out))
 
 
-def plot(scene: Scene, out: Path | str, *, duration: float | None = None, engine: str = BOTH, seed: int = 0) -> None:
+def plot(
+    scene: Scene,
+    out: Path | str,
+    *,
+    duration: float | None = None,
+    engine: str = BOTH,
+    seed: int | None = None,
+    wording: Wording | None = None,
+) -> None:
     """Plot the motion of a scene into a .svg, .png or .pdf file; `both` engines: the exact one's, cut where they part.
+
+    Names are those of the text, as in `figure`.
 
     Raises:
         MissingExtraError: matplotlib is not installed.
@@ -33,4 +53,10 @@ def plot(scene: Scene, out: Path | str, *, duration: float | None = None, engine
     """
     check(Path(out))
     matplotlib()
-    plotted(simulate(scene, duration, engine), describe(scene, seed), Path(out))
+    plotted(simulate(scene, duration, engine), _described(scene, seed, wording), Path(out))
+
+
+def _described(scene: Scene, seed: int | None, wording: Wording | None) -> Description:
+    wording = wording or Wording()
+    wanted = wording.seed if seed is None else seed
+    return describe(scene, wanted, without=wording.without, hide=wording.symbols)

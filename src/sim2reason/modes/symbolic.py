@@ -1,11 +1,11 @@
 """The symbolic mode: every number of the text is a symbol, and a formula is asked for."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.modes.parts.assumptions import assumed_in, assuming, parted
 from sim2reason.modes.parts.formula_validity import FormulaValidity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variations
@@ -30,7 +30,6 @@ from sim2reason.questions.kinds import by_share
 from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.regimes import Regime, possible
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting
@@ -42,7 +41,6 @@ from sim2reason.solutions.strategies import Strategy
 
 DRAWS = 3  # of questions of one kind
 UNDERIVED = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
-ASSUME, JOINT = "Assume that ", " and that "
 
 
 @mode
@@ -106,7 +104,7 @@ class Symbolic(QuestionMode):
         found, assumed = held
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
-        text = f"{asked} {_assuming(assumed, spoken)}" if assumed else asked
+        text = f"{asked} {assuming(assumed, spoken)}" if assumed else asked
         return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
@@ -118,17 +116,14 @@ class Symbolic(QuestionMode):
         """A query in the words of its kind, before what is assumed."""
         if not words.symbolic:
             return None
-        assumed, asked = _parted(text)
+        assumed, asked = parted(text)
         query = parse_question(asked, study, words)
         if query is None:
             return None
         if not assumed:
             return ParsedQuestion(self.name, query)
-        clauses = {held.clause(words): held for held in possible(study, words)}
-        said = assumed.removeprefix(ASSUME).removesuffix(".").split(JOINT)
-        held = tuple(clauses[clause] for clause in said if clause in clauses)
-        whole = len(held) == len(said) and _assuming(held, words) == assumed
-        return ParsedQuestion(self.name, query, assumed=held) if whole else None
+        held = assumed_in(assumed, study, words)
+        return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
         """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
@@ -168,17 +163,6 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
         return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
     except ClosedFormError:
         return None
-
-
-def _assuming(assumed: Sequence[Regime], words: Words) -> str:
-    """As in: assume that block A moves down the slope and that the string stays taut."""
-    return f"{ASSUME}{JOINT.join(sorted(held.clause(words) for held in assumed))}."
-
-
-def _parted(text: str) -> tuple[str, str]:
-    """What a question assumes, if it does, and what it asks."""
-    asked, stop, assumed = text.partition(f" {ASSUME}")
-    return f"{ASSUME}{assumed}" if stop else "", asked
 
 
 def _spoken(words: Words, query: Query) -> Words | None:

@@ -13,14 +13,14 @@ from sim2reason.questions.words import Words
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
     """All ways to ask which value of the unknown makes the answer to a query what is given."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
-    called, told = kind.called(query, words, noun), kind.told(query, words, noun, given.said)
+    wanted, told = kind.wanted(query, words, noun), kind.told(query, words, noun, given.said)
     counted = f", {sense.positive} being positive" if sense is not None and not sense.fixed else ""
     shapes = (
         shape
         for phrase in unknown.phrases
         for shape in (
             *(_stated(told, phrase, counted) if told else ()),
-            *(shape for name in called for shape in _wanted(name, given.said, phrase, unknown.symbol, counted)),
+            *(shape for name in wanted for shape in _wanted(name, given.said, phrase, unknown.symbol, counted)),
         )
     )
     return tuple(dict.fromkeys(shapes))

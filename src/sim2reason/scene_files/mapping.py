@@ -27,6 +27,7 @@ from sim2reason.scene_files.mistakes import explained
 from sim2reason.scene_files.schema import is_many, snake
 from sim2reason.scene_files.spellings import check_position, plain_name, respelled
 from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
+from sim2reason.scene_files.wording import Wording, wording_from
 from sim2reason.scene_files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
 
 M = TypeVar("M", bound=Model)
@@ -56,8 +57,8 @@ def loads(text: str) -> Scene:
         raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
 
 
-def dump(scene: Scene) -> str:
-    """A scene as YAML: everything is said but what is absent."""
+def dump(scene: Scene, wording: Wording | None = None) -> str:
+    """A scene as YAML, with how a problem tells it: everything is said but what is absent."""
     classes = {named.name: type(named.entity) for named in scene.entities}
     entities: list[Plain] = [_told_entity(named) for named in scene.entities]
     connections: list[Plain] = []
@@ -72,7 +73,8 @@ def dump(scene: Scene) -> str:
     body["world"] = told(scene.world)
     if scene.glued:
         body["glued"] = list(scene.glued)
-    return write({"scene": body})
+    whole: dict[str, Plain] = {"scene": body}
+    return write(whole if wording is None else whole | {"text": wording.plain})
 
 
 def _told_entity(named: Named) -> dict[str, Plain]:
@@ -144,7 +146,9 @@ def _with_line(place: str, text: str) -> str:
 def _scene(data: Plain) -> Scene:
     if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
         _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
-    top = _mapping(data, "scene", ("scene",), root=True)
+    top = _mapping(data, "scene", ("scene", "text"), root=True)
+    if "text" in top:
+        wording_from(top["text"])
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)

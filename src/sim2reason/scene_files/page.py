@@ -50,6 +50,9 @@ scene:
 
 - A scene has a `name`, 1 to 8 `entities`, `connections`, a `world`, and `glued`, the addresses of bodies that are
   welded to what carries them (`fixed.system.blocks.0`). Only `entities` is required.
+- Beside the `scene`, a file may say how a problem tells it, under `text`: `wording`, the seed of its text, on which
+  names depend; `symbols`, the addresses of numbers for which it says symbols, as of what it asks for; and `without`,
+  topics on which it says nothing. `sim2reason figure` then names things as the problem does, and shows no more than it.
 - The `type` of an entity is its class, as `FixedSupport` or as `fixed_support`. A part that can be of several kinds
   says its `kind`.
 - A `tendon` joins two ends, each an `entity` and a `direction`. A pulley that the string passes is entered once by each

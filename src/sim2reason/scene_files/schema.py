@@ -17,6 +17,7 @@ from sim2reason.dsl.measures import Hidden, Measure
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import MAX_ENTITIES, World
 from sim2reason.scene_files.tendons import WAYS, directions, own_fields
+from sim2reason.scene_files.wording import TEXT
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 Json = dict[str, Any]
@@ -81,7 +82,11 @@ def schema() -> Json:
         },
         required=["entities"],
     )
-    return {"$schema": DIALECT, "title": "sim2reason scene"} | _object({"scene": scene}) | {"$defs": parts.found}
+    return (
+        {"$schema": DIALECT, "title": "sim2reason scene"}
+        | _object({"scene": scene, "text": TEXT}, required=["scene"])
+        | {"$defs": parts.found}
+    )
 
 
 @dataclass(frozen=True, slots=True)

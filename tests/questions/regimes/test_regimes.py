@@ -189,7 +189,9 @@ def test_what_is_too_heavy_waits() -> None:
     assert {clause.rpartition(" ")[2] for clause in said(rocket(9.0), 20.0) if "keeps moving" in clause} == {"up"}
 
 
-@pytest.mark.parametrize(("until", "clause"), [(0.0, ""), (40.0, "still has fuel then"), (80.0, "used up its fuel by")])
+@pytest.mark.parametrize(
+    ("until", "clause"), [(0.0, ""), (40.0, "still has fuel then"), (80.0, "burned all its fuel by then")]
+)
 def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
     """700 kg of fuel last for 70 s at 10 kg/s."""
     scene = rocket(10.0)
@@ -239,9 +241,11 @@ def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
     """In deep space nothing comes down; nor does a text speak of it that says no time."""
     seen = item(recipe="rocket", difficulty="hard", mode="symbolic", seed=20261140, index=0, weights=NO_LIMITS)
     assert "at the instant t = $t_1$" in seen.prompt
-    assert "has used up its fuel by then but not come down yet" in seen.prompt
+    assert "has burned all its fuel by then but has not yet fallen back" in seen.prompt
     motion, words = study(rocket(10.0), 90.0), words_of(describe(rocket(10.0)))
-    assert [held.clause(words) for held in BurntOut.possible(motion, words) if "come down" in held.clause(words)] == []
+    assert [
+        held.clause(words) for held in BurntOut.possible(motion, words) if "fallen back" in held.clause(words)
+    ] == []
 
 
 def test_where_bodies_may_collide_one_moves_only_one_way() -> None:

@@ -65,7 +65,7 @@ def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator
     query, study = candidate.question.query, candidate.study
     asked, until = _spared(simplification, candidate), _until(candidate)
     for subject in simplification.subjects(query, study):
-        if subject in asked:
+        if subject in asked or subject == candidate.question.unknown:
             continue
         other = simplification.simplified(study, subject, until)
         effect = _effect(simplification, subject, candidate, other, candidate.response(other))
@@ -86,7 +86,7 @@ def far_effects(candidate: Candidate) -> Iterator[Effect]:
             continue
         spared = _spared(simplification, candidate)
         for subject in simplification.subjects(query, study):
-            if subject not in spared:
+            if subject not in spared and subject != candidate.question.unknown:
                 other = simplification.simplified(study, subject, until)
                 yield _effect(simplification, subject, candidate, other, candidate.far_response(other))
 

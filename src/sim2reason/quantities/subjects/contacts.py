@@ -7,7 +7,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.subjects import Subject, all_said
 
 SURFACES = ("plane", "incline", "table", "floor", "track", "surface")  # fields of entities on which bodies may lie
-ANY = "the surface that it rests on"
+ANY = "the surface on which it rests"
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Contacts(Subject):
 
 
 def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
-    """What a body rests on, in the words of the text; where those mean several, the one that it lies on."""
+    """What a body rests on, in the words of the text; where those mean several, the one on which it rests."""
     parent = mechanism.body[name].parent
     if parent is not None:
         return mentions.get(parent, ANY)
@@ -44,5 +44,5 @@ def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str
     while owner := owner.rpartition(".")[0]:
         found = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
         if found:
-            return found[0] if list(mentions.values()).count(found[0]) == 1 else f"{found[0]} that it lies on"
+            return found[0] if list(mentions.values()).count(found[0]) == 1 else f"{found[0]} on which it rests"
     return ANY

@@ -120,6 +120,10 @@ class Kind(ABC):
         """Statements that it has a value, which is said with its unit; the first one may stand in a clause."""
         return tuple(f"{called} is {value}" for called in self.called(query, words, noun))
 
+    def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """Return noun phrases for it of which one may say what they shall be; by default what it is called."""
+        return self.called(query, words, noun)
+
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """All that a sentence could ask, by the numbers and names that stand in it; `targets` are those it names.

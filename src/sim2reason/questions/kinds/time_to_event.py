@@ -70,14 +70,18 @@ class TimeToEventKind(Kind):
         return (f"the time from {words.since} until {clause.statement}",) if clause is not None else ()
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """Also: B first stops 1.2 s after release."""
+        """As in: B first stops 1.2 s after release."""
+        del noun
         assert isinstance(query.moment, Happening)
         clause, since = query.moment.clause(words), words.since
         if clause is None:
             return ()
-        takes = f"counted from {since}, {clause.subject} takes {value} {clause.takes}"
-        other = takes if clause.takes else f"{clause.statement} {value} after {since}"
-        return (*super().told(query, words, noun, value), other)
+        takes = f"{clause.subject} takes {value} {clause.takes}, counted from {since}"
+        return (takes if clause.takes else f"{clause.statement} {value} after {since}",)
+
+    def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """None: that something happens at a time is said as such."""
+        return () if self.told(query, words, noun, "") else self.called(query, words, noun)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Whatever it names that can happen."""

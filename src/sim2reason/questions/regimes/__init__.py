@@ -23,12 +23,14 @@ class Regime(ABC):
     Class data:
         of: the kind of subject.
         at_start: whether it is of where things are at the start, whatever they are and come to do.
+        stage: whether its clause is about the start (0), all the time from there on (1), or what is so at the end (2).
         unseen: whether it may end though no sum in a formula turns its sign there; then that is looked for by `margin`.
     """
 
     of: ClassVar[Subject]
     at_start: ClassVar[bool] = False
     unseen: ClassVar[bool] = False
+    stage: ClassVar[int] = 1
 
     name: str
 
@@ -61,6 +63,15 @@ class Regime(ABC):
     @abstractmethod
     def clause(self, words: Words) -> str:
         """It in words, after *assume that*."""
+
+    def short_clause(self, words: Words) -> str:
+        """Return the same without what another regime may imply; by default nothing is left out."""
+        return self.clause(words)
+
+    def clause_beside(self, words: Words, others: Sequence["Regime"]) -> str:
+        """Return it in words beside others that are assumed, which may imply a part of it; by default none does."""
+        del others
+        return self.clause(words)
 
 
 REGIMES: Registry[type[Regime]] = Registry("questions.regimes")

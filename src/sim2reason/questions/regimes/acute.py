@@ -19,6 +19,7 @@ class StartsAcute(Regime):
     """A line makes an acute angle with the downward vertical at the start, though another one could be stated."""
 
     of = SwingingLines()
+    stage = 0
     at_start = True
 
     @classmethod

@@ -19,6 +19,7 @@ class DeflectedBeyondStart(Regime):
     """A line makes a larger angle with the vertical than at the start, or a smaller one, when something is asked."""
 
     of = SwingingLines()
+    stage = 2
 
     larger: bool
 

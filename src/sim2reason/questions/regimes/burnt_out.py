@@ -7,6 +7,7 @@ from typing import Self
 
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.regimes.direction import MovesOneWay
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
@@ -22,6 +23,7 @@ class BurntOut(Regime):
     """
 
     of = Bodies()
+    stage = 2
 
     out: bool
     falls: bool = False
@@ -53,8 +55,15 @@ class BurntOut(Regime):
         return True
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket has used up its fuel by then but not come down yet."""
+        """As in: the rocket has burned all its fuel by then but has not yet fallen back."""
+        return f"{self.short_clause(words)}{' but has not yet fallen back' * (self.out and self.falls)}"
+
+    def short_clause(self, words: Words) -> str:
+        """As in: the rocket has burned all its fuel by then."""
         called = words.called(self.of)[self.name]
-        if not self.out:
-            return f"{called} still has fuel then"
-        return f"{called} has used up its fuel by then{' but not come down yet' * self.falls}"
+        return f"{called} has burned all its fuel by then" if self.out else f"{called} still has fuel then"
+
+    def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
+        """What has only moved one way can not have fallen back."""
+        rises = any(isinstance(other, MovesOneWay) and other.name == self.name for other in others)
+        return self.short_clause(words) if rises else self.clause(words)

@@ -24,6 +24,7 @@ class CollideInTurn(Regime):
     """Some collisions come before the moment that is asked about, in this order, and no other does."""
 
     of = Pairs()
+    stage = 2
 
     order: tuple[tuple[str, ...], ...]  # the bodies of each; one body alone meets what is fixed
 

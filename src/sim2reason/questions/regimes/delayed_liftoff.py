@@ -22,6 +22,7 @@ class DelayedLiftoff(Regime):
     """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
 
     of = Bodies()
+    stage = 0
     unseen = True
 
     waits: bool

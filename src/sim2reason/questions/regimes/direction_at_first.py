@@ -17,6 +17,7 @@ class MovesFirst(Regime):
     """A body that is released begins to move one way along a line, whatever it does later."""
 
     of = Bodies()
+    stage = 0
 
     way: MovesOneWay
 

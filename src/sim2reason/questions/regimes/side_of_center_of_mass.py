@@ -23,6 +23,7 @@ class SideOfCenterOfMass(Regime):
     """The first body on a light arm is on the side on which the centre of mass of all of them is, or on the other."""
 
     of = Bodies()
+    stage = 0
 
     same: bool
 

@@ -1,0 +1,66 @@
+"""What a question in symbols assumes, as one sentence, and that sentence read back."""
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+from sim2reason.questions.regimes import Regime, possible
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+ASSUME = "Assume that "
+_JOINTS = re.compile(r", and that |, that | and that ")
+MOST = 1000  # readings of one sentence that are tried
+
+
+def assuming(assumed: Sequence[Regime], words: Words) -> str:
+    """Return, as in: assume that block A moves down the slope and that the string stays taut.
+
+    In the order of time: what is so at the start, all the while, and at the moment that is asked about. What a clause
+    is about is *it* where the one before is about the same.
+    """
+    ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
+    clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]
+    if len(clauses) < 3:
+        return f"{ASSUME}{' and that '.join(clauses)}."
+    return f"{ASSUME}{', that '.join(clauses[:-1])}, and that {clauses[-1]}."
+
+
+def assumed_in(sentence: str, study: Study, words: Words) -> tuple[Regime, ...] | None:
+    """Return what a sentence assumes of motions of such a scene; None if it is no such sentence."""
+    said = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
+    regimes = possible(study, words)
+    meant = [[held for held in regimes if clause in _forms(held, words)] for clause in said]
+    readings = product(*meant)
+    for _, reading in zip(range(MOST), readings, strict=False):
+        if assuming(reading, words) == sentence:
+            return reading
+    return None
+
+
+def parted(text: str) -> tuple[str, str]:
+    """Return what a question assumes, empty if it assumes nothing, and what it asks."""
+    asked, stop, assumed = text.partition(f" {ASSUME}")
+    return f"{ASSUME}{assumed}" if stop else "", asked
+
+
+def _clause(held: Regime, before: Sequence[Regime], beside: Sequence[Regime], words: Words) -> str:
+    clause, subject = held.clause_beside(words, beside), _subject(held, words)
+    same = bool(before) and subject and subject == _subject(before[-1], words)
+    return _with_it(clause, subject) if same else clause
+
+
+def _forms(held: Regime, words: Words) -> Iterator[str]:
+    for clause in (held.clause(words), held.short_clause(words)):
+        yield clause
+        yield _with_it(clause, _subject(held, words))
+
+
+def _subject(held: Regime, words: Words) -> str:
+    """What the text calls the one that a clause begins with; empty for what is about several, or begins otherwise."""
+    called = words.called(held.of).get(held.name, "")
+    return called if called and held.clause(words).startswith(f"{called} ") else ""
+
+
+def _with_it(clause: str, subject: str) -> str:
+    return f"it{clause.removeprefix(subject)}" if subject else clause
