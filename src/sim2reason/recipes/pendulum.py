@@ -1,11 +1,13 @@
-"""Pendulums on rods and strings."""
+"""Pendulums on rods and strings, at fixed points and on carriages."""
 
 import numpy as np
 
-from sim2reason.dsl.measures import Range
+from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ideas import Idea, one_of
+from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 KIND = "Pendulum"
 RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(10.0, 90.0)}
@@ -26,8 +28,26 @@ IDEAS = {
 }
 
 
+CARRIED = {"easy": 0.0, "medium": 0.4, "hard": 0.4}
+"""The chance that the pendulum hangs from a carriage, which moves as it swings."""
+PUSHED: dict[Difficulty, float] = {"easy": 0.0, "medium": 0.0, "hard": 0.6}
+TIERS = {
+    level: Tier(
+        Count(2, 2),
+        ({"SliderMass": 1.0}, {"LightRodPendulum": 1.0}),
+        {**NUMBERS[level], "angle": Range(20.0, 80.0), "LightRod.length": Range(0.4, 1.5), "speed?": pushed},
+        connections={"pivot": 1.0},
+        more=0.0,
+        words=WORDS[level],
+    )
+    for level, pushed in PUSHED.items()
+}
+
+
 # one law of energy answers most questions about events, and whether a bob goes round or its string slack
 @recipe("pendulum", share=2, weights={"event": 0.4, "threshold": 0.0, "optimum": 0.0})
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A bob on a string or a light rod: released, set moving, or so fast that it leaves its circle."""
+    """A bob on a string or a light rod, perhaps on a carriage: released, set moving, or so fast that it goes slack."""
+    if rng.random() < CARRIED[difficulty]:
+        return grow(TIERS[difficulty], rng)
     return one_of(IDEAS[difficulty], rng, "pendulum")

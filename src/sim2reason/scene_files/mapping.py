@@ -74,7 +74,9 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
     if scene.glued:
         body["glued"] = list(scene.glued)
     whole: dict[str, Plain] = {"scene": body}
-    return write(whole if wording is None else whole | {"text": wording.plain})
+    if wording is not None:
+        whole["text"] = wording.plain
+    return write(whole)
 
 
 def _told_entity(named: Named) -> dict[str, Plain]:
