@@ -74,9 +74,7 @@ def test_a_rocket_on_a_planet_has_its_own_gravity_in_its_equation(launch: Settin
 
 def test_laws_in_which_something_has_no_value_are_refused(launch: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(EquationsOfMotion, "load", lambda *_: Polynomial.of(Symbol("z")))
-    found = by(STRATEGIES["integration"], launch)
-    assert found.answer is None
-    assert "z" in found.reason
+    assert "no number for z" in by(STRATEGIES["integration"], launch).reason
 
 
 @pytest.fixture

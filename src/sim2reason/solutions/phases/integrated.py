@@ -68,10 +68,16 @@ class IntegratedPhases:
         assert end is not None
         answer = self._answer(end)
         self._compose(answer)
-        unread = {name for step in self.book.steps for name in step.symbols() if name.startswith(UNREAD)}
-        if unread:
-            raise UnsolvedError(f"the text has no numbers for {', '.join(sorted(unread))}")
+        self._check_names()
         return answer if not self.setting.unknown else self.book.sought
+
+    def _check_names(self) -> None:
+        """Refuse equations with a name that has no value, or none in the numbers of the text."""
+        names = {name for step in self.book.steps for name in step.symbols()}
+        if unread := sorted(name for name in names if name.startswith(UNREAD)):
+            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
+        if unknown := sorted(names - {*self.book.values, *self.book.observed}):
+            raise UnsolvedError(f"the equations have no number for {', '.join(unknown)}")
 
     def _introduce(self) -> None:
         book, constant = self.book, self.setting.lexicon.constant
