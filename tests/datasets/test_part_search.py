@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from sim2reason import rewards
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.items import item
 from sim2reason.datasets.part_search import NUMBERS, is_new
-from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.separate import separated
 from sim2reason.datasets.splits import problem

@@ -16,8 +16,9 @@ from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets import item_search
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.make import make
-from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import NOTHING, QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, swing, three
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.request import Request
 from sim2reason.dsl.scene import Scene
 from sim2reason.figures.curves import motion_curves

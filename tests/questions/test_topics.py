@@ -11,7 +11,8 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.spring import NailedSpring
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.certified import CertifiedQuestion
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import BallPiece, RoundPiece

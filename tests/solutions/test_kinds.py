@@ -23,6 +23,8 @@ from sim2reason.questions.moments.away import Away
 from sim2reason.questions.outcomes.slides import Slides
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL
 from sim2reason.testing.solutions.faults import SEEN, faults
@@ -142,7 +144,7 @@ def test_drawn_problems_are_derived_without_a_fault(recipe: str, kind: str, mode
 
 
 @pytest.mark.parametrize("recipe", ["springs", "chain", "pendulum"])
-def test_an_integration_says_that_it_is_one_and_its_equations_hold(recipe: str) -> None:
+def test_an_integration_says_that_it_is_one_and_states_all_that_leads_to_its_answer(recipe: str) -> None:
     written = 0
     for setting in drawn(recipe, "state", "numeric", 4):
         found = by(STRATEGIES["integration"], setting)
@@ -151,22 +153,28 @@ def test_an_integration_says_that_it_is_one_and_its_equations_hold(recipe: str) 
             continue
         written += 1
         assert not found.derived
-        assert "numerical integration" in found.text
-        assert any(relation.role == "law" for relation in found.relations)
+        assert "integrated numerically" in found.text
+        phases = [step.integration for step in found.steps if step.integration is not None]
+        assert phases
+        for phase in phases:
+            assert phase.equations
+            assert phase.coordinates
+            moving = {phase.time, *phase.unknowns, *(name for c in phase.coordinates for name in (c.place, c.rate))}
+            assert moving & {*phase.until.expression.symbols()}
         assert setting.answer is not None
         assert not faults(found, setting.answer)
+        assert recompute(as_data(found)).answer == pytest.approx(setting.answer, rel=1e-8)
         assert not read(found.text).broken
         assert faults(_without_a_law(found), setting.answer)
     assert written
 
 
 def _without_a_law(solution: Solution) -> Solution:
-    """The last one is left out."""
-    law = [relation for relation in solution.relations if relation.role == "law"][-1]
-    steps = (
-        replace(step, relations=tuple(relation for relation in step.relations if relation is not law))
-        for step in solution.steps
-    )
+    """Return a solution whose last integrated phase lacks its last equation of motion."""
+    last = [step for step in solution.steps if step.integration is not None][-1]
+    assert last.integration is not None
+    less = replace(last.integration, equations=last.integration.equations[:-1])
+    steps = (replace(step, integration=less) if step is last else step for step in solution.steps)
     return replace(solution, steps=tuple(steps))
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.certified import CertifiedQuestion
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query, Target

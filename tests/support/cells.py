@@ -4,7 +4,8 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.certified import CertifiedQuestion
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator, sample
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError

@@ -4,12 +4,13 @@ from collections import Counter
 from dataclasses import dataclass, field
 from itertools import islice
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.forms import formed
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.names import modes_named
 from sim2reason.datasets.plan import Names
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import problem

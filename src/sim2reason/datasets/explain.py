@@ -6,11 +6,11 @@ from pathlib import Path
 from textwrap import indent
 from typing import TypeVar
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.errors import DatasetError

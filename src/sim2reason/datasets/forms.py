@@ -5,11 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.distractors import ENOUGH, distractors
 from sim2reason.datasets.item import Answer
 from sim2reason.datasets.options import options
 from sim2reason.datasets.part_search import PartSearch
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.questions import QuestionMode
 from sim2reason.recipes import Difficulty
 

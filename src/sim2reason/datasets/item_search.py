@@ -5,9 +5,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.forms import formed
 from sim2reason.datasets.needs import allowed
-from sim2reason.datasets.question_search import NOTHING, UNSUITED, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import NOTHING, UNSUITED, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Mapping
 from itertools import count
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of, make
 from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
 from sim2reason.datasets.plan import ALL, Config, Names, numbers
-from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import SI, Request, whole
 from sim2reason.datasets.weights import check
 from sim2reason.dsl.scene import Scene

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pydantic import JsonValue
 
 from sim2reason.datasets import item_search, part_search, question_search
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import (
@@ -23,7 +24,6 @@ from sim2reason.datasets.item import (
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.options import Options, values
 from sim2reason.datasets.plan import Made, versions
-from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
 from sim2reason.filters import Candidate

@@ -12,11 +12,12 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.datasets.question_search import CertifiedPart, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.certified import CertifiedPart, CertifiedQuestion
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
+from sim2reason.questions.change import changed, is_something
 from sim2reason.questions.constancy import lasts
-from sim2reason.questions.kinds import changed, is_something
 from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.all_along import AllAlong

@@ -7,7 +7,7 @@ from itertools import chain
 
 import numpy as np
 
-from sim2reason.datasets.item import Distractor
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
@@ -23,8 +23,6 @@ from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
-from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
@@ -36,59 +34,6 @@ CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
 NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # as a manifest counts them
 UNSUITED = "needs: before an answer"  # likewise
-
-
-@dataclass(frozen=True)
-class CertifiedQuestion:
-    """A question that passed, with its text and what vouches for its answer."""
-
-    candidate: Candidate
-    study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
-    certificate: Certificate
-    description: Description
-    shape: str  # of the prompt
-    parts: "tuple[CertifiedPart, ...]" = ()  # where there are several, of which this is the last
-    text: str = ""  # the prompt with all parts
-    options: tuple[Distractor | None, ...] = ()  # of a multiple choice; None is the right one
-
-    @property
-    def question(self) -> Question:
-        """The question with its answer."""
-        return self.candidate.question
-
-    @property
-    def prompt(self) -> str:
-        """The whole text."""
-        return self.text or self.candidate.prompt
-
-    @cached_property
-    def shortest(self) -> Solution:
-        """The solution by which it is measured; where only an integration leads to the answer, that."""
-        found = self.candidate.solution
-        return found if found is not None and found.answer is not None else solve(self.setting)
-
-    @cached_property
-    def measured(self) -> SolutionDifficulty | None:
-        """How difficult it is by its shortest solution; None where there is none."""
-        found, study = self.shortest, self.candidate.study
-        events = number_of_events(study.trace, self.candidate.time)
-        return measured(found, events) if found.answer is not None else None
-
-    @property
-    def setting(self) -> Setting:
-        """All that a worked solution looks at."""
-        assert self.candidate.words is not None
-        return Setting.of(self.question, self.study, self.candidate.words, self.description)
-
-
-@dataclass(frozen=True)
-class CertifiedPart:
-    """A part of a problem: a question that passed, with its solution and the earlier parts that lead to it."""
-
-    certified: CertifiedQuestion
-    solution: Solution
-    text: str  # of the question, as the prompt has it
-    uses: tuple[int, ...]
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Worked solutions of problems, as their texts ask for the answer."""
 
+from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.item import SolutionRecord, SolutionStep
-from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import Request
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions import Question

@@ -12,7 +12,7 @@ from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import FILTERS, Candidate, Filter
 
 
-class Outcome(Filter):
+class PlausibleOutcome(Filter):
     """The answer, or the result that is given, is not plausible; or a spring is squeezed or stretched too far."""
 
     order = 1
@@ -53,4 +53,4 @@ def _instants(state: State, time: float) -> np.ndarray:
     return np.append(earlier, time)
 
 
-FILTERS.add("outcome", Outcome())
+FILTERS.add("outcome", PlausibleOutcome())

@@ -9,22 +9,18 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import bears_from, has_met, least
-from sim2reason.questions.constancy import hangs_on
+from sim2reason.questions.choices import bears_from, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target, Targets
+from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import AT_ONCE
-
-SAME = 2e-3  # relative: what rounds to the same three digits
-JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,33 +270,3 @@ def _bears(study: Study, moment: Moment) -> bool:
     if time is None or not has_met(study.trace, time, just_after=bool(moment.sided)):
         return False
     return time >= bears_from(study.trace) * (1.0 - AT_ONCE)
-
-
-def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Whether a quantity at a moment is something, neither stated nor what it was at the start or is at other moments.
-
-    Else the moment would decorate the question. At an event whose words name no side of it, it must not jump either.
-    """
-    time, trace = study.time(moment), study.trace
-    if time is None:
-        return lambda _: False
-    start, here = trace.at(0.0), trace.at(moment.side(time))
-    sides = [trace.at(float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
-
-    def differs(target: Target) -> bool:
-        value = target.value(here)
-        if not is_something(value, target, study):
-            return False
-        known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
-        if any(abs(value - said) <= SAME * abs(value) for said in (*known, *(-number for number in known[1:]))):
-            return False
-        if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):
-            return False
-        return hangs_on(moment, trace, time, lambda times: target.values(trace.sample(times)))
-
-    return differs
-
-
-def is_something(value: float, target: Target, study: Study) -> bool:
-    """Whether a value is large enough to be asked for, and positive: no constant below zero is ever right."""
-    return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

@@ -7,8 +7,9 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.change import SAME
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import SAME, Kind, kind
+from sim2reason.questions.kinds import Kind, kind
 from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query

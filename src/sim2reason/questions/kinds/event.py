@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from sim2reason.questions.change import changed
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import ValueKind, changed, drawn, kind
+from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study

@@ -83,6 +83,7 @@ class OptimumKind(NestedKind):
     name = "optimum"
     share = 0.15
     beyond_laws = True
+    hides = True
     inner = ("start", "event", "period")
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

@@ -5,9 +5,10 @@ import numpy as np
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.change import is_something
 from sim2reason.questions.choices import only_falls, pick
 from sim2reason.questions.constancy import lasts
-from sim2reason.questions.kinds import ValueKind, drawn, is_something, kind
+from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.at_start import AtStart

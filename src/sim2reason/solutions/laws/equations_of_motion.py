@@ -4,29 +4,23 @@ They are those that the exact engine integrates, recorded once for the mechanism
 the same function of what the text says in both is written as that function, see `writing.lexicon`.
 """
 
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from itertools import product
+from collections.abc import Callable
+from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import State
 from sim2reason.dsl.triples import Number as Quantity
-from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.tape import Symbol as Recorded
-from sim2reason.simulation.engines.exact.tape import Tape
 from sim2reason.solutions.algebra.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.algebra.square_root import square_root
+from sim2reason.solutions.laws.recorded_equations import assembled
 from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
-ROUNDING = 1e-12  # m: a coordinate of a body that is smaller is zero
 UNREAD = "?"  # begins the symbols of numbers that are no simple functions of those in the text
-SUMMANDS = 5  # of a length along a line, at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +58,8 @@ class EquationsOfMotion:
         """Record the equations of the mechanism and of its twin; UnsolvedError if those of the twin differ in form."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
-        self._here, one = _assembled(lexicon.mechanism, phase)
-        self._there, two = _assembled(lexicon.twin, phase)
+        self._here, one = assembled(lexicon.mechanism, phase)
+        self._there, two = assembled(lexicon.twin, phase)
         self._tapes = one, two
         self._known: dict[tuple[int, int], Polynomial] = {}
         self._squares: dict[Expression, Polynomial] = {}  # by root, what stands under it
@@ -238,19 +232,6 @@ class EquationsOfMotion:
         return Polynomial.of(root)
 
 
-def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
-    """What a polynomial is the square of, positive `at` known values; None if it is none."""
-    plain = [(m, part) for m, part in inside.terms.items() if part > 0.0 and all(power % 2 == 0 for _, power in m)]
-    if not 1 <= len(plain) <= SUMMANDS:
-        return None
-    roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
-    for signs in product((1.0, -1.0), repeat=len(roots) - 1):
-        found = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
-        if not (found * found - inside):
-            return found if found.value(at) > 0.0 else found.scaled(-1.0)
-    return None
-
-
 def _by_itself(one: Polynomial, other: Polynomial) -> float:
     """1 or -1, where that is what one by the other comes to; else 0."""
     if len(one.terms) < 2 or len(one.terms) != len(other.terms):
@@ -271,47 +252,3 @@ def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial
         (monomial, part), *_ = second.terms.items()
         return first * Polynomial({tuple((atom, -power) for atom, power in monomial): 1.0 / part})
     return Polynomial.of(Quotient(first.expression(), second.expression())) if first else NIL
-
-
-def _exact(mechanism: Mechanism) -> Mechanism:
-    """Return the mechanism with coordinates that are rounding errors set to zero, so that twins have one form."""
-
-    def rounded(vector: Vector) -> Vector:
-        x, y, z = (0.0 if abs(part) < ROUNDING else part for part in vector)
-        return x, y, z
-
-    bodies = tuple(
-        replace(
-            body,
-            at=rounded(body.at),
-            center=rounded(body.center),
-            coordinates=tuple(replace(c, axis=rounded(c.axis)) for c in body.coordinates),
-        )
-        for body in mechanism.bodies
-    )
-    return replace(mechanism, bodies=bodies, sites=tuple(replace(s, at=rounded(s.at)) for s in mechanism.sites))
-
-
-def _assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
-    mechanism = _exact(mechanism)
-    size = len(mechanism.coordinates)
-    tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
-    symbols = list(tape.inputs.values())
-    return Assembly(mechanism, phase, (symbols[1 : size + 1], symbols[size + 1 :], symbols[0]), tape), tape
-
-
-def phase_at(state: State) -> Phase:
-    """What acts at an instant: fields, engines that burn, and springs that act one way; nothing sticks."""
-    m, time = state.mechanism, float(state.times[0])
-    inside: list[tuple[bool, ...]] = []
-    for force in m.forces:
-        place = state.vector(state.frames.center(force.body).place)[0]
-        margins = force.region.margins((place[0], place[1], place[2]), math) if force.region is not None else ()
-        inside.append((all(float(margin) >= 0.0 for margin in margins),))  # type: ignore[arg-type]
-    lengths = {line.name: float(state.free_length(line)[0][0]) for line, _ in m.half_springs}
-    return Phase(
-        inside=tuple(inside),
-        burning=tuple(time < burn.until for burn in m.burns),
-        stuck=(False,) * len(m.meetings),
-        strained=tuple(law.side * (lengths[line.name] - law.length) >= 0.0 for line, law in m.half_springs),
-    )

@@ -42,14 +42,14 @@ class _Choice:
 
 
 @dataclass(frozen=True, slots=True)
-class Chosen:
+class ChosenCoordinates:
     """The symbols of all coordinates, and the sentence that introduces them."""
 
     names: Names
     sentence: str
 
 
-def choose(setting: Setting, book: Book) -> Chosen:
+def choose(setting: Setting, book: Book) -> ChosenCoordinates:
     """Name the coordinates of the mechanism, their derivatives and the time.
 
     A position or an angle that the text gives becomes a coordinate itself; every other coordinate is the displacement
@@ -67,7 +67,7 @@ def choose(setting: Setting, book: Book) -> Chosen:
         accelerations.append(book.fresh(r"\alpha" if hinge else "a", marks))
     senses, origins = tuple(c.sense for c in choices), tuple(c.origin for c in choices)
     names = Names(tuple(places), tuple(rates), tuple(accelerations), book.fresh("t"), senses, origins)
-    return Chosen(names, _introduction(names, choices))
+    return ChosenCoordinates(names, _introduction(names, choices))
 
 
 def _introduction(names: Names, choices: list[_Choice]) -> str:

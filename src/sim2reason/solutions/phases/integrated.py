@@ -1,7 +1,7 @@
 """The phases of a motion written in order, each from the state in which the one before it ends."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isnan, radians
 
 import numpy as np
@@ -11,46 +11,34 @@ from sim2reason.questions import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Happening
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.goals import GOALS, VectorName, finish
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.laws.equations_of_motion import UNREAD, Names
 from sim2reason.solutions.phases.accumulated import RATES, rate_of, value_of
+from sim2reason.solutions.phases.asked_quantity import write_quantity
 from sim2reason.solutions.phases.conditions import event_condition, located, moment_conditions, said
 from sim2reason.solutions.phases.coordinates import HINGE_UNITS, SLIDE_UNITS, choose
-from sim2reason.solutions.phases.end_state import EndState
 from sim2reason.solutions.phases.equations import PhaseEquations, amid
-from sim2reason.solutions.phases.extremes import rate_formulas, refined, top
+from sim2reason.solutions.phases.extremes import rate_formulas, refined
 from sim2reason.solutions.phases.forces import ForceSymbols
+from sim2reason.solutions.phases.initial_rates import initial_rates
 from sim2reason.solutions.phases.jumps import write_jump
 from sim2reason.solutions.phases.numerical import tell_end, tell_problem
 from sim2reason.solutions.phases.steady import SteadyPhase
+from sim2reason.solutions.phases.stretches import Stretch, asked_time, stretches
 from sim2reason.solutions.phases.values import formula_of
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import split
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, NEWTONS, SECONDS, latex
+from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, latex
 
-MOST_PHASES = 8  # a longer solution would not be read
-SAME_TIME = 1e-9  # relative: an event so close to the moment asked is that moment
 NOTHING = 1e-12  # in SI units: the rounding of zero
 WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
 )
 INTRODUCTION = "The equations of motion have no solution in elementary functions; they are integrated numerically."
-
-
-@dataclass(frozen=True, slots=True)
-class _Stretch:
-    """A segment of the motion with the time, s, and the events that end it."""
-
-    segment: Segment
-    ends: float
-    events: tuple[Event, ...]
 
 
 class IntegratedPhases:
@@ -62,41 +50,34 @@ class IntegratedPhases:
         chosen = choose(setting, book)
         self.names, self._introduction = chosen.names, chosen.sentence
         self._forces = ForceSymbols(setting, book)
-        self.time = self._asked_time()
+        self.time = asked_time(setting)
         self._begin: Expression = Number(0.0)
         self._places = [origin.expression() for origin in self.names.origins]
-        self._rates = self._first_rates()
+        self._rates = initial_rates(setting.lexicon, self.names.senses)
         self._sum: Symbol | None = None
         self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # by number of a step, its last sentence
 
-    def _asked_time(self) -> float:
-        setting, query = self.setting, self.setting.query
-        if query.kind == "extremum" and isinstance(query, StretchQuery):
-            return top(setting.motion, query.functional, query.name, setting.time)
-        return query.moment.side(setting.time) if query.moment is not None else setting.time
-
-    def _first_rates(self) -> list[Expression]:
-        lexicon = self.setting.lexicon
-        pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, self.names.senses, strict=True)
-        return [_speed(lexicon, Both(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
-
     def write(self) -> str:
         """Write all steps and return the symbol of the answer; UnsolvedError where an equation cannot be written."""
-        stretches = self._stretches()
-        if not stretches or len(stretches) > MOST_PHASES:
-            raise UnsolvedError(f"the motion has {len(stretches)} phases")
+        found = stretches(self.setting, self.time)
         self._introduce()
         end: PhaseEquations | None = None
-        for number, stretch in enumerate(stretches):
+        for number, stretch in enumerate(found):
             self.book.phase = number
-            end = self._phase(stretch, last=number == len(stretches) - 1, several=len(stretches) > 1)
+            end = self._phase(stretch, last=number == len(found) - 1, several=len(found) > 1)
         assert end is not None
         answer = self._answer(end)
         self._compose(answer)
-        unread = {name for step in self.book.steps for name in step.symbols() if name.startswith(UNREAD)}
-        if unread:
-            raise UnsolvedError(f"the text has no numbers for {', '.join(sorted(unread))}")
+        self._check_names()
         return answer if not self.setting.unknown else self.book.sought
+
+    def _check_names(self) -> None:
+        """Refuse equations with a name that has no value, or none in the numbers of the text."""
+        names = {name for step in self.book.steps for name in step.symbols()}
+        if unread := sorted(name for name in names if name.startswith(UNREAD)):
+            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
+        if unknown := sorted(names - {*self.book.values, *self.book.observed}):
+            raise UnsolvedError(f"the equations have no number for {', '.join(unknown)}")
 
     def _introduce(self) -> None:
         book, constant = self.book, self.setting.lexicon.constant
@@ -111,26 +92,9 @@ class IntegratedPhases:
             step.say(f"{step.trial(name)}. With this value:")
         step.close()
 
-    def _stretches(self) -> list[_Stretch]:
-        """Return the segments up to the moment asked."""
-        motion, moment = self.setting.motion, self.setting.query.moment
-        segments = [s for s in motion.segments if s.start < self.time or s.start == 0.0]
-        ends_at_event = moment is not None and moment.event and self.setting.query.kind != "extremum"
-        found: list[_Stretch] = []
-        for segment, following in zip(segments, [*segments[1:], None], strict=True):
-            ends = following.start if following is not None else self.time
-            near = SAME_TIME * max(ends, SAME_TIME)
-            events = tuple(e for e in motion.events if e.changes_motion and abs(e.time - ends) <= near)
-            if following is None and not ends_at_event:
-                events = ()
-            if following is not None and not events:
-                raise UnsolvedError("the equations change where no event is recorded")
-            found.append(_Stretch(segment, ends, events))
-        return found
-
     # ---- one phase
 
-    def _phase(self, stretch: _Stretch, *, last: bool, several: bool) -> PhaseEquations:
+    def _phase(self, stretch: Stretch, *, last: bool, several: bool) -> PhaseEquations:
         """Write one phase and what happens at its end; return its equations in the symbols of that instant."""
         inner = self._inner(stretch.segment)
         if stretch.events:
@@ -165,7 +129,7 @@ class IntegratedPhases:
         step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()
 
-    def _handed_on(self, outer: PhaseEquations, stretch: _Stretch) -> PhaseEquations:
+    def _handed_on(self, outer: PhaseEquations, stretch: Stretch) -> PhaseEquations:
         """Write how velocities change at the event that ends a phase, unless the moment asked is just before it.
 
         Return the equations in the symbols of the instant that is asked about, where it is this one.
@@ -211,7 +175,7 @@ class IntegratedPhases:
         clause = moment.clause(self.setting.words) if isinstance(moment, Happening) else None
         return clause.statement if clause is not None else ""
 
-    def _ended(self, inner: PhaseEquations, stretch: _Stretch) -> tuple[Names, dict[str, Symbol]]:
+    def _ended(self, inner: PhaseEquations, stretch: Stretch) -> tuple[Names, dict[str, Symbol]]:
         """Name the values at the end of a phase, before what changes there; the book learns them from the engine."""
         names = self.names
         side = float(np.nextafter(stretch.ends, 0.0)) if stretch.events else stretch.ends
@@ -310,41 +274,10 @@ class IntegratedPhases:
         elif query.kind == "time_to_event" or (setting.sought is not None and not setting.unknown):
             found = end.names.time
         else:
-            found = self._quantity(end)
+            found = write_quantity(setting, self.book, end)
         if setting.unknown and setting.stated is not None:
             value = radians(setting.stated.value) if setting.unit == DEGREES else setting.stated.value
             step = self.book.open("given")
             step.say(f"This is the given result: {step.given_result(found, value)}.")
             step.close()
         return found.name
-
-    def _quantity(self, end: PhaseEquations) -> Symbol:
-        query, target, state = self.setting.query, self.setting.target, EndState(self.setting, self.book, end)
-        if query.kind == "extremum" and isinstance(query, StretchQuery):
-            if query.functional == "greatest height":
-                height = end.displacement(query.name)[2].factored()
-                return finish(
-                    state, height, VectorName("h", METRES, "height"), "", "the height above the starting point"
-                )
-            from sim2reason.questions.functionals import FUNCTIONALS  # noqa: PLC0415
-
-            quantity = FUNCTIONALS[query.functional].quantity.name  # type: ignore[attr-defined]
-            target = replace(target, quantity=quantity) if target is not None else None
-        if target is None:
-            raise UnsolvedError("the question asks for no quantity")
-        if target.quantity in GOALS:
-            return GOALS[target.quantity].write(target, state)
-        formula, noun = formula_of(end, target), VectorName.of(target.quantity)
-        return finish(state, formula, noun, "", f"the {target.quantity}")
-
-
-def _speed(lexicon: Lexicon, speed: Both) -> Expression:
-    """Return an initial rate in the numbers of the text; an angular one may be a speed over a length."""
-    for length in (None, *lexicon.lengths):
-        try:
-            if length is None:
-                return lexicon.read(speed).expression()
-            return lexicon.read(speed * length).expression() / lexicon.read(length).expression()
-        except UnreadError:
-            continue
-    raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")

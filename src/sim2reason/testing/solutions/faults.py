@@ -100,7 +100,10 @@ def undetermined(solution: Solution) -> list[str]:
 
 
 def _since_when(solution: Solution) -> list[str]:
-    """By what something is verified, and the times since when it is so, or since when something flies freely.
+    """Return names that laws must determine though the value of the answer does not change with them at first.
+
+    They are those by which something is verified, the times since when it is so, or since when something flies freely,
+    and those whose formula a limit or an extreme value is taken of.
 
     What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
     other move by their common momentum, whatever the friction was between them, but only from when they stick; and
@@ -110,7 +113,14 @@ def _since_when(solution: Solution) -> list[str]:
     told = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
     flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
     times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
+    times += [name for r in _formulas(solution) for name in r.left.symbols()]
     return times + [name for relation in verified for name in relation.right.symbols()]
+
+
+def _formulas(solution: Solution) -> list[Relation]:
+    """Return the relations whose right side a limit or a derivative is taken of."""
+    steps = (step for step in solution.steps if step.kind in ("limit", "derivative"))
+    return [relation for step in steps for relation in step.relations if relation.role == "derived"]
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:

@@ -1,0 +1,45 @@
+"""How quantities differ between moments: what a question about one may ask for."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.choices import least
+from sim2reason.questions.constancy import hangs_on
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Target
+
+SAME = 2e-3  # relative: what rounds to the same three digits
+JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there
+
+
+def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
+    """Whether a quantity at a moment is something, neither stated nor what it was at the start or is at other moments.
+
+    Else the moment would decorate the question. At an event whose words name no side of it, it must not jump either.
+    """
+    time, trace = study.time(moment), study.trace
+    if time is None:
+        return lambda _: False
+    start, here = trace.at(0.0), trace.at(moment.side(time))
+    sides = [trace.at(float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
+
+    def differs(target: Target) -> bool:
+        value = target.value(here)
+        if not is_something(value, target, study):
+            return False
+        known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
+        if any(abs(value - said) <= SAME * abs(value) for said in (*known, *(-number for number in known[1:]))):
+            return False
+        if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):
+            return False
+        return hangs_on(moment, trace, time, lambda times: target.values(trace.sample(times)))
+
+    return differs
+
+
+def is_something(value: float, target: Target, study: Study) -> bool:
+    """Whether a value is large enough to be asked for, and positive: no constant below zero is ever right."""
+    return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

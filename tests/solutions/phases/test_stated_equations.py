@@ -1,0 +1,100 @@
+"""The equations of motion that integrations state, in the symbols of the text, and what they refuse to state."""
+
+from math import cos, radians, sqrt
+
+import numpy as np
+import pytest
+
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.polygonal_prism import LongPrism
+from sim2reason.bodies.rocket import AirlessPlanet, Rocket
+from sim2reason.bodies.star import HeavyPlanet, Star
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.entities.solar_system import SolarSystem
+from sim2reason.entities.tumbling_prism import TumblingPrism
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.solutions import STRATEGIES, Setting, by
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
+from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+PLANETS = (
+    HeavyPlanet(mass=0.5, x=0.4, y=0.1, vx=-4.0, vy=10.0),
+    HeavyPlanet(mass=0.7, x=0.4, y=0.7, vx=-8.0, vy=3.5),
+)
+
+
+def scene(name: str, entity: Entity) -> Scene:
+    return Scene(entities=(Named(name=name, entity=entity),))
+
+
+def text_of(setting: Setting) -> str:
+    """Return the text of the integration, every check passed, its text alone included."""
+    found = by(STRATEGIES["integration"], setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer)
+    assert recompute(as_data(found)).answer == pytest.approx(setting.answer, rel=1e-8)
+    reading = read(found.text)
+    assert not reading.unread
+    assert not reading.broken, reading.broken
+    assert "integrated numerically" in found.text
+    return found.text
+
+
+def test_planets_that_attract_each_other_are_told_with_the_constant_of_gravitation() -> None:
+    system = SolarSystem(star=Star(mass=1.8), planets=PLANETS)
+    query = Query("state", Target("velocity", "system.planets.0"), AtTime(0.03))
+    text = text_of(asked(scene("system", system), query))
+    assert "G = 4 \\pi^{2}" in text
+    assert "M m_A G" in text
+    assert "m_A m_B G" in text
+
+
+@pytest.fixture
+def launch() -> Setting:
+    planet = AirlessPlanet(radius=1800.0, gravity=4.7)
+    rocket = RocketEntity(rocket=Rocket(mass=1000.0, dry=200.0), place=planet, exhaust=4.0, rate=2.5)
+    return asked(scene("rocket", rocket), Query("state", Target("velocity", "rocket.rocket"), AtTime(200.0)))
+
+
+def test_a_rocket_on_a_planet_has_its_own_gravity_in_its_equation(launch: Setting) -> None:
+    text = text_of(launch)
+    assert "R^{2} g_0" in text
+    assert "from its starting point" in text
+
+
+def test_laws_in_which_something_has_no_value_are_refused(launch: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(EquationsOfMotion, "load", lambda *_: Polynomial.of(Symbol("z")))
+    assert "no number for z" in by(STRATEGIES["integration"], launch).reason
+
+
+@pytest.fixture
+def tumbling() -> Setting:
+    prism = TumblingPrism(prism=LongPrism(mass=5.0, shape="hexagonal", radius=0.1), plane=Incline(angle=0.0), rate=6.0)
+    query = Query("state", Target("angular velocity", "prism.prism"), AtTime(0.1))
+    return asked(scene("prism", prism), query)
+
+
+def test_an_initial_rate_that_the_text_does_not_give_is_refused(tumbling: Setting) -> None:
+    """The centre of the prism moves at ω R, in a direction that the text does not give."""
+    found = by(STRATEGIES["integration"], tumbling)
+    assert found.answer is None
+    assert "initial rate 0.519615" in found.reason  # ω R cos 30°
+
+
+def test_a_prism_turns_about_its_edge_as_a_pendulum_upside_down(tumbling: Setting) -> None:
+    """θ″ = (m g R/I) sin θ from the upright, I = (5/12 + 1) m R²: by energy at the angle that it has then."""
+    state = tumbling.study.trace.sample(np.array([0.1]))
+    turned = abs(float(state.q[0, 2]))
+    rise = 0.1 * (cos(radians(30.0) - turned) - cos(radians(30.0)))
+    expected = sqrt(36.0 - 2.0 * 9.8 * rise / (0.01 * 17.0 / 12.0))
+    assert tumbling.answer == pytest.approx(expected, rel=1e-9)
