@@ -8,7 +8,11 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
+from sim2reason.datasets.item_search import EMPTY
+from sim2reason.datasets.make import make as make_item
 from sim2reason.datasets.manifest import Manifest, load
+from sim2reason.datasets.question_search import NOTHING
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.verify import verify
 from sim2reason.questions import KINDS
 
@@ -45,9 +49,9 @@ def test_only_a_cell_that_was_asked_for_often_enough_is_an_error() -> None:
 def test_the_manifest_and_the_card_show_the_table(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:wanting", items=20)
     assert manifest.cells == (
-        Cell(mode="numeric", kind="period", recipe="incline", asked=10, kept=0),
+        Cell(mode="numeric", kind="period", recipe="incline", asked=11, kept=0),
         Cell(mode="numeric", kind="period", recipe="pulley", asked=10, kept=0),
-        Cell(mode="numeric", kind="state", recipe="incline", asked=0, kept=9),
+        Cell(mode="numeric", kind="state", recipe="incline", asked=0, kept=10),
         Cell(mode="numeric", kind="state", recipe="pulley", asked=0, kept=10),
     )
     assert load(tmp_path / "data") == manifest
@@ -69,7 +73,7 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
     result = CliRunner().invoke(main, ["generate", str(out), "--items", str(items), *usual])
     assert result.exit_code == 1
     assert "an empty cell: incline.numeric.period: asked for" in result.stderr
-    assert load(out).rows == items - 1  # the data are kept
+    assert load(out).rows == items  # the data are kept
     assert [fault.partition(":")[0] for fault in verify(out).faults] == [
         "incline.numeric.period",
         "pulley.numeric.period",
@@ -78,15 +82,21 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
     assert few.exit_code == 0
 
 
+def test_a_cell_of_which_no_scene_offers_a_kind_was_not_asked_for() -> None:
+    """No period is ever asked about a throw."""
+    weights = tuple((name, float(name == "period")) for name in KINDS)
+    made = make_item(Request("projectile", "easy", "numeric", 0, 0, weights))
+    assert (made.item, made.wanted) == (None, "")
+    assert made.rejected.keys() == {NOTHING}
+    assert made.rejected[NOTHING] >= EMPTY
+
+
 def test_a_dataset_of_which_nothing_could_be_made_is_an_error(tmp_path: Path) -> None:
-    """No period is ever asked about a throw: no kind was offered, so that no cell was asked for."""
-    options = ["-n", "2", "--recipe", "projectile", "--difficulty", "easy", "--weights", _only("period")]
-    told = CliRunner().invoke(main, ["generate", str(tmp_path / "data"), *options])
-    assert told.exit_code == 1
-    assert "no problem at all: none of 2 could be made" in told.output
+    """No cell was asked for, so that none is empty."""
+    options = ["-n", "2", "--recipe", "projectile", "--difficulty", "easy", "--workers", "1"]
+    order = ["generate", str(tmp_path / "data"), *options, "--maker", "fake_makers:nothing"]
+    told = CliRunner().invoke(main, order)
+    assert told.exit_code == 2
+    assert "0 problems of 2 asked for, and 200 more tries gave nothing new" in told.stderr
     (line,) = verify(tmp_path / "data").faults
-    assert line.startswith("no problem at all")
-
-
-def _only(kind: str) -> str:
-    return ",".join(f"{name}={float(name == kind):g}" for name in KINDS)
+    assert line.startswith("no problem at all: none of 200 could be made")

@@ -7,7 +7,6 @@ import pytest
 
 from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.items import item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.request import Request
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
@@ -66,11 +65,14 @@ def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("recipe", "index", "idle"),
+    ("recipe", "kind", "index", "idle"),
     [
-        ("chain", 0, ()),  # carts on a level track, of whose g the text says nothing
-        ("springs", 1, ("springs.block.mass",)),  # an equilibrium, for which it leaves the start out
+        ("chain", "state", 0, ()),  # carts on a level track, of whose g the text says nothing
+        ("springs", "equilibrium", 1, ("springs.block.mass",)),  # an equilibrium, for which it leaves the start out
     ],
 )
-def test_only_stated_numbers_are_marked(recipe: str, index: int, idle: tuple[str, ...]) -> None:
-    assert item(recipe, "easy", seed=771, index=index).idle_numbers == idle
+def test_only_stated_numbers_are_marked(recipe: str, kind: str, index: int, idle: tuple[str, ...]) -> None:
+    asked = Request(recipe, "easy", "numeric", 771, index, weights=((kind, 1e6),), unfiltered=True)
+    item = make(asked).item
+    assert item is not None
+    assert (item.kind, item.idle_numbers) == (kind, idle)

@@ -50,6 +50,12 @@ def wanting(request: Request) -> Made:
     return replace(steady(request), wanted="period")
 
 
+def nothing(request: Request) -> Made:
+    """No item, since no scene offers any kind of question."""
+    del request
+    return Made(None, {"nothing to ask": 40})
+
+
 def slow(request: Request) -> Made:
     """Steady, but 5 ms each, so that there is time to be killed."""
     time.sleep(0.005)

@@ -38,14 +38,14 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
             advance(steps)
 
     def rounds() -> Iterator[range | None]:
-        numbers = range(journal.shards)
+        numbers, stand = range(journal.shards), tell
         while numbers:
-            yield from _missing(journal, numbers, tell)
+            yield from _missing(journal, numbers, stand)
             while queue.open:
                 yield None
             _leave_doubles_out(journal)
             tell(_rows(journal) - told)
-            numbers = _lengthened(journal)
+            numbers, stand = _lengthened(journal), _told_before
 
     queue = WorkQueue(journal.plan.config, rounds())
     _work(journal, queue, run, overlap, tell)
@@ -55,6 +55,11 @@ def make_positions(journal: Journal, numbers: range, run: Run, overlap: FindsOve
     """Make those positions of some shards that do not stand, and none in place of those that hold no item."""
     queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
     _work(journal, queue, run, overlap, advance)
+
+
+def _told_before(done: int) -> None:
+    """Do not count a second time what stood in an earlier round."""
+    del done
 
 
 def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:

@@ -12,7 +12,7 @@ from functools import cache, lru_cache
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.unit_text import factors
-from sim2reason.dsl.units import UnitError, coherent, parse_unit
+from sim2reason.dsl.units import MINUTE, UnitError, coherent, parse_unit
 from sim2reason.errors import UnknownNameError
 from sim2reason.questions.spoken import KILO, LONG, METRE
 
@@ -117,6 +117,13 @@ CGS = SpokenUnits(
 MIXED = SpokenUnits(
     "mixed", whole={"m": ("cm", Decimal(100)), "kg": ("g", Decimal(1000)), "m/s": ("km/h", Decimal("3.6"))}
 )
+_SMALL = SpokenUnits(
+    MINUTE.name,
+    words={
+        "m": (MINUTE.length, Decimal(1)),
+        **{word: (own, 1 / coherent(own)[1]) for word, own in (("kg", MINUTE.mass), *MINUTE.derived)},
+    },
+)
 SYSTEMS = {system.name: system for system in (SI, CGS, MIXED)}
 """All systems in which a text can speak: the SI; centimetre, gram and second; cm, g and km/h among units of the SI.
 
@@ -144,7 +151,8 @@ def spoken_in(system: SpokenUnits, text: str) -> str:
 def in_si(text: str) -> tuple[str, ...]:
     """What a text could be in the SI, whichever system it speaks in: first itself, last with its grams as they are.
 
-    For a text in the SI may say grams of what is light. Long ways are told in kilometres, as questions tell them.
+    For a text in the SI may say grams of what is light. Long ways are told in kilometres, as questions tell them, and
+    what a small charged particle has in milligrams and what goes with them.
     """
 
     def said(number: str, unit: str) -> tuple[str, str] | None:
@@ -157,7 +165,9 @@ def in_si(text: str) -> tuple[str, ...]:
     def but_grams(number: str, unit: str) -> tuple[str, str] | None:
         return said(number, unit) if unit != "g" else None
 
-    return tuple(dict.fromkeys((text, _converted(text, said), _converted(text, but_grams))))
+    told = _converted(text, said)
+    small = [spoken_in(_SMALL, told)] if told != text else []
+    return tuple(dict.fromkeys((text, told, *small, _converted(text, but_grams))))
 
 
 @lru_cache(maxsize=1024)
