@@ -3,7 +3,7 @@
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.canvas import check, matplotlib, save, settings
-from sim2reason.figures.curves import MotionCurves, Panel, motion_curves
+from sim2reason.figures.curves import Mark, MotionCurves, Panel, motion_curves
 from sim2reason.figures.trajectories import Trajectories
 from sim2reason.prose.description import Description
 from sim2reason.simulation.trace import Trace
@@ -28,7 +28,7 @@ FLAT, MANY = (
     1e-6,
     7,
 )  # a span, as a part of the values, that is too small to be looked at; more curves than one column of names holds
-MOST = 12  # events in the list; more are only marked
+MOST = 12  # events in the list; of more it says how many
 REASONS = {
     "certificate": "the two engines part",
     "statistics": "something jumps that no event explains",
@@ -54,8 +54,8 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
     with settings({"font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
-        listed = shown.marks[:MOST]
-        below = 0.55 + ROW * len(listed)
+        rows = listed(shown.marks, second)
+        below = 0.55 + ROW * len(rows)
         height = TOP + PLANE * len(shown.trajectories) + TALL * len(shown.panels) + below
         figure, colors = Figure(figsize=(WIDE, height)), Colors()
         low = height - 0.15
@@ -73,10 +73,18 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
                 axes.tick_params(labelbottom=False)
             else:
                 axes.set_xlabel(f"time ({second})")
-        for row, mark in enumerate(listed):
-            line = f"{row + 1}   {mark.time:.3f} {second}   {mark.text}"
-            figure.text(LEFT, (0.1 + ROW * (len(listed) - row - 1)) / height, line, fontsize=8)
+        for row, line in enumerate(rows):
+            figure.text(LEFT, (0.1 + ROW * (len(rows) - row - 1)) / height, line, fontsize=8)
         save(figure, path, dpi)
+
+
+def listed(marks: Sequence[Mark], second: str) -> list[str]:
+    """Return the lines of the list of events, their times in a unit; the last one says how many more there are."""
+    lines = [f"{row}   {mark.time:.3f} {second}   {mark.text}" for row, mark in enumerate(marks[:MOST], start=1)]
+    more = marks[MOST:]
+    if more:
+        lines.append(f"and {len(more)} more, until {more[-1].time:.3f} {second}")
+    return lines
 
 
 def _area(low: float, tall: float, height: float) -> tuple[float, float, float, float]:

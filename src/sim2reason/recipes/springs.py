@@ -1,9 +1,12 @@
 """A puck on a table, held by springs at angles, and a block on a rough plane at the end of one spring."""
 
+from itertools import permutations
+
 import numpy as np
 
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
@@ -13,19 +16,40 @@ FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": Range(-0.8, 0.8)}  # 
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.1, 0.4)}
+CLEAR = 0.08  # m, from a spring to the nail of another one
+
+
+def _apart(held: SpringBlock) -> bool:
+    """Whether no spring lies across the nail of another one."""
+    block = complex(held.x, held.y)
+    nails = [complex(spring.x, spring.y) - block for spring in held.springs]
+    return all(_distance(other, nail) > CLEAR for nail, other in permutations(nails, 2))
+
+
+def _distance(point: complex, end: complex) -> float:
+    """From a point to the straight line from the block to a nail, m; both as seen from the block."""
+    share = (point / end).real
+    return abs(point - min(max(share, 0.0), 1.0) * end)
+
+
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
         Idea(KIND, CENTRAL, 0.5),
-        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
+        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, suits=_apart),
         Idea(PLANE, {**ROUGH, "angle": Range(10.0, 30.0)}, 1.5),
     ),
     "medium": (
-        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}),
+        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, suits=_apart),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.5),
         Idea(PLANE, {**ROUGH, "angle": Range(10.0, 40.0)}, 1.5),
     ),
     "hard": (  # friction of the springs themselves
-        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}, 2.0),
+        Idea(
+            KIND,
+            {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6},
+            2.0,
+            _apart,
+        ),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.5),
         Idea(PLANE, {**ROUGH, "angle": Range(10.0, 60.0)}, 1.5),
     ),

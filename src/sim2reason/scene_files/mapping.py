@@ -149,8 +149,7 @@ def _scene(data: Plain) -> Scene:
     if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
         _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
     top = _mapping(data, "scene", ("scene", "text"), root=True)
-    if "text" in top:
-        wording_from(top["text"])
+    wording_from(top.get("text", {}))
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)

@@ -24,8 +24,11 @@ ARC = 0.85
 STEPS = (1.0, 2.0, 5.0)
 
 
-def speeds(setting: Setting) -> Sketch:
-    """An arrow at every body that moves at the start, with its speed if that is stated, else with a scale for all."""
+def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
+    """An arrow at every body that moves at the start, with its speed if that is stated, else with a scale for all.
+
+    With its direction too, unless only the arrows are wanted: an angle that is shown once is not shown again.
+    """
     found, unsaid = Sketch(), False
     moving = {b.name: v for b in setting.members if _shown(setting, b, v := setting.velocity(b.name))}
     fastest = max((abs(v) for v in moving.values()), default=0.0)
@@ -44,7 +47,8 @@ def speeds(setting: Setting) -> Sketch:
         if text:
             tip = end + way * (0.15 + 0.5 * width(text, SMALL) * abs(way.real) + 0.2 * abs(way.imag))
             found.labels.append(Wanted(text, (tip, *beside(start, end, text, SMALL)), name, SMALL, name=False))
-        _heading(setting, name, velocity, found)
+        if headings:
+            _heading(setting, name, velocity, found)
     if unsaid and len(moving) > 0:
         value = max(m * 10.0**k for k in range(-6, 7) for m in STEPS if m * 10.0**k <= fastest * 1.001)
         setting.legend = (value * longest / fastest, f"{value:g} {show_unit(unit_of_speed)}")

@@ -1,6 +1,6 @@
 """The x and y axes that a text defines: with numbers where it states positions, else a small cross."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import ceil
 
 from sim2reason.dsl.looks import Tabletop
@@ -9,10 +9,11 @@ from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.grounds import sheet, spread
 from sim2reason.figures.scaled.setting import Setting
 from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, UP, Box, box, from_segment
+from sim2reason.figures.vectors import RIGHT, UP, Box, box, cross, dot, from_segment, unit
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
 MARGIN = 0.15  # between the number of a tick and what ends the axis, and between a tick and an arrow
+BELOW, LINED = 0.55, 1e-6  # units from a body on a track down to the axis of x, and from a line to what is on it
 CROSS = 1.0  # length of an axis without numbers
 
 
@@ -21,6 +22,8 @@ def axes(setting: Setting) -> Sketch:
     found = Sketch()
     labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
     if not {"x", "y"} & labels.keys():
+        if _placed(setting):
+            _beside_track(setting, found)
         return found
     origin = setting.view.at(setting.origin(next(o for o in sorted(setting.owners) if "." not in o)))
     if _placed(setting):
@@ -37,6 +40,38 @@ def axes(setting: Setting) -> Sketch:
             found.shapes.append(LineShape((corner, corner + CROSS * way), "thin", arrow=True))
             found.labels.append(Wanted(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
     return found
+
+
+def _beside_track(setting: Setting, found: Sketch) -> None:
+    """The x axis of positions along one line, below what moves on it."""
+    slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
+    ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
+    if len(ways) != 1:
+        return
+    way = unit(ways.pop())
+    down = (0.5 * setting.plan.sizes.height + BELOW) * (way * -1j if way.real > 0.0 else way * 1j)
+    owner = next(o for o in sorted(setting.owners) if "." not in o)
+    origin = setting.view.at(setting.origin(owner)) + down
+    ends = [((setting.at(body.name) + down - origin) / way).real for body in setting.members]
+    ends += [((end + down - origin) / way).real for end in _walls(setting, way)]
+    start, stop = min([0.0, *ends]) - 0.4, max([0.0, *ends]) + 0.6
+    scaled = not any(setting.plan.leaves_open(o, setting.mechanism.units.length) for o in setting.owners)
+    found.shapes.append(LineShape((origin + start * way, origin + stop * way), "thin", arrow=True))
+    text = f"x ({show_unit(setting.mechanism.units.length)})" if scaled else "x"
+    place = origin + (stop + 0.15) * way + 0.5 * width(text, SMALL) * RIGHT
+    found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
+    if scaled:
+        _ticks(setting, found, (origin, way, start, stop), [], zero=True)
+
+
+def _walls(setting: Setting, way: complex) -> Iterator[complex]:
+    """Where walls stand across a track, on the line through its bodies."""
+    for meeting in setting.mechanism.meetings:
+        if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
+            normal = setting.view.way(meeting.normal)
+            if abs(cross(normal, way)) < LINED:
+                at = setting.at(meeting.b)
+                yield at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
 
 
 def _placed(setting: Setting) -> bool:
@@ -70,23 +105,31 @@ def _ticks(
     found: Sketch,
     axis: tuple[complex, complex, float, float],
     covered: list[tuple[complex, float]],
+    *,
+    zero: bool = False,
 ) -> None:
-    """Ticks with numbers, at round distances, wherever neither body nor arrow covers the axis nor the end is near."""
+    """Ticks with numbers, at round distances, wherever neither body nor arrow covers the axis nor the end is near.
+
+    At the origin only where that is wanted: two axes cross there.
+    """
     origin, way, start, stop = axis
     scale = setting.view.scale
-    arrows = [shape.points for shape in speeds(setting).shapes if isinstance(shape, LineShape) and shape.arrow]
+    arrows = [
+        shape.points for shape in speeds(setting, headings=False).shapes if isinstance(shape, LineShape) and shape.arrow
+    ]
     step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
     for number in range(ceil(start / (scale * step)), int(stop / (scale * step)) + 1):
         at, across = origin + number * step * scale * way, way * 1j
-        if not number or any(abs(at - spot) < reach for spot, reach in covered):
+        if (not number and not zero) or any(abs(at - spot) < reach for spot, reach in covered):
             continue
         text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
-        half = 0.5 * (width(text, TINY) if way == RIGHT else TINY) + MARGIN
+        half = 0.5 * (width(text, TINY) if abs(way.real) > abs(way.imag) else TINY) + MARGIN
         if not start + half < number * step * scale < stop - half or any(_is_near(at, arrow) for arrow in arrows):
             continue
         found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
-        aside = 0.3 if way == RIGHT else 0.17 + 0.5 * width(text, TINY)
-        sides = (-1.0, 1.0) if way == RIGHT else (1.0, -1.0)
+        level = abs(way.real) > abs(way.imag)
+        aside = 0.3 if level else 0.17 + 0.5 * width(text, TINY)
+        sides = (-1.0, 1.0) if level else (1.0, -1.0)
         found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
 
 

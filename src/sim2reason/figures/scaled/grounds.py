@@ -1,13 +1,14 @@
 """What bodies lie on or may meet: slopes, floors, walls, curved tracks, wedges, tables."""
 
-from cmath import phase, rect
+from cmath import phase
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import acos, degrees, radians, tan
+from math import acos, degrees
 
 from sim2reason.dsl.looks import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.dsl.mechanism import Face, Prop
 from sim2reason.figures.paths import owner_of
+from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.rails import rails, walls
 from sim2reason.figures.scaled.setting import Setting, corners, vector
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
@@ -15,9 +16,9 @@ from sim2reason.figures.vectors import UP, Box, Polygon, box, cross, dot, unit
 
 BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
 FLAT = 1e-6
+FLOOR = 0.99  # the cosine to the vertical from which on something is a floor
 GLOBE = 9.0  # units, the radius of a planet of which only the top is seen
 WIDER = 1.25  # than what lies on it, before `BEYOND`
-ANGLE_ARC = 0.75  # units, of an angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,17 +168,6 @@ def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None
         found.extend(corner_angle(low, (start, stop), said[0], next(iter(setting.owners))))
 
 
-def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str) -> Sketch:
-    """An arc between two directions, degrees, with its size close beyond; so far out that there is room for it."""
-    middle, half = rect(1.0, radians(0.5 * sum(turn))), radians(0.5 * abs(turn[1] - turn[0]))
-    wide = 0.5 * width(text, SMALL)
-    room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in
-    near = max(ANGLE_ARC, room)
-    beyond = wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
-    places = tuple(at + middle * (near + beyond + 0.1 * n) for n in range(8))
-    return Sketch([Arc(at, near, *sorted(turn), weight="thin")], [Wanted(text, places, subject, SMALL, name=False)])
-
-
 def _wedge(setting: Setting, owner: str, faces: list[Surface], found: Sketch) -> None:
     """A body with one face or two, standing on its floor."""
     ends = [sorted(face.ends, key=lambda p: p.imag) for face in faces]
@@ -244,7 +234,9 @@ def _walls(setting: Setting, found: Sketch) -> None:
         level = setting.view.at((0.0, 0.0, height)).imag
         found.shapes += hatched(complex(left - 1.2, level), complex(right + 4.2, level))
     for meeting in setting.mechanism.meetings:
-        if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b) and meeting.normal[2] == 0.0:
+        if meeting.a is not None or meeting.normal is None or not setting.owns(meeting.b):
+            continue
+        if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
             normal, at = unit(setting.view.way(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
             half = 0.9 * normal * -1j

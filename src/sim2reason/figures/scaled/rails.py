@@ -1,12 +1,15 @@
 """Rails and guides, boxes with others on them and at their sides, and small pulleys that no text names."""
 
+from cmath import phase
 from collections.abc import Iterator
 from itertools import pairwise
+from math import degrees
 
 from sim2reason.dsl.looks import BigBox, Small
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.hanging import plate
-from sim2reason.figures.paths import flat, is_pulley
+from sim2reason.figures.paths import flat, is_pulley, owner_of
+from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.setting import BESIDE, STEEP, Setting
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch, Wanted, dot_at, hatched
 from sim2reason.figures.vectors import RIGHT, UP, cross, unit
@@ -15,6 +18,7 @@ RAIL = 2.0  # units on either side of what it leads
 WHEEL = 0.24  # radius of a small pulley
 GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units between a box and what slides at it, below that, and beside what lies on top
 FLAT = 1e-6
+TILTED = 2.2  # units, the level line at the foot of a rail
 
 
 def rides(setting: Setting, body: RigidBody) -> bool:
@@ -71,6 +75,16 @@ def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
     ]
     down = setting.radius(body.name) * way * 1j if cart or along or len(group) > 1 or _carries(setting, body) else 0j
     found.shapes.append(LineShape((at + min(ends) * way - down, at + max(ends) * way - down), "rod"))
+    _tilt(setting, body, at + min(ends) * way - down, way, found)
+
+
+def _tilt(setting: Setting, body: RigidBody, low: complex, way: complex, found: Sketch) -> None:
+    """The angle of a rail to the level at its lower left end, if it is stated."""
+    turn = degrees(phase(way))
+    text = setting.once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
+    if text:
+        found.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
+        found.extend(corner_angle(low, (0.0, turn), text, body.name))
 
 
 def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:

@@ -4,6 +4,7 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, dist
 
+from sim2reason.dsl.looks import Axial, Spherical
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside, pieces_on
@@ -12,6 +13,7 @@ from sim2reason.figures.shapes import SMALL, Arc, LineShape, Sketch, Wanted, wid
 from sim2reason.figures.vectors import dot, unit
 
 CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
+NONE = 1e-6  # degrees
 ARC = 0.35  # units beyond the body at which an angle is marked
 
 
@@ -21,6 +23,7 @@ def stated(setting: Setting) -> Sketch:
     if not setting.view.level:
         for body in setting.members:
             _pieces(setting, body, found)
+            _bearing(setting, body, found)
         for site, wheel in _turned(setting):
             _leaving(setting, site, wheel, found)
         for upper, lower in setting.stacked.items():
@@ -52,6 +55,32 @@ def _dimension(start: complex, end: complex, by: complex, text: str, subject: st
     found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
     places = beside(start + by, end + by, text, SMALL, far=0.08)
     found.labels.append(Wanted(text, tuple(places), subject, SMALL, name=False))
+
+
+def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
+    """The angle between the upward vertical and the line from the centre of a body to its hole, if it is stated."""
+    look = setting.look(body.name)
+    if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
+        return
+    at = setting.view.at(vector(setting.frames[body.name].origin))
+    way = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
+    if abs(way) < 0.5:
+        return
+    turn = degrees(phase(unit(way))) % 360.0
+    value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
+    text = setting.once(owner_of(body.name), "deg", value) if value > NONE else ""
+    if not text:
+        return
+    radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
+    arc, middle = 0.35 * radius, 1j ** ((low + 0.5 * value) / 90.0)
+    found.shapes += [
+        LineShape((at, at + 1.25 * radius * 1j), "hair", dashed=True),
+        LineShape((at, at + radius * unit(way)), "hair", dashed=True),
+        Arc(at, arc, low, low + value, weight="thin"),
+    ]
+    wide = 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    places = tuple(at + (far + wide) * middle for far in (arc + 0.1, arc + 0.4, radius + 0.15, radius + 0.5))
+    found.labels.append(Wanted(text, places, body.name, SMALL, name=False))
 
 
 def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
@@ -94,7 +123,9 @@ def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
         return
     along, at = setting.along(upper), setting.at(upper)
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
-    text, half = setting.plan.equated("µ", text), 0.5 * setting.sizes(upper)[0]
+    names = sorted(setting.plan.name(address) for address in (upper, lower))
+    letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
+    text, half = setting.plan.equated(letter, text), 0.5 * setting.sizes(upper)[0]
     wide = 0.5 * width(text, SMALL)
     foot = at - 0.1 * normal
     ends = (foot + side * (half + 0.12 + wide * abs(along.real) + 0.4 * abs(along.imag)) * along for side in (-1, 1))
