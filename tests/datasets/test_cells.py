@@ -45,9 +45,9 @@ def test_only_a_cell_that_was_asked_for_often_enough_is_an_error() -> None:
 def test_the_manifest_and_the_card_show_the_table(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:wanting", items=20)
     assert manifest.cells == (
-        Cell(mode="numeric", kind="period", recipe="incline", asked=10, kept=0),
+        Cell(mode="numeric", kind="period", recipe="incline", asked=11, kept=0),
         Cell(mode="numeric", kind="period", recipe="pulley", asked=10, kept=0),
-        Cell(mode="numeric", kind="state", recipe="incline", asked=0, kept=9),
+        Cell(mode="numeric", kind="state", recipe="incline", asked=0, kept=10),
         Cell(mode="numeric", kind="state", recipe="pulley", asked=0, kept=10),
     )
     assert load(tmp_path / "data") == manifest
@@ -69,7 +69,7 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
     result = CliRunner().invoke(main, ["generate", str(out), "--items", str(items), *usual])
     assert result.exit_code == 1
     assert "an empty cell: incline.numeric.period: asked for" in result.stderr
-    assert load(out).rows == items - 1  # the data are kept
+    assert load(out).rows == items  # the data are kept
     assert [fault.partition(":")[0] for fault in verify(out).faults] == [
         "incline.numeric.period",
         "pulley.numeric.period",
@@ -79,13 +79,13 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
 
 
 def test_a_dataset_of_which_nothing_could_be_made_is_an_error(tmp_path: Path) -> None:
-    """No period is ever asked about a throw: no kind was offered, so that no cell was asked for."""
+    """No period is ever asked about a throw: no kind was offered, so that no cell was asked for; but it is tried."""
     options = ["-n", "2", "--recipe", "projectile", "--difficulty", "easy", "--weights", _only("period")]
     told = CliRunner().invoke(main, ["generate", str(tmp_path / "data"), *options])
-    assert told.exit_code == 1
-    assert "no problem at all: none of 2 could be made" in told.output
+    assert told.exit_code == 2
+    assert "0 problems of 2 asked for, and of 20 tries the last ones gave nothing new; ask" in told.output
     (line,) = verify(tmp_path / "data").faults
-    assert line.startswith("no problem at all")
+    assert line.startswith("no problem at all: none of 20 could be made")
 
 
 def _only(kind: str) -> str:

@@ -151,11 +151,12 @@ def test_what_meets_a_benchmark_is_left_out_and_told(
         generate(tmp_path / name, workers=workers, decontaminate=[tmp_path / "own.txt"], **_order())
     found = list(refused(tmp_path / "one", "contaminated"))
     data = generate(tmp_path / "all", workers=1, **_order())
-    assert len(found) == 29  # all of incline but the one without a draw; texts of pulley name another recipe
+    assert len(found) == 59  # all of incline but the one without a draw; texts of pulley name another recipe
     assert {each.recipe for each in found} == {"incline"}
     assert found[0].reason.endswith("with item 1 of own.txt")
     manifest = generate(tmp_path / "one", workers=1, decontaminate=[tmp_path / "own.txt"], **_order()).manifest
-    assert manifest.rows + len(found) == data.manifest.rows
+    assert manifest.rows == data.manifest.rows == 60
+    assert manifest.counts["recipe"] == {"pulley": 60}  # which took their place
     assert manifest.rejected["incline"]["contaminated"] == manifest.refused["contaminated"].total == len(found)
     assert manifest.config.decontaminate[0].name == "own.txt"
     assert contents(tmp_path / "one") == contents(tmp_path / "two")

@@ -11,10 +11,10 @@ from sim2reason.errors import DatasetError
 
 def test_it_knows_how_many_it_holds_and_gives_them_in_order(data: Path, config: Config) -> None:
     opened = Dataset(data)
-    wanted = [config.request(k).id for k in range(95)]
+    wanted = [config.request(k).id for k in range(96)]
     wanted.remove("incline-easy-numeric-0-3")
-    assert len(opened) == 94
-    assert repr(opened) == f"<Dataset {str(data)!r}: 94 train>"
+    assert len(opened) == 95
+    assert repr(opened) == f"<Dataset {str(data)!r}: 95 train>"
     assert [item.id for item in opened] == wanted
 
 
@@ -31,11 +31,11 @@ def test_an_id_of_no_item_is_told(data: Path, name: str) -> None:
         Dataset(data).item(name)
 
 
-@pytest.mark.parametrize("count", [1, 3, 40, 94, 1000])
+@pytest.mark.parametrize("count", [1, 3, 40, 95, 1000])
 def test_some_are_from_all_over(data: Path, count: int) -> None:
     opened = Dataset(data)
     found = [item.id for item in opened.some(count)]
-    assert len(set(found)) == len(found) == min(count, 94)
+    assert len(set(found)) == len(found) == min(count, 95)
     if count == 40:
         assert {opened.manifest.config.position(opened.manifest.config.named(name)) // 20 for name in found} == {
             *range(5)
@@ -52,7 +52,7 @@ def test_a_damaged_file_is_named_before_an_item_is_believed(data: Path) -> None:
             list(opened)
     file.unlink()
     with pytest.raises(DatasetError, match="missing"):
-        list(opened.some(94))
+        list(opened.some(95))
 
 
 def test_there_must_be_a_dataset_and_a_split(data: Path, tmp_path: Path) -> None:
