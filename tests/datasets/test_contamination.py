@@ -156,8 +156,8 @@ def test_what_meets_a_benchmark_is_left_out_and_told(
     assert {each.recipe for each in found} == {"incline"}
     assert found[0].reason.endswith("with item 1 of own.txt")
     manifest = generate(tmp_path / "one", workers=1, decontaminate=[tmp_path / "own.txt"], **_order()).manifest
-    assert manifest.rows == data.manifest.rows == 60  # others stand in the place of those left out
-    assert manifest.positions == manifest.rows + len(found) + 1
+    assert manifest.rows == data.manifest.rows == 60
+    assert manifest.counts["recipe"] == {"pulley": 60}  # which took their place
     assert {item.recipe for item in Dataset(tmp_path / "one")} == {"pulley"}
     assert manifest.rejected["incline"]["contaminated"] == manifest.refused["contaminated"].total == len(found)
     assert manifest.config.decontaminate[0].name == "own.txt"

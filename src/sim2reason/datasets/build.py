@@ -58,8 +58,8 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
             journal.close()
     if manifest.rows < config.items:
         raise DatasetError(
-            f"{out}: {manifest.rows} problems of {config.items} asked for, and {config.barren} more tries gave nothing "
-            "new; ask for fewer, or for more recipes, difficulties, modes or kinds, in another folder"
+            f"{out}: {manifest.rows} problems of {config.items} asked for, and of {manifest.positions} tries the last "
+            "ones gave nothing new; ask for fewer, or for more recipes, difficulties, modes or kinds, in another folder"
         )
     return manifest
 

@@ -29,7 +29,8 @@ from sim2reason.recipes import DIFFICULTIES
 MAKER = "sim2reason.datasets.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
-BARREN, TURNS = 200, 2  # positions, and turns over all cells: a cell of which one in 50 is new seems barren with 2 %
+BARREN, TURNS = 100, 2  # positions, and turns over all cells: where one in 25 is new, all seems barren with 2 %
+FIRST_TRIES = 20  # positions, and one turn, where there is no item at all
 LARGEST_SHARD = 100_000  # rows: what a process holds in memory at once, some 300 MB
 DATA = "data"
 """The folder of all shards."""
@@ -174,10 +175,10 @@ class Config(Record):
 
         return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
 
-    @property
-    def barren(self) -> int:
-        """So many positions in a row without a new item mean that there is nothing left to be had."""
-        return max(BARREN, TURNS * len(self._cells))
+    def barren_from(self, behind_last: int) -> int:
+        """From which position on there is nothing left to be had, `behind_last` being the one behind the last item."""
+        tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
+        return behind_last + max(tries, turns * len(self._cells))
 
     def request(self, position: int) -> Request:
         """Deal positions in turn to every recipe, difficulty and mode; a recipe named twice counts twice."""

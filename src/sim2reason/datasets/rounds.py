@@ -38,14 +38,14 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
             advance(steps)
 
     def rounds() -> Iterator[range | None]:
-        numbers, stand = range(journal.shards), tell
+        numbers, standing = range(journal.shards), tell
         while numbers:
-            yield from _missing(journal, numbers, stand)
+            yield from _missing(journal, numbers, standing)
             while queue.open:
                 yield None
             _leave_doubles_out(journal)
             tell(_rows(journal) - told)
-            numbers, stand = _lengthened(journal), _told_before
+            numbers, standing = _lengthened(journal), _told_before
 
     queue = WorkQueue(journal.plan.config, rounds())
     _work(journal, queue, run, overlap, tell)
@@ -73,6 +73,11 @@ def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[ran
             yield range(begin, positions.stop)
 
 
+def _told_before(steps: int) -> None:
+    """Tell nobody of what stands since an earlier round."""
+    del steps
+
+
 def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
     with closing(run(queue.next)) as replies:
         for batch, reply in replies:
@@ -85,7 +90,7 @@ def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, a
 def _lengthened(journal: Journal) -> range:
     """Let the journal have the positions of the next round, and give the shards to look at; none if all is done."""
     config, shards = journal.plan.config, journal.shards
-    barren_from = _behind_last_item(journal) + config.barren
+    barren_from = config.barren_from(_behind_last_item(journal))
     end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))
     if end == journal.positions:
         return range(0)
