@@ -15,7 +15,7 @@ from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
 from sim2reason.solutions.difficulty import LABELS, SolutionDifficulty, different_laws, measured, unknowns_together
-from sim2reason.solutions.solution import Phase, Relation
+from sim2reason.solutions.solution import Condition, Coordinate, Integration, Phase, Relation
 
 PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"
 F, M, A, B, T, V = (Symbol(name) for name in ("F", "m_A", "a_A", "m_B", "T", "v"))
@@ -68,7 +68,9 @@ def test_the_score_adds_up() -> None:
 def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
     checked = step(Relation(V, Root(F), "verified"))
     assert solution(GIVEN, SOLVED, checked).needs == Need.ARITHMETIC
-    integrated = step(Relation(V, Number(1.0), "integrated"))
+    falling = Coordinate("s", "v", "a", Number(0.0), Number(0.0))
+    phase = Integration("t", Number(0.0), (falling,), (), (law(A, F),), Condition(Symbol("t") - T), (("v", "v_1"),))
+    integrated = replace(step(), integration=phase)
     assert solution(GIVEN, integrated).needs == Need.INTEGRATION
     assert Solution("", reason="none").needs == Need.INTEGRATION
 

@@ -11,6 +11,8 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import made, requested
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import RECIPES
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.solution import Condition, Coordinate, Integration
 from sim2reason.training.corpora.parts.operations import arithmetic, definitions, given, plain_number
 from sim2reason.training.corpora.parts.renumbering import renumbered
 from sim2reason.training.corpora.parts.slips import SLIPS, slipped
@@ -55,7 +57,9 @@ def test_what_is_integrated_is_no_arithmetic() -> None:
     solution = worked(ROLLING, made(ROLLING)[1])
     assert arithmetic(solution)
     *others, last = solution.steps
-    integrated = replace(last, relations=tuple(replace(held, role="integrated") for held in last.relations))
+    held, time, zero = Coordinate("s", "v", "a", Number(0.0), Number(0.0)), Symbol("t"), Number(0.0)
+    phase = Integration("t", zero, (held,), (), (), Condition(time - Symbol("T")), (("v", solution.goal),))
+    integrated = replace(last, integration=phase)
     assert not arithmetic(replace(solution, steps=(*others, integrated)))
 
 
