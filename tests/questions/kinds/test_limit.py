@@ -113,7 +113,7 @@ def test_both_engines_vouch_for_it_and_every_sentence_leads_back() -> None:
 def test_limits_are_drawn_and_solved(mode: str) -> None:
     found = []
     for seed in range(12):
-        search = QuestionSearch(sample("hybrid", seed=seed), seed)
+        search = QuestionSearch(sample("pulley", seed=seed), seed)
         question = search.ask(MODES[mode], np.random.default_rng(seed), Counter(), "limit", 2)
         found += [question] if question is not None else []
     assert found
