@@ -14,6 +14,7 @@ from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Coil
+from sim2reason.bodies.star import HeavyPlanet, Star
 from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets import item_search
 from sim2reason.datasets.certified import CertifiedQuestion
@@ -30,6 +31,7 @@ from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
@@ -319,7 +321,10 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
         raise SceneError("a scene", "looked at", "")
 
     monkeypatch.setattr(item_search, "QuestionSearch", only_offered)
-    for recipe in ("orbital", "rocket", "springs"):
+    heavy = (HeavyPlanet(mass=1e-3, x=x, y=0.0, vx=0.0, vy=vy) for x, vy in ((1.0, 6.28), (2.0, 4.44)))
+    system = SolarSystem(star=Star(mass=1.0), planets=tuple(heavy))
+    assert not SYMBOLIC.offers(Scene(entities=(Named(name="system", entity=system),)).mechanism)
+    for recipe in ("rocket", "springs"):
         scenes = [sample(recipe, "hard", seed=1, index=index) for index in range(12)]
         assert {SYMBOLIC.offers(scene.mechanism) for scene in scenes} == {True, False}
         assert all(MODES[name].offers(scene.mechanism) for scene in scenes for name in ("numeric", "reverse"))

@@ -20,7 +20,7 @@ from sim2reason.prose.description import Description
 from sim2reason.prose.voices import hiding, symbolic_but_zero
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import FORMATS, shaped, unit_in_words
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
 from sim2reason.questions.shapes.numbers_listed import FEWEST
 from sim2reason.questions.shapes.parts.units import is_table, text_of, units
@@ -50,7 +50,8 @@ def composed(description: Description, question: str) -> dict[str, str]:
 
 
 def ended(text: str, question: Question) -> str:
-    return f"{text}\n\n{FORMATS[0].format(unit=unit_in_words(question.unit))}"
+    form = FORMATS[0].format(unit=unit_in_words(question.unit)) if question.unit else PLAIN_FORMATS[0]
+    return f"{text}\n\n{form}"
 
 
 @pytest.mark.parametrize("recipe", RECIPES)

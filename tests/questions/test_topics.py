@@ -128,7 +128,7 @@ def _prompts(scene: Scene, mode: str) -> list[CertifiedQuestion]:
 
 
 @pytest.mark.parametrize("mode", ["numeric", "reverse"])
-@pytest.mark.parametrize("scene", [swing(2.0), throw(restitution=0.7)])
+@pytest.mark.parametrize("scene", [swing(3.0), throw(restitution=0.7)])
 def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str) -> None:
     """Of a ball that bounces: nearly all about one that only lands is answered by few laws."""
     for found in _prompts(scene, mode):
@@ -140,8 +140,8 @@ def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str) -> 
 def turned(rate: float | None) -> Scene:
     """A sphere and a small ball on an arm, 70° to the right at first, and maybe already turning."""
     pieces = (
-        RoundPiece(body=Sphere(mass=2.0, radius=0.35), distance=0.4),
-        BallPiece(body=FixedBall(mass=1.0), distance=0.3, side="from the axle, on the other side"),
+        RoundPiece(body=Sphere(mass=20.0, radius=0.35), distance=0.4),
+        BallPiece(body=FixedBall(mass=10.0), distance=0.3, side="from the axle, on the other side"),
     )
     return Scene(entities=(Named(name="it", entity=RotationEntity(pieces=pieces, angle=70.0, rate=rate)),))
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, massive, ramp, squeezed
-from sim2reason import item
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hoop import Hoop
@@ -23,7 +22,9 @@ from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.prose.description import describe
-from sim2reason.questions import Study
+from sim2reason.questions import KINDS, MODES, Query, Question, Study, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
 from sim2reason.questions.regimes.acute import StartsAcute
@@ -32,8 +33,6 @@ from sim2reason.questions.regimes.collisions import CollideInTurn
 from sim2reason.questions.regimes.sliding import SlidesThroughout
 from sim2reason.recipes import RECIPES
 from sim2reason.scene_files import loads
-
-NO_LIMITS = {"threshold": 0.0}  # the kinds among which these problems were found
 
 
 def study(scene: Scene, until: float = 1.0) -> Study:
@@ -207,11 +206,42 @@ def test_at_burn_out_itself_nothing_need_be_said_of_fuel() -> None:
     assert not any("fuel" in clause for clause in said(scene, 70.0))
 
 
+def assuming(scene: Scene, query: Query) -> str:
+    """What a question whose numbers are symbols says and assumes."""
+    motion, words = study(scene, scene.horizon), words_of(describe(scene))
+    kind = KINDS[query.kind]
+    answer = kind.answer(query, motion)
+    assert answer is not None
+    question = Question("symbolic", query, "", answer, kind.measured(query).unit)
+    found = MODES["symbolic"].completed(question, motion, words, np.random.default_rng(0))
+    assert found is not None
+    return found.text
+
+
 def test_a_string_that_goes_slack_in_a_motion_without_an_answer_is_said_to_stay_taut() -> None:
     """What k (ℓ − ℓ₀) > (m_A + 2 m_B) g lets go slack: the block on the spring then falls behind the hanging one."""
-    found = item(recipe="mixed", difficulty="easy", mode="symbolic", seed=20261125, index=3, weights=NO_LIMITS)
-    assert "least tension" in found.prompt
-    assert "Assume that block A first moves down the slope and that the string stays taut." in found.prompt
+    scene = loads("""
+scene:
+  entities:
+  - name: sprung
+    type: SpringMassIncline
+    parameters:
+      plane: {angle: 52.0, friction: 0.0}
+      block: {mass: 1.4}
+      spring: {stiffness: 80.0, length: 0.32}
+      start: 0.52
+  - name: other
+    type: TwoSideMassPlane
+    parameters: {plane: {angle: 42.0, friction: 0.0}, blocks: [{mass: 2.0}]}
+  connections:
+  - {tendon: [{entity: sprung, direction: right}, {entity: other, direction: right}], free: 3.2}
+""")
+    asked = "What is the least tension in the string during the motion that follows?"
+    query = parse_question(asked, study(scene, scene.horizon), words_of(describe(scene)))
+    assert query is not None
+    assert assuming(scene, query).endswith(
+        "Assume that block A first moves down the slope and that the string stays taut."
+    )
 
 
 def test_a_rod_that_may_start_above_its_hinge_is_said_to_start_below() -> None:
@@ -239,9 +269,10 @@ scene:
 
 def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
     """In deep space nothing comes down; nor does a text speak of it that says no time."""
-    seen = item(recipe="rocket", difficulty="hard", mode="symbolic", seed=20261140, index=0, weights=NO_LIMITS)
-    assert "at the instant t = $t_1$" in seen.prompt
-    assert "has burned all its fuel by then but has not yet fallen back" in seen.prompt
+    entity = RocketEntity(rocket=Rocket(mass=724.0, dry=184.0), place=LevelGround(), exhaust=2.8, rate=2.3)
+    scene = Scene(entities=(Named(name="rocket", entity=entity),))
+    text = assuming(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(280.0)))
+    assert "has burned all its fuel by then but has not yet fallen back" in text
     motion, words = study(rocket(10.0), 90.0), words_of(describe(rocket(10.0)))
     assert [
         held.clause(words) for held in BurntOut.possible(motion, words) if "fallen back" in held.clause(words)

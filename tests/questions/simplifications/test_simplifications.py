@@ -8,8 +8,11 @@ import pytest
 
 from motions import rod_pendulum
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
+from sim2reason.bodies.star import HeavyPlanet, Star
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.errors import SceneError
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.moments.at_time import AtTime
@@ -120,6 +123,19 @@ def test_a_rocket_that_keeps_its_mass() -> None:
     assert speed.value(study.trace.sample(np.array([time]))) == pytest.approx(burn.exhaust * log(mass / left))
 
 
+def two_planets() -> Scene:
+    """Two that attract each other, about a star of one solar mass."""
+    planets = (
+        HeavyPlanet(mass=1e-3, x=1.0, y=0.0, vx=0.0, vy=6.28),
+        HeavyPlanet(mass=5e-4, x=2.0, y=0.0, vx=0.0, vy=4.44),
+    )
+    return Scene(entities=(Named(name="system", entity=SolarSystem(star=Star(mass=1.0), planets=planets)),))
+
+
+MADE = {"no friction": ramp(friction=0.2), "no mutual attraction": two_planets()}
+"""Scenes for what applies to none that is drawn, or to the whole of it."""
+
+
 @pytest.mark.parametrize("name", SIMPLIFICATIONS)
 def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
     where = {
@@ -137,7 +153,6 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
         "no damping": "springs",
         "later root": "pendulum",
         "small angle": "pendulum",
-        "no mutual attraction": "orbital",
         "no slip": "rolling",
         "point mass": "rotation",
         "taut strings": "pendulum",
@@ -164,14 +179,11 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
     }
     if name == "later root":
         return  # it hangs on what is asked
-    study, subject = (
-        first_of(where.get(name, "pulley"), DIFFICULTIES, name, "velocity" if "speed" in name else "acceleration")
-        if name != "no friction"
-        else (
-            studied(ramp(friction=0.2)),
-            "",
-        )
-    )
+    if name in MADE:
+        study, subject = studied(MADE[name]), ""
+    else:
+        quantity = "velocity" if "speed" in name else "acceleration"
+        study, subject = first_of(where.get(name, "pulley"), DIFFICULTIES, name, quantity)
     slip = SIMPLIFICATIONS[name]
     slip.reason.format(subject="the block")
     found = slip.simplified(study, subject, study.scene.horizon)
