@@ -46,6 +46,8 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     kind, mechanism = setting.query.kind, setting.mechanism
     offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
+        if strategy.least_need > setting.most:
+            continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
         found = by(strategy, setting)

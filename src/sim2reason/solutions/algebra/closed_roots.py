@@ -24,6 +24,7 @@ from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial
 
 MOST = 60  # terms of an equation that is solved in symbols
 QUADRATIC = 2  # the degree up to which equations are solved
+FEW = 12  # terms of an equation with several square roots
 SQUARED = 2  # different square roots that hold the symbol, at most
 
 
@@ -116,7 +117,14 @@ def _short(held: Polynomial) -> Polynomial:
 
 
 def _without_radicals(zero: Polynomial, name: str) -> Polynomial:
-    """With P² b = Q² a for P + Q √(a/b) = 0, as long as there are square roots that hold the symbol."""
+    """With P² b = Q² a for P + Q √(a/b) = 0, as long as there are square roots that hold the symbol.
+
+    Raises:
+        OverflowError: there are more of them, or more terms, than could be solved for the symbol in the end.
+    """
+    radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.symbols()}
+    if len(radicals) > SQUARED or (len(radicals) > 1 and len(zero.terms) > FEW):
+        raise OverflowError("an equation of too many roots")
     for _ in range(SQUARED + 1):
         held = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
         root = next((atom for atom in held if name in atom.symbols()), None)

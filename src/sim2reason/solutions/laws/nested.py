@@ -17,6 +17,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 NEW = r"\text{new}"
+UNSHORTENED = 400  # characters of a formula that hardly becomes short
 SHORT = 110  # characters of a formula into which another value is put
 
 
@@ -101,6 +102,8 @@ def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
 
 def _shortened(formula: Expression) -> Expression | None:
     """A formula as one would write it; None if it is not short even then."""
+    if len(formula.latex()) > UNSHORTENED:
+        return None
     try:
         found = shortened(formula)
     except ClosedFormError:

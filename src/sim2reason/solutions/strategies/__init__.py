@@ -6,6 +6,7 @@ from typing import ClassVar
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import Moment
+from sim2reason.questions.need import Need
 from sim2reason.registry import Registry
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.setting import Setting
@@ -19,6 +20,7 @@ class Strategy(ABC):
         name: under which it is registered.
         cost: how long its solutions are compared with others'; the cheapest that applies is written.
         kinds: of questions that it can answer.
+        least_need: the mathematics that each of its solutions takes at least.
         integrates: whether it derives nothing, and the answer is what a numerical integration gives.
         nested: whether it leaves to other strategies what its question is about, as a comparison does.
     """
@@ -27,6 +29,7 @@ class Strategy(ABC):
     cost: ClassVar[float]
     kinds: ClassVar[frozenset[str]] = frozenset({"start", "state", "event", "time_to_event"})
     integrates: ClassVar[bool] = False
+    least_need: ClassVar[Need] = Need.ARITHMETIC
     nested: ClassVar[bool] = False
 
     def unfit(self, mechanism: Mechanism) -> str:

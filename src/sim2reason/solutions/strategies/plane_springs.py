@@ -11,6 +11,7 @@ from math import atan2, pi, sin
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.lazy import cached_property
+from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
@@ -25,7 +26,7 @@ from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import LEVEL, Setting, joined
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.numeric_roots import told_roots
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 
@@ -41,6 +42,7 @@ class PlaneSprings(Strategy):
     name = "springs in a plane"
     cost = 1.3
     kinds = frozenset({"equilibrium", "period"})
+    least_need = Need.ROOT
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether something else than springs holds it."""
@@ -179,8 +181,8 @@ class _Held(Way):
         across, along = (_without(held, lengths) for held in sums)
         inner = NumericRoot(along, names[1].name, self._there[1])
         outer = put(across, names[1].name, inner)
-        step.say(told_root(self.book, step, names[0], outer, self._there[0], METRES, "Solved numerically,"))
-        step.say(told_root(self.book, step, names[1], along, self._there[1], METRES, "With it,"))
+        step.say(told_roots(self.book, step, [(names[0], outer, self._there[0])], METRES, "Solved numerically,"))
+        step.say(told_roots(self.book, step, [(names[1], along, self._there[1])], METRES, "With it,"))
         shown = [self._told_length(step, name, formula) for name, formula in lengths.items()]
         step.say(f"There {joined(shown)}.")
         step.close()

@@ -22,9 +22,9 @@ from sim2reason.simulation.channels import Channel
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""
 SAMPLES = 41  # of a motion that the second engine is asked about
-DRAWS = 3  # of questions of such kinds
+DRAWS = 2  # of questions of such kinds
 AWKWARD = "the magnitude of the change"  # of which no change is asked for
-NUMBERS = 4  # that are tried with each
+NUMBERS = 3  # that are tried with each
 
 
 @dataclass(frozen=True, slots=True)
