@@ -40,7 +40,8 @@ def data(tmp_path: Path) -> Path:
 def test_generate_says_what_it_made(tmp_path: Path) -> None:
     result = generate(tmp_path / "data")
     assert result.exit_code == 0
-    assert f"29 problems in {tmp_path}/data" in result.stdout
+    assert f"30 problems in {tmp_path}/data" in result.stdout
+    assert "positions without a problem, made up for by later ones: 1\n" in result.stderr
     assert "1 unfilled, the first at position 6 (incline easy numeric, seed 0, index 3): no draw" in result.stderr
 
 
@@ -169,7 +170,7 @@ def test_a_file_in_the_way_is_said(tmp_path: Path) -> None:
 
 def test_verify_finds_a_whole_dataset_whole(data: Path) -> None:
     result = call("verify", data)
-    assert (result.exit_code, result.stdout) == (0, f"{data}: whole; 29 problems in 1 shard by the manifest\n")
+    assert (result.exit_code, result.stdout) == (0, f"{data}: whole; 30 problems in 1 shard by the manifest\n")
 
 
 def test_verify_finds_damage(data: Path) -> None:
@@ -198,7 +199,7 @@ def test_show_prints_problems_with_their_answers(data: Path) -> None:
 
 def test_one_finding_is_one(data: Path) -> None:
     (data / "README.md").unlink()
-    assert f"{data}: damaged: 1 finding; 29 problems" in call("verify", data).stdout
+    assert f"{data}: damaged: 1 finding; 30 problems" in call("verify", data).stdout
     (data / "shards.jsonl").write_text("{}")
     assert "findings; " in call("verify", data).stdout
 
@@ -213,7 +214,7 @@ def test_show_finds_one_by_its_id(data: Path) -> None:
 
 
 def test_show_more_than_there_are(data: Path) -> None:
-    assert call("show", data, "-n", 100).stdout.count("Answer: ") == 29
+    assert call("show", data, "-n", 100).stdout.count("Answer: ") == 30
 
 
 def test_weights_are_checked_before_anything_is_made(tmp_path: Path) -> None:
@@ -304,19 +305,19 @@ def test_show_holds_a_file_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyP
         return items
 
     monkeypatch.setattr(store, "read", watched)
-    assert call("show", tmp_path / "data", "-n", 50_000_000).stdout.count("Answer: ") == 29
-    assert len(held) == 29
+    assert call("show", tmp_path / "data", "-n", 50_000_000).stdout.count("Answer: ") == 30
+    assert len(held) == 30
     assert most <= 5
 
 
 def test_stats_count_what_is_there(data: Path) -> None:
     told = json.loads(call("stats", data, "--json").stdout)
     items = list(Dataset(data))
-    assert told["items"] == 29
+    assert told["items"] == 30
     for by in ("recipe", "difficulty", "mode", "kind", "shape"):
         assert told["counts"][by] == Counter(getattr(item, by) for item in items)
-    assert told["counts"]["quantity"] == {"weight": 29}
-    assert told["counts"]["split"] == {"train": 29}
+    assert told["counts"]["quantity"] == {"weight": 30}
+    assert told["counts"]["split"] == {"train": 30}
     refused: Counter[str] = Counter()
     for found in Dataset(data).manifest.rejected.values():
         refused.update(found)
@@ -325,7 +326,7 @@ def test_stats_count_what_is_there(data: Path) -> None:
     assert (told["answers"]["N"]["least"], told["answers"]["N"]["greatest"]) == (answers[0], answers[-1])
     assert told["answers"]["N"]["median"] == pytest.approx(answers[14], rel=5e-3)
     words = sorted(len(item.prompt.split()) for item in items)
-    assert told["words"] == {"items": 29, "least": words[0], "median": words[14], "greatest": words[-1]}
+    assert told["words"] == {"items": 30, "least": words[0], "median": words[14], "greatest": words[-1]}
     table = call("stats", data).stdout
     assert all(name in table for name in ("recipe", "quantity", "weight", "refused draws", "median", "N  "))
 
@@ -334,7 +335,7 @@ def test_stats_count_what_is_there(data: Path) -> None:
 def test_a_changed_manifest_is_one_line(data: Path, tmp_path: Path, command: str) -> None:
     copy = shutil.copytree(data, tmp_path / "copy")
     text = (copy / "manifest.json").read_text()
-    (copy / "manifest.json").write_text(text.replace('"weight": 29', '"weight": 92'))
+    (copy / "manifest.json").write_text(text.replace('"weight": 30', '"weight": 93'))
     assert text != (copy / "manifest.json").read_text()
     told = call(command, copy)
     assert (told.exit_code, told.stdout) == (2, "")

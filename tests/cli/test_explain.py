@@ -45,11 +45,11 @@ def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
 
 
 def test_numbers_without_bearing_are_named(tmp_path: Path) -> None:
-    """On a smooth level table nothing hangs on the mass where the block stays at rest."""
-    build(tmp_path, Config(items=7, recipes=("springs",), difficulties=("easy",), seed=771), workers=1)
-    told = call("explain", tmp_path, "--id", "springs-easy-numeric-771-6")
+    """The acceleration of a lone block on an incline does not depend on its mass."""
+    build(tmp_path, Config(items=4, recipes=("incline",), difficulties=("easy",), seed=771), workers=1)
+    told = call("explain", tmp_path, "--id", "incline-easy-numeric-771-3")
     assert told.exit_code == 0, told.output
-    assert "Without bearing\n  the number springs.block.mass\n" in told.output
+    assert "Without bearing\n  the number two_side_mass_plane.blocks.0.mass\n" in told.output
 
 
 @pytest.mark.parametrize(("option", "name"), [("--figure", "z.bmp"), ("--trace", "z.csv")])

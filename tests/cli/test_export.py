@@ -24,7 +24,7 @@ def data(tmp_path: Path) -> Path:
 def test_export_says_what_it_wrote_and_where_to_read_on(data: Path, tmp_path: Path) -> None:
     result = call("export", data, "--to", "hf", "--out", tmp_path / "hf")
     assert result.exit_code == 0, result.stderr
-    assert result.stdout.endswith(f"39 problems in {tmp_path}/hf; how to use them: {tmp_path}/hf/README.md\n")
+    assert result.stdout.endswith(f"40 problems in {tmp_path}/hf; how to use them: {tmp_path}/hf/README.md\n")
     assert (tmp_path / "hf/README.md").is_file()
 
 

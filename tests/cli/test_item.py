@@ -67,7 +67,10 @@ def test_what_else_is_told(tmp_path: Path) -> None:
         (("--recipe", "pully", "--difficulty", "easy"), "did you mean: pulley"),
         (("--recipe", "all", "--difficulty", "easy"), "no such name among recipes: 'all'"),
         (("--recipe", "pulley", "--difficulty", "brutal"), "easy, medium, hard"),
-        (("--recipe", "pulley", "--difficulty", "easy", "--mode", "all"), "there are: numeric, reverse, symbolic"),
+        (
+            ("--recipe", "pulley", "--difficulty", "easy", "--mode", "all"),
+            "there are: choice, multipart, numeric, reverse, symbolic",
+        ),
         (("--recipe", "pulley", "--difficulty", "easy", "--units", "cgsx"), "there are: SI, cgs, mixed"),
         (("--recipe", "pulley", "--difficulty", "easy", "--weights", "periods=2"), "there is no kind 'periods'"),
         (("--recipe", "pulley", "--difficulty", "easy", "--figure", "scene.gif"), ".svg, .png or .pdf"),

@@ -127,7 +127,7 @@ def _tell(out: Path, manifest: Manifest) -> None:
     console.table(["recipe", "problems", "refused draws"], [(n, counts.get(n, 0), refused.get(n, 0)) for n in names])
     click.echo(f"{manifest.rows} problems in {out} (counts by filter: {out}/README.md)")
     if more := manifest.positions - manifest.config.items:
-        console.explain(f"{more} more positions were tried, in place of those that hold no problem:")
+        console.explain(f"positions without a problem, made up for by later ones: {more}")
     for kind in ("quarantined", "unfilled", "contaminated", "variants"):
         refused = manifest.refused[kind]
         for first in refused.first[:1]:

@@ -8,6 +8,7 @@ functions are worked out one at a time, with three digits. As on a pocket calcul
 number goes on from the result before it.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from math import degrees
@@ -24,6 +25,7 @@ ARITHMETIC_DIGITS: Final = 3
 ANGULAR: Final = frozenset({"sin", "cos", "tan"})
 LONGEST_POWER: Final = 4
 LARGEST_PLAIN: Final = 1e4
+UNWRITTEN: Final = re.compile(r"text|[\\_{},]")  # of LaTeX in a name
 OPERATORS: Final = frozenset("+*/")  # a minus sign could also be that of a number
 
 Definitions = Mapping[str, Expression]
@@ -125,7 +127,7 @@ class _Written:
         """Work a formula out; its last operation says its name."""
         before = len(self.steps)
         found = self._operand(formula)
-        plain = name.replace("\\", "").replace("_", "").replace("{", "").replace("}", "").replace("text", "")
+        plain = UNWRITTEN.sub("", name)
         if len(self.steps) == before:
             self.steps.append(f"{plain}={found.text}")
         else:
