@@ -1,5 +1,6 @@
 """Symbolic questions: formulas as textbooks have them, the regimes that they need, and prompts read back."""
 
+import re
 from collections import Counter
 from dataclasses import replace
 from math import cos, exp, radians, sin, tan
@@ -311,14 +312,14 @@ def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
 
 
 def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two heavy planets, a rocket above a planet, springs at angles; the rest of their cells is another matter."""
+    """A rocket above a planet, springs at angles; the rest of their cells is another matter."""
 
     def only_offered(scene: Scene, *_: object, **__: object) -> None:
         assert SYMBOLIC.offers(scene.mechanism)
         raise SceneError("a scene", "looked at", "")
 
     monkeypatch.setattr(item_search, "QuestionSearch", only_offered)
-    for recipe in ("orbital", "rocket", "springs"):
+    for recipe in ("rocket", "springs"):
         scenes = [sample(recipe, "hard", seed=1, index=index) for index in range(12)]
         assert {SYMBOLIC.offers(scene.mechanism) for scene in scenes} == {True, False}
         assert all(MODES[name].offers(scene.mechanism) for scene in scenes for name in ("numeric", "reverse"))
@@ -459,7 +460,7 @@ def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
     """Blocks that rest on a box that is drawn the other way go with it, at a corner of eight numbers."""
     found = make(Request("box", "hard", "symbolic", 1140, 8, weights=(("threshold", 0.0),))).item
     assert found is not None
-    assert "block A slides to the right on the box" in found.prompt
+    assert re.search(r"(block|crate) A slides to the right on the box", found.prompt)
 
 
 def bounced() -> Question | None:

@@ -181,8 +181,9 @@ def test_what_begins_at_its_highest_point_does_not_reach_it_for_the_first_time()
 def test_what_others_may_send_up_again_stops_rising() -> None:
     """No text tells whether a disc that is struck gets higher up its table later than where it first turns back."""
     words = words_of(describe(table(tilt=20.0)))
-    assert "when disc A first stops rising" in HighestPoint("table.pucks.0").phrases(words)
-    assert "when disc A first stops falling" in LowestPoint("table.pucks.0").phrases(words)
+    name = words.mentions["table.pucks.0"]
+    assert f"when {name} first stops rising" in HighestPoint("table.pucks.0").phrases(words)
+    assert f"when {name} first stops falling" in LowestPoint("table.pucks.0").phrases(words)
     _, alone = motions.thrown_ball(None).told()
     assert "when the ball first reaches the highest point of its path" in HighestPoint("field.ball").phrases(alone)
 

@@ -139,8 +139,8 @@ def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str) -> 
 def turned(rate: float | None) -> Scene:
     """A sphere and a small ball on an arm, 70° to the right at first, and maybe already turning."""
     pieces = (
-        RoundPiece(body=Sphere(mass=2.0, radius=0.35), distance=0.4),
-        BallPiece(body=FixedBall(mass=1.0), distance=0.3, side="from the axle, on the other side"),
+        RoundPiece(body=Sphere(mass=4.0, radius=0.17), distance=0.2),
+        BallPiece(body=FixedBall(mass=2.0), distance=0.15, side="from the axle, on the other side"),
     )
     return Scene(entities=(Named(name="it", entity=RotationEntity(pieces=pieces, angle=70.0, rate=rate)),))
 
