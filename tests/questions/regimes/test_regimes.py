@@ -30,6 +30,7 @@ from sim2reason.questions.regimes.acute import StartsAcute
 from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
 from sim2reason.questions.regimes.sliding import SlidesThroughout
+from sim2reason.questions.spoken import OwnSymbol
 from sim2reason.recipes import RECIPES
 from sim2reason.scene_files import loads
 
