@@ -74,7 +74,7 @@ def test_an_electric_field_is_arrows_along_it_and_both_are_lettered(monkeypatch:
     dots, _, arrows = marks(found)
     assert dots == pytest.approx(len(arrows), abs=6)
     assert arrows == pytest.approx([53.13010235415598] * len(arrows))
-    assert {"E", "B"} <= {label.text for label in found.labels}
+    assert {"E field", "B field"} <= {label.text for label in found.labels}
 
 
 def test_a_drag_has_no_direction_to_be_drawn(monkeypatch: pytest.MonkeyPatch) -> None:

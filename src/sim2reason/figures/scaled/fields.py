@@ -46,7 +46,7 @@ def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letter
     if shown and letter not in letters:
         letters.add(letter)
         spots = tuple(at + complex(0.34, 0.3) for at in sorted(inside, key=lambda p: (-p.imag, -p.real)))
-        found.labels.append(Wanted(rf"$\vec{{{letter}}}$", spots, "", SIZE, name=False))  # no body has such a name
+        found.labels.append(Wanted(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
     return bool(shown)
 
 

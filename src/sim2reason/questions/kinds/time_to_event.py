@@ -71,13 +71,13 @@ class TimeToEventKind(Kind):
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
         """As in: B first stops 1.2 s after release."""
-        del noun
         assert isinstance(query.moment, Happening)
         clause, since = query.moment.clause(words), words.since
         if clause is None:
             return ()
         takes = f"{clause.subject} takes {value} {clause.takes}, counted from {since}"
-        return (takes if clause.takes else f"{clause.statement} {value} after {since}",)
+        natural = takes if clause.takes else f"{clause.statement} {value} after {since}"
+        return (natural, *super().told(query, words, noun, value))
 
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """None: that something happens at a time is said as such."""

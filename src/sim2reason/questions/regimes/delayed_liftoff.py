@@ -64,4 +64,4 @@ class DelayedLiftoff(Regime):
         called = words.called(self.of)[self.name]
         if not self.waits:
             return f"{called} lifts off as soon as its engine starts"
-        return f"{called} lifts off only some time after its engine starts, before its fuel is used up"
+        return f"{called} lifts off only after its engine has burned part of its fuel"
