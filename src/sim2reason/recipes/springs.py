@@ -11,7 +11,7 @@ KIND, PLANE = "SpringBlock", "SpringMassIncline"
 # one spring from the origin: energy and angular momentum are kept
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
-ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.1, 0.4)}
+ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.25, 0.6)}
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
         Idea(KIND, CENTRAL, 0.5),
