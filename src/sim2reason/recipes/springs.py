@@ -15,8 +15,7 @@ FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": Range(-0.8, 0.8)}  # 
 # one spring from the origin: energy and angular momentum are kept
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
-<<<<<<< HEAD
-ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.1, 0.4)}
+ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.25, 0.6)}
 CLEAR = 0.08  # m, from a spring to the nail of another one
 
 
@@ -33,9 +32,6 @@ def _distance(point: complex, end: complex) -> float:
     return abs(point - min(max(share, 0.0), 1.0) * end)
 
 
-=======
-ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.25, 0.6)}
->>>>>>> w7
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
         Idea(KIND, CENTRAL, 0.5),
