@@ -13,6 +13,7 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.filters.difficulty import COUNTED
 from sim2reason.filters.few_laws import FEW_LAWS
 from sim2reason.questions import MODES
 from sim2reason.recipes import RECIPES, Difficulty, difficulty_named
@@ -139,7 +140,7 @@ class ItemSearch:
         except (SceneError, SimulationError, UnsupportedError) as error:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]
-        if found is not None or refused.keys() - {FEW_LAWS}:
+        if found is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
             self._problems.add(kind)
         self.rejected.update(refused)
         return found

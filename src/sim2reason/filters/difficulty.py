@@ -5,6 +5,10 @@ from collections.abc import Iterator
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.solutions.difficulty import LABELS
 
+TOO_EASY, TOO_HARD = "too easy", "too hard"
+COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
+"""Under which names a manifest counts what it refuses."""
+
 
 class FitsLabel(Filter):
     """The measured score of the shortest solution lies outside the band of the label.
@@ -21,7 +25,7 @@ class FitsLabel(Filter):
         score, band = candidate.measured.score, LABELS[candidate.difficulty]
         if score in band:
             return ""
-        return f"too {'hard' if score > band.most else 'easy'}: a score of {score} for {candidate.difficulty}"
+        return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """What is measured."""

@@ -98,8 +98,8 @@ class IntegratedPhases:
         """Write one phase and what happens at its end; return its equations in the symbols of that instant."""
         inner = self._inner(stretch.segment)
         if stretch.events:
-            formula, happens = event_condition(inner, stretch.events[0])
-            formulas = [formula]
+            conditions = [event_condition(inner, event) for event in stretch.events]
+            formulas, happens = [formula for formula, _ in conditions], conditions[0][1]
         else:
             formulas, happens = self._moment_formulas(inner), self._moment_words()
         for name, value, unit in inner.stated:
