@@ -112,7 +112,7 @@ def test_a_search_is_a_pure_function_of_its_request() -> None:
 
 
 def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
-    """A hard period of planets is one of Kepler's third law, or too easy: no fault of a filter leaves the cell empty."""
+    """Hard periods of planets follow from Kepler's third law, or are too easy: no filter leaves the cell empty."""
     only_periods = tuple((dict.fromkeys(KINDS, 0.0) | {"period": 1.0}).items())
     search = ItemSearch(Request("orbital", "hard", "numeric", 4, 0, weights=only_periods))
     assert search.found() is None
