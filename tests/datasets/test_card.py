@@ -52,7 +52,7 @@ def test_sizes_are_those_of_the_hub() -> None:
 
 
 def test_the_card_counts_by_everything_and_shows_examples(make: Make, tmp_path: Path) -> None:
-    make(maker="fake_makers:masses")
+    make(maker="fake_makers:masses", items=30)
     text = (tmp_path / "data/README.md").read_text("utf-8")
     for title in ("recipe", "difficulty", "mode", "kind", "quantity", "split"):
         assert f"\n## By {title}\n" in text

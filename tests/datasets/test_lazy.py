@@ -68,7 +68,7 @@ def test_what_shares_words_with_a_benchmark_is_passed_over(tmp_path: Path, monke
     monkeypatch.setattr(lazy, "TRIES", 5)
     config = problems().config
     found = LazyProblems(config, benchmarks=Benchmarks([tmp_path / "known.jsonl"]))
-    assert found[1].id == config.request(1).id == "pulley-hard-numeric-5-0"
+    assert found[1].id == config.request(1).id == "incline-hard-numeric-5-0"
     with pytest.raises(DrawError, match="pulley-easy-numeric-5-0: none of 5 draws"):
         found[0]
 
