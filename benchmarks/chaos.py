@@ -2,11 +2,11 @@
 
 One item in a hundred goes wrong: it ends its process by a segmentation fault or an exit, hangs, raises an error that
 can't be pickled or told, or asks for more memory than there is. Three in ten are empty or repeat others, so that later
-positions take their place. Then the same run is killed (SIGKILL) at random times
-and gone on with until it ends; four processes make a part each at once; and a run meets disks that are full at several
-sizes. Told are how many of the other items are there, which are lost or there twice, files that are torn, and whether
-the bytes at the end are those of a run that nobody disturbed. By default 2500 items and 50 kills. Exit code 1:
-something is lost, there twice, torn or of other bytes, or there were fewer kills.
+positions take their place. Then the same run is killed (SIGKILL) at random times and gone on with until it ends; four
+processes make a part each at once; and a run meets disks that are full at several sizes. Told are how many of the other
+items are there, which are lost or there twice, files that are torn, and whether the bytes at the end are those of a run
+that nobody disturbed. By default 2500 items and 50 kills. Exit code 1: something is lost, there twice, torn or of other
+bytes, or there are fewer items than were asked for, or fewer kills.
 """
 
 import argparse
