@@ -73,11 +73,6 @@ def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[ran
             yield range(begin, positions.stop)
 
 
-def _told_before(steps: int) -> None:
-    """Tell nobody of what stands since an earlier round."""
-    del steps
-
-
 def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
     with closing(run(queue.next)) as replies:
         for batch, reply in replies:

@@ -73,10 +73,8 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
     body["world"] = told(scene.world)
     if scene.glued:
         body["glued"] = list(scene.glued)
-    whole: dict[str, Plain] = {"scene": body}
-    if wording is not None:
-        whole["text"] = wording.plain
-    return write(whole)
+    text: dict[str, Plain] = {"text": wording.plain} if wording is not None else {}
+    return write({"scene": body, **text})
 
 
 def _told_entity(named: Named) -> dict[str, Plain]:
