@@ -9,6 +9,7 @@ from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.request import Request
+from sim2reason.questions.need import Need
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.recipes import Difficulty
 from sim2reason.rewards import boxed
@@ -65,14 +66,17 @@ def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("recipe", "kind", "index", "idle"),
+    ("recipe", "difficulty", "kind", "index", "idle"),
     [
-        ("chain", "state", 0, ()),  # carts on a level track, of whose g the text says nothing
-        ("springs", "equilibrium", 1, ("springs.block.mass",)),  # an equilibrium, for which it leaves the start out
+        ("chain", "easy", "state", 0, ()),  # carts on a level track, of whose g the text says nothing
+        ("springs", "medium", "equilibrium", 41, ("springs.block.mass",)),  # for which it leaves the start out
     ],
 )
-def test_only_stated_numbers_are_marked(recipe: str, kind: str, index: int, idle: tuple[str, ...]) -> None:
-    asked = Request(recipe, "easy", "numeric", 771, index, weights=((kind, 1e6),), unfiltered=True)
+def test_only_stated_numbers_are_marked(
+    recipe: str, difficulty: str, kind: str, index: int, idle: tuple[str, ...]
+) -> None:
+    weights, needs = ((kind, 1e6),), tuple(need.label for need in Need)
+    asked = Request(recipe, difficulty, "numeric", 771, index, weights=weights, unfiltered=True, needs=needs)
     item = make(asked).item
     assert item is not None
     assert (item.kind, item.idle_numbers) == (kind, idle)
