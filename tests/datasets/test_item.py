@@ -101,7 +101,7 @@ def test_a_formula_has_no_unit_that_needs_a_factor() -> None:
 
 
 def test_a_record_of_an_earlier_version_is_told_in_the_units_of_its_numbers(symbolic: Item) -> None:
-    """They had the units in which texts say the numbers, and none for the answers."""
+    """Old records gave display units for the symbols and no unit for the answers; both are converted on reading."""
     answer = symbolic.answer.model_dump(mode="json")
     del answer["formula"]["unit"]
     answer["formula"]["units"] = ["deg", "m/s^2"]

@@ -69,7 +69,7 @@ class HollowSphere(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin shell."""
+        """Return the same sphere with a thin wall: the moment of inertia is 2mR²/3."""
         return {"wall": sphere_surface(self.radius)}
 
     @property

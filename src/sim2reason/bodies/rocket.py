@@ -81,7 +81,7 @@ class AirlessPlanet(StartingPlace):
 
     @property
     def density(self) -> float:
-        """From g = 4πGρR/3."""
+        """Return the mean density of the planet, kg/m³, from its surface gravity: g = 4πGρR/3."""
         return self.gravity / (4.0 / 3.0 * pi * GRAVITATION * KILO * self.radius)
 
     @classmethod

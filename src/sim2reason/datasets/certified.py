@@ -27,7 +27,7 @@ class CertifiedQuestion:
 
     @property
     def question(self) -> Question:
-        """The question with its answer."""
+        """Return the question that passed, which holds its answer."""
         return self.candidate.question
 
     @property

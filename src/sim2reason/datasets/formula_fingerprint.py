@@ -63,7 +63,7 @@ def _values(formula: CompiledFormula, roles: Sequence[Dimension], point: int) ->
 
 
 def _number(role: Dimension, point: int) -> float:
-    """The value of all symbols of one dimension at a point."""
+    """Return the number that every symbol of one dimension takes at one of the comparison points."""
     digest = blake2b(f"{point} {tuple(role)}".encode(), digest_size=8).digest()
     low, high = ANGLES if role == Dimension(angle=1) else RANGE
     return low * (high / low) ** (int.from_bytes(digest, "big") / 2.0**64)

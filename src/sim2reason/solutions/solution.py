@@ -182,7 +182,7 @@ class Solution:
 
     @property
     def needs(self) -> Need:
-        """What mathematics it takes to follow it to the answer; without an answer, nothing short of integration."""
+        """Return the most advanced mathematics in any step; INTEGRATION if the solution has no answer."""
         return greatest(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION
 
     @property

@@ -31,7 +31,7 @@ def scene(angle: float, speed: float | None, *, rod: bool = False) -> Pendulum:
 
 
 def speed_to(angle: float, share: float) -> float:
-    """A speed at which the string goes slack between the height of the fixed point, 0, and the top, 1."""
+    """Return a launch speed with which the string goes slack on the upper half of the circle (0: level, 1: top)."""
     return round(sqrt(G * LENGTH * (2.0 * cos(radians(angle)) + 3.0 * share)), 2)
 
 

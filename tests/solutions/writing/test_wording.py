@@ -1,4 +1,4 @@
-"""The sentences of solutions are those of textbooks: none of the turns of phrase that readers have stumbled over."""
+"""Texts of solutions contain none of the phrases that readers found unclear."""
 
 import ast
 import re

@@ -117,7 +117,7 @@ class Kind(ABC):
         return tuple(f"{called} is {value}" for called in self.called(query, words, noun))
 
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return noun phrases for it of which one may say what they shall be; by default what it is called."""
+        """Return noun phrases for the answer that fit a condition, *X shall be 2 m/s*; by default `called`."""
         return self.called(query, words, noun)
 
     @abstractmethod

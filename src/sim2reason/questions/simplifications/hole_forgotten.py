@@ -1,4 +1,4 @@
-"""A hole is forgotten altogether."""
+"""A body with a hole treated as solid, both in its centre of mass and in its moment of inertia."""
 
 from dataclasses import replace
 

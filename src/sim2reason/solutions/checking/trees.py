@@ -158,7 +158,7 @@ def _applied(operation: str, parts: list[Callable[[Any], Any]], *, vector: bool)
 
 
 def value(tree: Tree, at: Values) -> float:
-    """Evaluate a tree once."""
+    """Return the value of a formula, given as a prefix tree, for given values of its symbols."""
     if isinstance(tree, str):
         return at[tree]
     return compiled(tree)(at) if isinstance(tree, list) else float(tree)
