@@ -63,9 +63,9 @@ def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator
     if _is_beside(simplification, candidate):
         return
     query, study = candidate.question.query, candidate.study
-    asked, until = _spared(simplification, candidate), _until(candidate)
+    spared, until = _spared(simplification, candidate), _until(candidate)
     for subject in simplification.subjects(query, study):
-        if subject in asked or subject == candidate.question.unknown:
+        if subject in spared:
             continue
         other = simplification.simplified(study, subject, until)
         effect = _effect(simplification, subject, candidate, other, candidate.response(other))
@@ -86,7 +86,7 @@ def far_effects(candidate: Candidate) -> Iterator[Effect]:
             continue
         spared = _spared(simplification, candidate)
         for subject in simplification.subjects(query, study):
-            if subject not in spared and subject != candidate.question.unknown:
+            if subject not in spared:
                 other = simplification.simplified(study, subject, until)
                 yield _effect(simplification, subject, candidate, other, candidate.far_response(other))
 
@@ -98,11 +98,15 @@ def _effect(
 
 
 def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
-    """Return what the question itself speaks of where a simplification would take that away, or hold it."""
-    if not (simplification.part or simplification.holds):
-        return set()
-    query = candidate.question.query
-    return {query.subject, *(query.moment.subjects if query.moment is not None else ())} - {""}
+    """Return the number asked for, and what the question itself speaks of if a simplification takes it away or holds it.
+
+    An empty name is none of these: it stands for the whole scene.
+    """
+    spared = {candidate.question.unknown}
+    if simplification.part or simplification.holds:
+        query = candidate.question.query
+        spared |= {query.subject, *(query.moment.subjects if query.moment is not None else ())}
+    return spared - {""}
 
 
 def _until(candidate: Candidate) -> float:
