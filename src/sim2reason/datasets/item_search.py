@@ -15,7 +15,7 @@ from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters.difficulty import COUNTED
 from sim2reason.filters.few_laws import FEW_LAWS
-from sim2reason.questions import MODES
+from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES, Difficulty, difficulty_named
 
 SCENES = 60  # drawn for one item, at most
@@ -25,8 +25,9 @@ EMPTY = 40  # scenes that offer nothing at all, after which none is expected to:
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
 UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
+BEYOND = 2  # kinds that need other means, after which a scene is not asked for others
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, ABSENT
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, BEYOND, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -59,14 +60,22 @@ class ItemSearch:
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, SCENES, TOGETHER)):
-            begin = turn % len(self._kinds)
-            kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
-            found = self._among(range(first, first + TOGETHER), kinds)
+            found = self._among(range(first, first + TOGETHER), self._order(turn))
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
             hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
             if found is not None or hopeless:
                 return found
         return None
+
+    def _order(self, turn: int) -> list[str]:
+        """Return the kinds in the order of a turn, each turn beginning with the next one.
+
+        What takes long to draw has its turn when it comes first by its weight, and is no substitute for others.
+        """
+        begin = turn % len(self._kinds)
+        first, *others = *self._kinds[begin:], *self._kinds[:begin]
+        others = sorted(others, key=lambda kind: KINDS[kind].derivable)
+        return sorted((first, *others), key=lambda kind: self._is_last(kind) or (turn > 0 and KINDS[kind].derivable))
 
     def _is_last(self, kind: str) -> bool:
         """Whether few scenes of the cell offer a kind, or few laws answer what is asked of it."""
@@ -83,10 +92,10 @@ class ItemSearch:
         turns = 0
         for kind in kinds:
             for search, rng in drawn:
-                if kind in search.kinds or kind in search.beyond:
+                if kind in search.kinds or kind in search.beyond or len(search.beyond) >= BEYOND:
                     continue
                 found = self._asked(search, rng, kind)
-                turns += kind in search.kinds
+                turns += kind in search.kinds or kind in search.beyond
                 if found is not None or turns == OTHERS:
                     return found
         return None
@@ -122,6 +131,8 @@ class ItemSearch:
     ) -> CertifiedQuestion | None:
         """A question of the first kind that a scene offers."""
         for kind in kinds:
+            if len(search.beyond) >= BEYOND:
+                return None
             found = self._asked(search, rng, kind)
             if kind in search.kinds:
                 self._first = self._first or kind

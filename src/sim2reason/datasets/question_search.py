@@ -23,7 +23,7 @@ from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
-from sim2reason.solutions.shortest import shortest
+from sim2reason.solutions.shortest import may_have_solution, shortest
 
 SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
@@ -236,6 +236,8 @@ class QuestionSearch:
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
+        if kind and not may_have_solution(kind, self.study, max(self._needs)):
+            return
         for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
             self._refused = False
             question = mode.ask(self.study, self.words, kind, rng, self._suits)

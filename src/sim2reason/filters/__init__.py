@@ -16,9 +16,9 @@ from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
-from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.derivation import derivation, is_derived
 from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
-from sim2reason.solutions.shortest import shortest
+from sim2reason.solutions.shortest import is_solved, shortest
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,14 @@ class Candidate:
         if question.formula is not None:
             return derivation(question.query, self.study, self.words)
         return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether that solution is known, so that looking at it costs little."""
+        question = self.question
+        if question.formula is not None:
+            return is_derived(question.query, self.study)
+        return is_solved(question.query, self.study, question.unknown, question.given, max(self.needs))
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:

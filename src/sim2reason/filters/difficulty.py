@@ -16,7 +16,11 @@ class FitsLabel(Filter):
     Nothing is said of a question of no label, or one that only an integration answers.
     """
 
-    order = 4
+    order = 5
+
+    def ready(self, candidate: Candidate) -> bool:
+        """Return whether the solution is known."""
+        return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
         """Compare the score with the band."""

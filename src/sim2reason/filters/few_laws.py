@@ -18,7 +18,7 @@ MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}
 Set by 460 problems that readers judged: it parts those that they called trivial from nearly all others.
 """
 TEXTBOOK = {"easy": 3, "medium": 2, "hard": 0}
-"""By how many symbols fewer that is where two laws or more are used and accelerations change.
+"""By how many symbols fewer that is where two laws or more are used.
 
 An easy problem may be one that a textbook has, if it takes two laws.
 """
@@ -52,9 +52,8 @@ class FewLaws(Filter):
         if found is None:
             return ""
         laws = number_of_laws(found)
-        changes = bool(changing(candidate.study.mechanism))
-        most = (MOST if changes else STEADY).get(laws, -1)
-        most -= TEXTBOOK[candidate.difficulty] if changes and laws > 1 else 0
+        most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
+        most -= TEXTBOOK[candidate.difficulty] if laws > 1 else 0
         symbols = _symbols(found) if most > 0 else None
         if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
             return ""

@@ -12,7 +12,11 @@ class Needs(Filter):
     By default few questions may need more than elementary means, see `datasets.needs`.
     """
 
-    order = 4
+    order = 5
+
+    def ready(self, candidate: Candidate) -> bool:
+        """Return whether the solution is known."""
+        return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
         """Look at the solution, unless anything is allowed."""

@@ -22,18 +22,24 @@ IDEAS = {
         Idea(RING, {**EVEN, "beads": Count(2, 3), "damping?": 0.0}, 0.7),
     ),
     "hard": (
-        Idea(KIND, {**LEVEL, "carts": Count(3, 3)}, 2.0),
-        Idea(KIND, {**LEVEL, "carts": Count(4, 4), "ends": ("free", "left", "right")}, 0.5),
-        Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}),
-        Idea(KIND, {**LEVEL, "carts": Count(2, 3), "friction?": 1.0}),
+        Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both"), "tilt?": 1.0}, 2.0),
+        Idea(KIND, {**LEVEL, "carts": Count(3, 3), "ends": ("free",)}, 2.0),  # two modes beside the common motion
+        Idea(KIND, {**LEVEL, "carts": Count(3, 3)}, 0.3),  # most questions about three modes or more need a computer
+        Idea(KIND, {**LEVEL, "carts": Count(4, 4), "ends": ("free", "left", "right")}, 0.1),
+        Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}, 0.2),
+        Idea(KIND, {**LEVEL, "carts": Count(2, 2), "friction?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "tilt?": 1.0}),
-        Idea(RING, {**EVEN, "beads": Count(3, 4)}, 0.7),
+        Idea(RING, {**EVEN, "beads": Count(3, 3)}, 0.7),
+        Idea(RING, {**EVEN, "beads": Count(4, 4)}, 0.1),
     ),
 }
 
 
-# a blow bears on neither a period nor a start, nor does every spring on both
-@recipe("chain", weights={"period": 0.5, "start": 0.3, "optimum": 0.0})
+# a blow bears on neither a period nor a start, nor does every spring on both; moments of two modes take a computer
+WEIGHTS = {"period": 0.5, "start": 0.3, "event": 0.6, "extremum": 0.6, "time_to_event": 0.2, "optimum": 0.0}
+
+
+@recipe("chain", weights=WEIGHTS)
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
     return one_of(IDEAS[difficulty], rng, "chain")

@@ -44,8 +44,10 @@ TIERS = {
 }
 
 
-# one law of energy answers most questions about events, and whether a bob goes round or its string slack
-@recipe("pendulum", share=2, weights={"event": 0.4, "threshold": 0.0, "optimum": 0.0})
+# where a bob is at a time, and when it is somewhere, takes elliptic functions
+@recipe(
+    "pendulum", share=2, weights={"event": 0.6, "state": 0.2, "time_to_event": 0.2, "threshold": 0.0, "optimum": 0.0}
+)
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A bob on a string or a light rod, perhaps on a carriage: released, set moving, or so fast that it goes slack."""
     if rng.random() < CARRIED[difficulty]:

@@ -34,20 +34,20 @@ def _distance(point: complex, end: complex) -> float:
 
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
-        Idea(KIND, CENTRAL, 0.5),
-        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, suits=_apart),
+        Idea(KIND, CENTRAL, 0.7),
+        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.2, _apart),  # it needs integrating
         Idea(PLANE, {**ROUGH, "angle": Range(10.0, 30.0)}, 1.5),
     ),
     "medium": (
-        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, suits=_apart),
-        Idea(KIND, {**EVEN, **CENTRAL}, 0.5),
+        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.2, _apart),
+        Idea(KIND, {**EVEN, **CENTRAL}, 0.7),
         Idea(PLANE, {**ROUGH, "angle": Range(10.0, 40.0)}, 1.5),
     ),
     "hard": (  # friction of the springs themselves
         Idea(
             KIND,
             {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6},
-            2.0,
+            0.3,
             _apart,
         ),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.5),

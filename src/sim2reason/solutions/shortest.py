@@ -8,10 +8,10 @@ from sim2reason.questions import Query, StatedResult, Study, Words
 from sim2reason.questions.need import Need
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
-from sim2reason.solutions.solve import solve
-from sim2reason.solutions.strategies import STRATEGIES
+from sim2reason.solutions.solve import offered, solve
+from sim2reason.solutions.strategies import STRATEGIES, Strategy
 
-FOUND = "shortest solution"
+FOUND, SHORTEST = "shortest solution", "shortest"
 
 
 def shortest(
@@ -29,15 +29,36 @@ def shortest(
     """
     most = min(most, Need.SPECIAL_FUNCTION)
     setting = Setting(study.scene, words, words.symbols, study, query, unknown, stated, most=most)
-    found = study.once(("shortest", query, unknown, stated, most), lambda: solve(setting))
+    found = study.once((SHORTEST, query, unknown, stated, most), lambda: solve(setting))
     if found.answer is not None and not unknown and stated is None:
         study.once((FOUND, query), lambda: found)
     return found
 
 
+def is_solved(
+    query: Query,
+    study: Study,
+    unknown: str = "",
+    stated: StatedResult | None = None,
+    most: Need = Need.SPECIAL_FUNCTION,
+) -> bool:
+    """Return whether `shortest` was asked for this before, so that its solution costs nothing."""
+    return study.knows((SHORTEST, query, unknown, stated, min(most, Need.SPECIAL_FUNCTION)))
+
+
 def shortest_known(query: Query, study: Study) -> Solution | None:
     """Return the solution of a query if one was found before."""
     return study.once((FOUND, query), lambda: Solution("")) if study.knows((FOUND, query)) else None
+
+
+def may_have_solution(kind: str, study: Study, most: Need) -> bool:
+    """Return whether any strategy that needs no more than `most` may have a way to questions of a kind."""
+    found = study.once(("needed least", kind), lambda: [each.least_need for each in _closed(kind, study.mechanism)])
+    return min(found, default=Need.INTEGRATION) <= most
+
+
+def _closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
+    return [strategy for strategy in offered(kind, mechanism) if not strategy.integrates]
 
 
 def may_be_solved(mechanism: Mechanism) -> bool:

@@ -6,6 +6,7 @@ from math import radians
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
@@ -44,8 +45,9 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
         return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
     kind, mechanism = setting.query.kind, setting.mechanism
-    offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
-    for strategy in sorted(offered, key=lambda held: held.cost):
+    for strategy in setting.study.once(
+        ("strategies", kind, derived), lambda: offered(kind, mechanism, derived=derived)
+    ):
         if strategy.least_need > setting.most:
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
@@ -61,6 +63,12 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
         elif best is None or found.needs < best.needs:
             best = found
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
+
+
+def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
+    """Return the strategies that may have a way to a kind of question about a mechanism, the cheapest first."""
+    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.unfit(mechanism))
+    return sorted((held for held in own if not derived or kind in held.formulas(mechanism)), key=lambda held: held.cost)
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:

@@ -60,11 +60,12 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
 
 def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator[Effect]:
     """Yield those of one simplification."""
-    if _is_beside(simplification, candidate):
-        return
     query, study = candidate.question.query, candidate.study
+    subjects = [*simplification.subjects(query, study)]
+    if not subjects or _is_beside(simplification, candidate):
+        return
     spared, until = _spared(simplification, candidate), _until(candidate)
-    for subject in simplification.subjects(query, study):
+    for subject in subjects:
         if subject in spared:
             continue
         other = simplification.simplified(study, subject, until)

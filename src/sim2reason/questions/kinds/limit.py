@@ -44,7 +44,7 @@ class LimitKind(NestedKind):
     """What does an answer approach as one mass becomes far larger, or far smaller, than all others?"""
 
     name = "limit"
-    share = 0.12
+    share = 0.06
     beyond_laws = True
     inner = ("start", "event", "time_to_event")
 

@@ -81,7 +81,7 @@ class OptimumKind(NestedKind):
     """For which value of a number is an answer greatest or least, and what is it then?"""
 
     name = "optimum"
-    share = 0.15
+    share = 0.08
     beyond_laws = True
     hides = True
     inner = ("start", "event", "period")

@@ -27,13 +27,18 @@ OPERATIONS: Mapping[type[Expression], Need] = {
     SpecialFunction: Need.SPECIAL_FUNCTION,
 }
 """What it takes to work out an expression of a class, or of a subclass, once all that is inside it is known."""
+LEAVES = frozenset[type[Expression]]({Number, Symbol, Pi})
+"""Classes without anything inside."""
 DIRECT = frozenset[Function]({"sin", "cos", "tan"})  # of known angles; all other functions undo something
 
 
 def need_of(held: Expression) -> Need:
     """Return what it takes to work out an expression where all its symbols have values."""
+    cls = type(held)
+    if cls in LEAVES:
+        return Need.ARITHMETIC
     direct = isinstance(held, Call) and held.function in DIRECT
-    own = Need.ARITHMETIC if direct else operation(type(held))
+    own = Need.ARITHMETIC if direct else operation(cls)
     return max(own, greatest(map(need_of, _inside(held))))
 
 

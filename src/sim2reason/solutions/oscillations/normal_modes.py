@@ -53,11 +53,8 @@ class NormalModes(ModeLaws):
         shape = self.shapes[:, n]
         return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
 
-    def excited(self, forms: Sequence[Form]) -> list[Mode]:
-        """The modes in which the start leaves anything moving, with their shapes and what is excited.
-
-        `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
-        """
+    def shown(self, forms: Sequence[Form]) -> list[int]:
+        """Return the numbers of the modes that `excited` finds, without writing anything."""
         sizes: list[float] = []
         for n in range(self.size):
             shape = self.shapes[:, n]
@@ -65,7 +62,15 @@ class NormalModes(ModeLaws):
             rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.begun) / heavy
             square = self.squares[n] if n >= self.zeros else 1.0
             sizes.append(max(abs(rise) / square, abs(swing) / square**0.5) * float(np.abs(shape).max()))
-        found = [m for m in self.modes if sizes[m.number] > FAINT * max(sizes) and self._counts(m.number, forms)]
+        return [n for n in range(self.size) if sizes[n] > FAINT * max(sizes) and self._counts(n, forms)]
+
+    def excited(self, forms: Sequence[Form]) -> list[Mode]:
+        """The modes in which the start leaves anything moving, with their shapes and what is excited.
+
+        `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
+        """
+        shown = self.shown(forms)
+        found = [mode for mode in self.modes if mode.number in shown]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
             step = self.book.open("modes")
             step.say(

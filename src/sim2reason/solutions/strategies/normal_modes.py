@@ -13,6 +13,7 @@ from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
@@ -87,14 +88,22 @@ class _Modal(LinearWay):
     @cached_property
     def _forms(self) -> list[Form]:
         """The sums of places, or derivatives of them, that the moment and the goal are about."""
-        found: list[tuple[int, dict[int, float]]] = []
-        if not isinstance(self.query.moment, AtTime) or self.greatest:
-            _, parts, law = self._condition
-            found.append((LAWS.index(law), parts))
+        found = self._sought
         if self.target is not None and self.goal is not None:
             lines = [*self.goal.lines(self.target)]
             own = [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
             found += [(self._order, parts) for parts in own]
+        return self._as_forms(found)
+
+    @property
+    def _sought(self) -> list[tuple[int, dict[int, float]]]:
+        """The derivative, by its order, of a sum of places whose root is the moment; none where its time is given."""
+        if isinstance(self.query.moment, AtTime) and not self.greatest:
+            return []
+        _, parts, law = self._condition
+        return [(LAWS.index(law), parts)]
+
+    def _as_forms(self, found: Sequence[tuple[int, dict[int, float]]]) -> list[Form]:
         ratio, free = self.motion.ratio, self.motion.free
         return [(np.array([sum(w * ratio(k, i) for k, w in of.items()) for i in free]), order) for order, of in found]
 
@@ -112,10 +121,20 @@ class _Modal(LinearWay):
         query = self.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
+        self._refuse_roots()
         _ = self._modes
         if self.target is None or self.goal is None:
             return self._time
         return self.goal.write(self.target, self)
+
+    def _refuse_roots(self) -> None:
+        """Raise UnsolvedError if numerical roots lie ahead that no result may need: writing all until then takes long."""
+        if self.book.most >= Need.ROOT:
+            return
+        held = self._all
+        rates = [n for n in held.shown(self._as_forms(self._sought)) if n >= held.zeros]
+        if held.size - held.zeros > PAIR or len(rates) > 1:
+            raise UnsolvedError(f"it needs more: {Need.ROOT.label}")
 
     def _period(self, query: PeriodQuery) -> Symbol:
         held = self._all
