@@ -17,7 +17,7 @@ def greatest_target(setting: Setting) -> Target | None:
     if not isinstance(query, StretchQuery):
         return None
     held = FUNCTIONALS[query.functional]
-    return Target(held.quantity.name, query.name) if isinstance(held, Extreme) else None
+    return Target(held.quantity.name, query.name, held.sense) if isinstance(held, Extreme) else None
 
 
 def time_of_greatest(setting: Setting) -> float:

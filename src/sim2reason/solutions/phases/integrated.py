@@ -56,6 +56,7 @@ class IntegratedPhases:
         self._rates = initial_rates(setting.lexicon, self.names.senses)
         self._sum: Symbol | None = None
         self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # by number of a step, its last sentence
+        self._introduced = 0  # the number of the step that names coordinates
 
     def write(self) -> str:
         """Write all steps and return the symbol of the answer; UnsolvedError where an equation cannot be written."""
@@ -84,13 +85,14 @@ class IntegratedPhases:
         if constant is not None:
             gravitational_constant(book, constant)
         step = book.open("names")
-        step.say(INTRODUCTION, self._introduction)
+        step.say(self._introduction)
         if self.setting.unknown:
             name = Symbol(book.sought)
             book.hidden.discard(name.name)
-            step.say(f"They hold for any ${name.name}$; it is varied until the result is the given one, which leads to")
+            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is the given one, which leads to")
             step.say(f"{step.trial(name)}. With this value:")
         step.close()
+        self._introduced = self.book.steps[-1].id
 
     # ---- one phase
 
@@ -263,6 +265,9 @@ class IntegratedPhases:
         for number, text in self._composed.items():
             step = self.book.steps[number]
             self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
+        if self._composed:
+            step = self.book.steps[self._introduced]
+            self.book.steps[self._introduced] = replace(step, text=f"{INTRODUCTION} {step.text}")
 
     # ---- the answer
 

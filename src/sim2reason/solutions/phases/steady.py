@@ -43,7 +43,7 @@ class SteadyPhase:
         for k in range(len(names.places)):
             told.append(step.defined(names.places[k], self._place(k, names, span)))
             told.append(step.defined(names.rates[k], self._rate(k, names, span)))
-        step.say(f"At its end, {joined(told)}.")
+        step.say(f"At that instant, {joined(told)}.")
         step.close()
 
     def _accelerate(self, book: Book, names: Names, forces: dict[str, Symbol]) -> None:
@@ -75,7 +75,7 @@ class SteadyPhase:
             found = NumericRoot(formula, span.name, near)
         step = book.open("duration")
         law = step.law(formula, ZERO)
-        step.say(f"It lasts for a time ${span.name}$ until {said}: {law}, so that {step.result(span, found, SECONDS)}.")
+        step.say(f"They remain so for a time ${span.name}$, until {said}: {law}, so that {step.result(span, found, SECONDS)}.")
         step.close()
         return span
 
