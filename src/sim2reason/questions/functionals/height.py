@@ -7,7 +7,6 @@ from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.words import Words
 
-
 UPWARD = Sense("upward", (0.0, 0.0, 1.0), fixed=True)
 
 

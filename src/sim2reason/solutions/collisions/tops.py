@@ -1,6 +1,5 @@
 """Extreme values that a body in free flight takes at the top of its path."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from sim2reason.questions import KINDS, Query

@@ -89,8 +89,8 @@ class IntegratedPhases:
         if self.setting.unknown:
             name = Symbol(book.sought)
             book.hidden.discard(name.name)
-            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is the given one, which leads to")
-            step.say(f"{step.trial(name)}. With this value:")
+            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is the given one,")
+            step.say(f"which leads to {step.trial(name)}. With this value:")
         step.close()
         self._introduced = self.book.steps[-1].id
 
@@ -101,7 +101,7 @@ class IntegratedPhases:
         inner = self._inner(stretch.segment)
         if stretch.events:
             conditions = [event_condition(inner, event) for event in stretch.events]
-            formulas, happens = [formula for formula, _ in conditions], conditions[0][1]
+            formulas, happens = [formula for formula, _ in conditions], joined([said for _, said in conditions])
         else:
             formulas, happens = self._moment_formulas(inner), self._moment_words()
         for name, value, unit in inner.stated:

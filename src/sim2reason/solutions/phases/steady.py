@@ -75,7 +75,8 @@ class SteadyPhase:
             found = NumericRoot(formula, span.name, near)
         step = book.open("duration")
         law = step.law(formula, ZERO)
-        step.say(f"They remain so for a time ${span.name}$, until {said}: {law}, so that {step.result(span, found, SECONDS)}.")
+        step.say(f"They remain so for a time ${span.name}$, until {said}: {law},")
+        step.say(f"so that {step.result(span, found, SECONDS)}.")
         step.close()
         return span
 
