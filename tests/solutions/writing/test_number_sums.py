@@ -17,7 +17,7 @@ MASSES = ("m_A", "m_B", "m_C")
 
 def atoms(seed: int) -> dict[str, Named]:
     rng = np.random.default_rng(seed)
-    return {name: (x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()}
+    return {name: Named(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()}
 
 
 def named(name: str) -> Polynomial:
@@ -25,8 +25,8 @@ def named(name: str) -> Polynomial:
 
 
 def found(held: dict[str, Named], polynomial: Polynomial) -> Polynomial | None:
-    here = polynomial.value({name: part[0] for name, part in held.items()})
-    there = polynomial.value({name: part[1] for name, part in held.items()})
+    here = polynomial.value({name: part.here for name, part in held.items()})
+    there = polynomial.value({name: part.there for name, part in held.items()})
     return sum_of_products(here, there, [held[name] for name in MASSES], list(held.values()))
 
 

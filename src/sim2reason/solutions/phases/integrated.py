@@ -44,8 +44,10 @@ INTRODUCTION = "The equations of motion have no solution in elementary functions
 class IntegratedPhases:
     """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Choose coordinates; nothing is written yet."""
+    def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
+        """Choose coordinates; nothing is written yet. Unless it `integrates`, phases must have constant accelerations.
+        """
+        self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)
         self.names, self._introduction = chosen.names, chosen.sentence
@@ -117,6 +119,8 @@ class IntegratedPhases:
         if inner.steady and not self._adds_up:
             start = self._begin, self._places, self._rates
             SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or "the moment asked")
+        elif not self._integrates:
+            raise UnsolvedError("accelerations change during a phase")
         else:
             self._integrate(inner, until, (names, forces), stretch.ends, happens if not several else "")
         self._begin, self._places, self._rates = names.time, list(names.places), list(names.rates)

@@ -25,7 +25,7 @@ from sim2reason.solutions.algebra.digits import EXACT, SIMPLE
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.writing.number_sums import sum_of_products
+from sim2reason.solutions.writing.number_sums import Named, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
@@ -234,9 +234,9 @@ class Lexicon:
     def _of_sums(self, number: Both) -> Polynomial | None:
         """A total mass times others, or a sum of two products; read once, since it takes longer than anything else."""
         if number not in self._sums:
-            atoms = [(atom.here, atom.there, name) for atom, name in self._atoms]
+            atoms = [Named(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
-            heavy = [held for held in atoms if held[2].symbol in masses]
+            heavy = [held for held in atoms if held.name.symbol in masses]
             self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)
         return self._sums[number]
 

@@ -1,14 +1,15 @@
 """Numbers of a mechanism that are sums: a total mass times others, or two products of what the text says."""
 
 from collections.abc import Sequence
-from functools import reduce
 from itertools import combinations, combinations_with_replacement
-from operator import add, mul
+from math import prod
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
 SAME = 1e-10  # relative: far less than two numbers can agree by chance
 COMMON = frozenset(sign * whole / part for sign in (1, -1) for whole in (1, 2, 3) for part in (1, 2, 3, 4, 5, 6, 12))
@@ -17,8 +18,13 @@ FACTORS = 3  # of a product, at most
 PRODUCTS = 600  # of which pairs are looked at
 APART = 1e-6  # relative: products that differ less with other numbers are no two
 
-Named = tuple[float, float, Polynomial]
-"""A number of the mechanism and of its twin, and what it is called."""
+
+class Named(NamedTuple):
+    """A number of the mechanism and of its twin, and what it is called."""
+
+    here: float
+    there: float
+    name: Polynomial
 
 
 def sum_of_products(here: float, there: float, masses: Sequence[Named], atoms: Sequence[Named]) -> Polynomial | None:
@@ -48,8 +54,8 @@ def _of_totals(
     ones, others = _values([*products])
     for size in range(2, len(masses) + 1):
         for held in combinations(masses, size):
-            total, twin = sum(mass[0] for mass in held), sum(mass[1] for mass in held)
-            ratios = here / (total * ones), there / (twin * others)
+            mass, twin = sum(one.here for one in held), sum(one.there for one in held)
+            ratios = here / (mass * ones), there / (twin * others)
             fits = (np.abs(np.abs(ratios[0]) - 1.0) < SAME) & (np.abs(ratios[1] - ratios[0]) < SAME)
             if fits.any():
                 number = int(np.argmax(fits))
@@ -67,16 +73,17 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) 
         second = (ones[:, None] * there - others[:, None] * here) / det
     common = np.array(sorted(COMMON))
     fits = ~near & _among(first, common) & _among(second, common)
-    for one, other in np.argwhere(fits):
+    for one, other in np.argwhere(fits).tolist():
         weights = [float(common[np.argmin(np.abs(common - part[one, other]))]) for part in (first, second)]
         pair = products[one], products[other]
-        values = [sum(w * _value(held, side) for w, held in zip(weights, pair, strict=True)) for side in (0, 1)]
-        if abs(values[0] - here) <= SAME * abs(here) and abs(values[1] - there) <= SAME * abs(there):
+        value = sum(w * prod(atom.here for atom in held) for w, held in zip(weights, pair, strict=True))
+        twin = sum(w * prod(atom.there for atom in held) for w, held in zip(weights, pair, strict=True))
+        if abs(value - here) <= SAME * abs(here) and abs(twin - there) <= SAME * abs(there):
             return _product(pair[0]).scaled(weights[0]) + _product(pair[1]).scaled(weights[1])
     return None
 
 
-def _among(values: Array, common: Array) -> Array:
+def _among(values: Array, common: Array) -> NDArray[np.bool_]:
     """Return where values are common factors, as far as rounding lets one see."""
     nearest = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1)]
     before = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1) - 1]
@@ -85,16 +92,16 @@ def _among(values: Array, common: Array) -> Array:
 
 
 def _values(products: Sequence[tuple[Named, ...]]) -> tuple[Array, Array]:
-    return np.array([_value(held, 0) for held in products]), np.array([_value(held, 1) for held in products])
-
-
-def _value(held: tuple[Named, ...], side: int) -> float:
-    return reduce(mul, (atom[side] for atom in held), 1.0)
+    here = np.array([prod(atom.here for atom in held) for held in products])
+    return here, np.array([prod(atom.there for atom in held) for held in products])
 
 
 def _product(held: tuple[Named, ...]) -> Polynomial:
-    return reduce(mul, (atom[2] for atom in held))
+    found = Polynomial.of(1.0)
+    for atom in held:
+        found = found * atom.name
+    return found
 
 
 def _sum(held: tuple[Named, ...]) -> Polynomial:
-    return reduce(add, (atom[2] for atom in held))
+    return total(atom.name for atom in held)
