@@ -45,8 +45,7 @@ class IntegratedPhases:
     """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
 
     def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
-        """Choose coordinates; nothing is written yet. Unless it `integrates`, phases must have constant accelerations.
-        """
+        """Choose coordinates; nothing is written yet. Unless it `integrates`, phases must have constant accelerations."""
         self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)

@@ -63,6 +63,8 @@ def _small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
 class _Turning(SwingAngle):
     """What is asked of a rigid body on an axle."""
 
+    one_point = False
+
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnreadError where a number is no simple function of those in the text."""
         super().__init__(setting, book)
