@@ -80,13 +80,11 @@ class Expression:
         match self, lifted(other):
             case _, divisor if divisor == ONE or self == ZERO:
                 return self
-            case _, Number(x) if (1.0 / x).is_integer() and abs(x) < 1.0:
-                return multiplied(Number(1.0 / x), self)
             case _, Quotient(above, below):
                 return multiplied(self, below) / above
             case Quotient(above, below), divisor:
                 return above / multiplied(below, divisor)
-            case _, Product((Number(x), *_)) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
+            case _, (Number(x) | Product((Number(x), *_))) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
                 return multiplied(Number(1.0 / x), self) / multiplied(Number(1.0 / x), divisor)
             case _, divisor:
                 return Quotient(-self, -divisor) if divisor.negative else Quotient(self, divisor)

@@ -4,7 +4,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.phases.integrated import IntegratedPhases
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 
 @strategy
@@ -31,5 +31,7 @@ class PhaseByPhase(Strategy):
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the phases in order, then the answer."""
+        """Write the phases in order, then the answer; UnsolvedError after other steps, since phases begin a text."""
+        if book.steps:
+            raise UnsolvedError("phases begin a solution")
         return IntegratedPhases(setting, book, integrates=False).write()
