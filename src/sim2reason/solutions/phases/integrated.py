@@ -24,6 +24,7 @@ from sim2reason.solutions.phases.forces import ForceSymbols
 from sim2reason.solutions.phases.initial_rates import initial_rates
 from sim2reason.solutions.phases.jumps import write_jump
 from sim2reason.solutions.phases.numerical import tell_end, tell_problem
+from sim2reason.solutions.phases.pruning import pruned
 from sim2reason.solutions.phases.steady import SteadyPhase
 from sim2reason.solutions.phases.stretches import Stretch, asked_time, stretches
 from sim2reason.solutions.phases.values import formula_of
@@ -45,7 +46,7 @@ class IntegratedPhases:
     """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
 
     def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
-        """Choose coordinates; nothing is written yet. Unless it `integrates`, phases must have constant accelerations."""
+        """Choose coordinates; nothing is written yet. Unless it `integrates`, accelerations must not change."""
         self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)
@@ -268,6 +269,7 @@ class IntegratedPhases:
         for number, text in self._composed.items():
             step = self.book.steps[number]
             self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
+        self.book.steps[:] = pruned(self.book.steps, answer, self.book.values)
         if self._composed:
             step = self.book.steps[self._introduced]
             self.book.steps[self._introduced] = replace(step, text=f"{INTRODUCTION} {step.text}")
