@@ -12,6 +12,7 @@ from sim2reason.grading.tokens import tokenize
 from sim2reason.solutions.algebra.digits import rounded, shortened
 from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked, gradient
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
@@ -95,3 +96,15 @@ def test_what_all_terms_share_stands_in_front(angle: float) -> None:
     assert held.latex() == r"m_A g \left(\sin\theta - \mu \cos\theta\right)"
     at = {"m_A": 2.0, "g": 9.8, r"\theta": angle, r"\mu": 0.3}
     assert held.value(at) == pytest.approx(2.0 * 9.8 * (sin(angle) - 0.3 * cos(angle)))
+
+
+def test_no_minus_sign_stands_below_a_fraction_or_under_a_square() -> None:
+    x, y = Symbol("x"), Symbol("y")
+    assert ((x - y) / -(x + y)).latex() == r"\frac{y - x}{x + y}"
+    assert over(Polynomial.of(x), (Polynomial.of(x) + Polynomial.of(y)).scaled(-1.0)).latex() == r"-\frac{x}{x + y}"
+    assert Power(-x, 2).latex() == "x^{2}"
+    assert Power(-x, 3).latex() == r"\left(-x\right)^{3}"
+
+
+def test_half_is_no_denominator() -> None:
+    assert ((Symbol("x") - Symbol("y")) / Number(0.5)).latex() == r"2\,\left(x - y\right)"

@@ -179,6 +179,8 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
         size = Root(_over(rest.scaled(-1.0), square, written))
         yield from (size, -size)
         return
+    if written(square).negative:
+        rest, linear, square = (part.scaled(-1.0) for part in (rest, linear, square))
     half = linear.scaled(0.5)
     root = Root(written(half * half - square * rest))
     for sign in (1.0, -1.0):

@@ -31,6 +31,10 @@ class Worked(Expression):
         """Those of the formula."""
         return self.inner.symbols()
 
+    def __neg__(self) -> Expression:
+        """The negative number."""
+        return Worked(-self.inner, -self.comes_to)
+
     @property
     def rank(self) -> int:
         """A negative one needs parentheses."""

@@ -30,8 +30,9 @@ class Expression:
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
-        """The names in it, from left to right, some more than once."""
-        raise NotImplementedError
+        """The names in it, from left to right, some more than once; by default those of its parts."""
+        for part in self.parts:
+            yield from part.symbols()
 
     @property
     def parts(self) -> "tuple[Expression, ...]":
@@ -84,10 +85,10 @@ class Expression:
                 return multiplied(self, below) / above
             case Quotient(above, below), divisor:
                 return above / multiplied(below, divisor)
-            case _, Product((Number(x), *_)) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
+            case _, (Number(x) | Product((Number(x), *_))) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
                 return multiplied(Number(1.0 / x), self) / multiplied(Number(1.0 / x), divisor)
             case _, divisor:
-                return Quotient(self, divisor)
+                return Quotient(-self, -divisor) if divisor.negative else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
         """Its negative, term by term."""
@@ -165,11 +166,6 @@ class Sum(Expression):
         parts = sorted((term.latex() for term in self.terms), key=lambda part: part.startswith("-"))
         return parts[0] + "".join(f" - {part[1:]}" if part.startswith("-") else f" + {part}" for part in parts[1:])
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the terms."""
-        for term in self.terms:
-            yield from term.symbols()
-
     @property
     def rank(self) -> int:
         """The lowest."""
@@ -210,11 +206,6 @@ class Product(Expression):
             text += joint + part
         return text
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the factors."""
-        for factor in self.factors:
-            yield from factor.symbols()
-
     @property
     def rank(self) -> int:
         """That of a product; one with a minus sign is like a sum."""
@@ -246,11 +237,6 @@ class Quotient(Expression):
         """As a fraction; a minus sign of the numerator stands before it."""
         above, sign = self.above.latex(), "-" if self.negative else ""
         return rf"{sign}{FRACTION}{above[len(sign) :]}}}{{{self.below.latex()}}}"
-
-    def symbols(self) -> Iterator[str]:
-        """Those of both."""
-        yield from self.above.symbols()
-        yield from self.below.symbols()
 
     @property
     def rank(self) -> int:

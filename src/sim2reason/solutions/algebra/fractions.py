@@ -11,6 +11,8 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
         above, below = _quotient(above, below) or (above, below)
     if below.number is not None:
         return above.scaled(1.0 / below.number).factored()
+    if all(part < 0.0 for part in below.terms.values()):
+        above, below = above.scaled(-1.0), below.scaled(-1.0)
     return Quotient(above.factored(), below.factored())
 
 

@@ -58,11 +58,8 @@ class Power(Expression):
         """With the exponent raised; that of a sine stands before its angle."""
         if isinstance(self.base, Call) and self.base.function != "exp":
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
-        base = (
-            rf"\left({self.base.latex()}\right)"
-            if isinstance(self.base, Power | Number | Call)
-            else parenthesized(self.base, 2)
-        )
+        held = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
+        base = rf"\left({held.latex()}\right)" if isinstance(held, Power | Number | Call) else parenthesized(held, 2)
         return f"{base}^{{{self.exponent}}}"
 
     def symbols(self) -> Iterator[str]:

@@ -184,7 +184,7 @@ class FreeFlights(ABC):
             span = self.span(leg, time)
             step, name = self.book.open(VELOCITY), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
-            step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
+            step.say(f"At that instant {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             self._speeds[key] = Polynomial.of(name)
         return self._speeds[key]
@@ -227,7 +227,7 @@ class FreeFlights(ABC):
         if formula == ZERO:
             return NIL
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
-        says = f"Up to then the displacement of {self.setting.called(body)} is"
+        says = f"The displacement of {self.setting.called(body)} is then"
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)

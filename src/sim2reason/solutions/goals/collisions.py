@@ -45,7 +45,7 @@ class CollisionGoal(Goal):
         if len(held) == 1:
             return finish(known, self._one(held[0]), self.noun, "", f"{what} is")
         step = known.book.open("collisions")
-        step.say(f"Up to then: {'; '.join(struck.told[:1].lower() + struck.told[1:] for struck in held)}.")
+        step.say(f"These collisions occur: {'; '.join(struck.told[:1].lower() + struck.told[1:] for struck in held)}.")
         step.close()
         whole: Expression = ZERO
         for number, struck in enumerate(held, start=1):

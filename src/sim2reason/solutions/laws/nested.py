@@ -81,7 +81,7 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
     step.rest_on(goal)
     if whole is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
-        step.say(f"Combining these equations gives {step.derived(Symbol(goal), whole)}.")
+        step.say(f"Combined, these equations give {step.derived(Symbol(goal), whole)}.")
         step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         said: list[str] = []

@@ -252,12 +252,13 @@ class Stage:
         time = self.time
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
         formula = added(begun, multiplied(a, time))
-        step.say(f"{self._then()}{step.result(name, formula, SPEED, law=True)}.")
+        step.say(f"{self._when('At that time')}, {step.result(name, formula, SPEED, law=True)}.")
         step.close()
         return Polynomial.of(name)
 
-    def _then(self) -> str:
-        return "Then " if self._moved or self._velocity else "After this time, "
+    def _when(self, again: str) -> str:
+        """Begin a sentence about the end of the stage; `again` where another one spoke of it before."""
+        return again if self._moved or self._velocity else "After this time"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None
@@ -289,7 +290,7 @@ class Stage:
         else:
             time = self.time
             step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
-            step.say(f"{self._then()}{step.result(name, _path(begun, a, time), METRES, law=True)}.")
+            step.say(f"{self._when('In the same time')}, {step.result(name, _path(begun, a, time), METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -17,7 +18,7 @@ def greatest_target(setting: Setting) -> Target | None:
     if not isinstance(query, StretchQuery):
         return None
     held = FUNCTIONALS[query.functional]
-    return Target(held.quantity.name, query.name) if isinstance(held, Extreme) else None
+    return Target(held.quantity.name, query.name, held.sense) if isinstance(held, Extreme) else None
 
 
 def time_of_greatest(setting: Setting) -> float:
@@ -32,3 +33,10 @@ def time_of_greatest(setting: Setting) -> float:
         width = 2.0 * (times[1] - times[0])
         low, high = max(0.0, best - width), min(setting.time, best + width)
     return best
+
+
+def is_slow_at_greatest(setting: Setting, body: str) -> bool:
+    """Return whether a body is slower than half its greatest speed when the motion takes the greatest value."""
+    times = np.append(np.linspace(0.0, setting.time, FINE * LEVELS), time_of_greatest(setting))
+    *speeds, then = np.linalg.norm(Velocity.evaluate(setting.study.trace.sample(times), body), axis=1)
+    return bool(then < 0.5 * max(speeds))

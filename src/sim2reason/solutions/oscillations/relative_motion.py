@@ -30,6 +30,8 @@ class RelativeMotion:
         self.segment, self.givens, self.damped = motion.segment, motion.givens, motion.damped
         if len(motion.free) != 2:
             raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
+        if len({motion.mechanism.coordinates[i].body for i in motion.free}) < len(motion.free):
+            raise UnsolvedError("a single body moves in two directions")
         found = [way for way in DIRECTIONS if self._kept(way)]
         if len(found) != 1:
             raise UnsolvedError("no momentum is conserved")

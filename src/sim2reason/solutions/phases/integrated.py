@@ -1,6 +1,6 @@
 """The phases of a motion written in order, each from the state in which the one before it ends."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from math import isnan, radians
 
@@ -24,6 +24,7 @@ from sim2reason.solutions.phases.forces import ForceSymbols
 from sim2reason.solutions.phases.initial_rates import initial_rates
 from sim2reason.solutions.phases.jumps import write_jump
 from sim2reason.solutions.phases.numerical import tell_end, tell_problem
+from sim2reason.solutions.phases.pruning import pruned
 from sim2reason.solutions.phases.steady import SteadyPhase
 from sim2reason.solutions.phases.stretches import Stretch, asked_time, stretches
 from sim2reason.solutions.phases.values import formula_of
@@ -44,8 +45,9 @@ INTRODUCTION = "The equations of motion have no solution in elementary functions
 class IntegratedPhases:
     """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Choose coordinates; nothing is written yet."""
+    def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
+        """Choose coordinates; nothing is written yet. Unless it `integrates`, accelerations must not change."""
+        self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)
         self.names, self._introduction = chosen.names, chosen.sentence
@@ -56,6 +58,7 @@ class IntegratedPhases:
         self._rates = initial_rates(setting.lexicon, self.names.senses)
         self._sum: Symbol | None = None
         self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # by number of a step, its last sentence
+        self._introduced = 0  # the number of the step that names coordinates
 
     def write(self) -> str:
         """Write all steps and return the symbol of the answer; UnsolvedError where an equation cannot be written."""
@@ -74,23 +77,28 @@ class IntegratedPhases:
     def _check_names(self) -> None:
         """Refuse equations with a name that has no value, or none in the numbers of the text."""
         names = {name for step in self.book.steps for name in step.symbols()}
-        if unread := sorted(name for name in names if name.startswith(UNREAD)):
-            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
+        self._refuse_unread(names)
         if unknown := sorted(names - {*self.book.values, *self.book.observed}):
             raise UnsolvedError(f"the equations have no number for {', '.join(unknown)}")
+
+    @staticmethod
+    def _refuse_unread(names: Iterable[str]) -> None:
+        if unread := sorted({name for name in names if name.startswith(UNREAD)}):
+            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
 
     def _introduce(self) -> None:
         book, constant = self.book, self.setting.lexicon.constant
         if constant is not None:
             gravitational_constant(book, constant)
         step = book.open("names")
-        step.say(INTRODUCTION, self._introduction)
+        step.say(self._introduction)
         if self.setting.unknown:
             name = Symbol(book.sought)
             book.hidden.discard(name.name)
-            step.say(f"They hold for any ${name.name}$; it is varied until the result is the given one, which leads to")
-            step.say(f"{step.trial(name)}. With this value:")
+            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is the given one,")
+            step.say(f"which leads to {step.trial(name)}. With this value:")
         step.close()
+        self._introduced = self.book.steps[-1].id
 
     # ---- one phase
 
@@ -99,9 +107,11 @@ class IntegratedPhases:
         inner = self._inner(stretch.segment)
         if stretch.events:
             conditions = [event_condition(inner, event) for event in stretch.events]
-            formulas, happens = [formula for formula, _ in conditions], conditions[0][1]
+            formulas, happens = [formula for formula, _ in conditions], joined([said for _, said in conditions])
         else:
             formulas, happens = self._moment_formulas(inner), self._moment_words()
+        sides = [side for law in inner.laws for side in (law.left, law.right)]
+        self._refuse_unread(name for formula in (*formulas, *sides) for name in formula.symbols())
         for name, value, unit in inner.stated:
             self.book.reserve(name)
             self.book.say_given(name, value, unit)
@@ -115,6 +125,8 @@ class IntegratedPhases:
         if inner.steady and not self._adds_up:
             start = self._begin, self._places, self._rates
             SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or "the moment asked")
+        elif not self._integrates:
+            raise UnsolvedError("accelerations change during a phase")
         else:
             self._integrate(inner, until, (names, forces), stretch.ends, happens if not several else "")
         self._begin, self._places, self._rates = names.time, list(names.places), list(names.rates)
@@ -263,6 +275,10 @@ class IntegratedPhases:
         for number, text in self._composed.items():
             step = self.book.steps[number]
             self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
+        self.book.steps[:] = pruned(self.book.steps, answer, self.book.values)
+        if self._composed:
+            step = self.book.steps[self._introduced]
+            self.book.steps[self._introduced] = replace(step, text=f"{INTRODUCTION} {step.text}")
 
     # ---- the answer
 

@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import put, solved_for
 from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.phases.pruning import LAWS, STATE, laws_text, state_text
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
@@ -38,27 +38,29 @@ class SteadyPhase:
         """
         self._accelerate(book, names, forces)
         span = self._last(book, names, formula, said)
-        step = book.open("state")
-        told = [step.defined(names.time, added(self._begin, span))]
+        step = book.open(STATE)
+        step.defined(names.time, added(self._begin, span))
         for k in range(len(names.places)):
-            told.append(step.defined(names.places[k], self._place(k, names, span)))
-            told.append(step.defined(names.rates[k], self._rate(k, names, span)))
-        step.say(f"At its end, {joined(told)}.")
+            step.defined(names.places[k], self._place(k, names, span))
+            step.defined(names.rates[k], self._rate(k, names, span))
+        step.say(state_text(step.relations, book.values))
         step.close()
 
     def _accelerate(self, book: Book, names: Names, forces: dict[str, Symbol]) -> None:
         """Write the laws, which determine the constant accelerations and forces."""
-        step, inner = book.open("newton"), self._inner
+        step, inner = book.open(LAWS), self._inner
         own = {old.name: new for old, new in zip(self._names.accelerations, names.accelerations, strict=True)}
         own |= {inner.forces[key].name: symbol for key, symbol in forces.items()}
-        laws = [(_renamed(law.left, own), _renamed(law.right, own)) for law in inner.laws]
-        step.say(f"The accelerations are constant: {joined([step.law(*law) for law in laws])}.")
+        for law in inner.laws:
+            step.law(_renamed(law.left, own), _renamed(law.right, own))
         found = [symbol for symbol in own.values() if symbol.name in book.values]
         for symbol in found:
             step.label(symbol.name)
-        moving = [symbol for symbol in found if book.values[symbol.name]]
-        if moving and not all(isinstance(left, Symbol) for left, _ in laws):
-            step.say(f"Hence {joined([step.stated(symbol, book.units[symbol.name]) for symbol in moving])}.")
+        plain = all(isinstance(relation.left, Symbol) for relation in step.relations)
+        for symbol in found if not plain else ():
+            if book.values[symbol.name]:
+                step.stated(symbol, book.units[symbol.name])
+        step.say(laws_text(step.relations, book.values))
         step.close()
 
     def _last(self, book: Book, names: Names, formula: Expression, said: str) -> Symbol:
@@ -75,7 +77,8 @@ class SteadyPhase:
             found = NumericRoot(formula, span.name, near)
         step = book.open("duration")
         law = step.law(formula, ZERO)
-        step.say(f"It lasts for a time ${span.name}$ until {said}: {law}, so that {step.result(span, found, SECONDS)}.")
+        step.say(f"They remain so for a time ${span.name}$, until {said}: {law},")
+        step.say(f"so that {step.result(span, found, SECONDS)}.")
         step.close()
         return span
 

@@ -46,11 +46,24 @@ class Axle(Strategy):
 
     def write(self, setting: Setting, book: Book) -> str:
         """The moment of inertia, the angle, the angular speed, and what is asked."""
+        query = setting.query
+        if isinstance(query, PeriodQuery) and query.small:
+            return _small_oscillations(Arm(setting, book), book, query).name
         return _Turning(setting, book).write().name
+
+
+def _small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
+    """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
+    size = arm.moment if book.value(arm.moment) > 0.0 else -arm.moment
+    said = "For small angles the sine is equal to the angle, so the oscillation is harmonic with the angular frequency"
+    formula = Root(size * arm.gravity / arm.inertia)
+    return measured_period(book, query, book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED))
 
 
 class _Turning(SwingAngle):
     """What is asked of a rigid body on an axle."""
+
+    one_point = False
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnreadError where a number is no simple function of those in the text."""
@@ -67,7 +80,9 @@ class _Turning(SwingAngle):
     def write(self) -> Symbol:
         """By the kind of the query."""
         query = self.setting.query
-        return self._period(query) if isinstance(query, PeriodQuery) else super().write()
+        if isinstance(query, PeriodQuery):
+            return measured_period(self.book, query, self.times.frequency)
+        return super().write()
 
     @cached_property
     def piece(self) -> Piece:
@@ -160,18 +175,6 @@ class _Turning(SwingAngle):
         formula = size * self.gravity * self.sine / self.arm.inertia
         said = "The torque of gravity divided by the moment of inertia is the angular acceleration"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
-
-    def _period(self, query: PeriodQuery) -> Symbol:
-        """Of small oscillations ω² = S g/I; of large ones by elliptic integrals."""
-        if not query.small:
-            return measured_period(self.book, query, self.times.frequency)
-        moment = self.arm.moment
-        size = moment if self.book.value(moment) > 0.0 else -moment
-        said = "For small angles the sine is equal to the angle, so the oscillation is harmonic "
-        said += "with the angular frequency"
-        formula = Root(size * self.gravity / self.arm.inertia)
-        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
-        return measured_period(self.book, query, rate)
 
     # ---- quantities
 

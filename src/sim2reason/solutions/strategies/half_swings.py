@@ -77,7 +77,7 @@ class _Swinging(Oscillating):
             name = self.book.fresh("s", str(number + 1))
             step = self.book.open("names")
             step.say(
-                f"Until it turns back, the friction force is constant; let ${name.name}$ be the displacement till then."
+                f"Until it turns back, the friction force is constant; let ${name.name}$ be the displacement there."
             )
             step.close()
             held = self._swing(segment, name, before)

@@ -23,6 +23,7 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import Impact, Leg
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
+from sim2reason.solutions.collisions.tops import at_top
 from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
@@ -41,7 +42,7 @@ class Impulse(Strategy):
 
     name = "impulse"
     cost = 0.8
-    kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether accelerations change."""
@@ -54,13 +55,13 @@ class Impulse(Strategy):
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if unknown := no_goal(setting, MOMENTS):
-            return unknown
-        return ""
+        if setting.query.kind == "extremum":
+            return "" if at_top(setting) is not None else "it is no extreme value at the top of a path"
+        return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:
         """From the goal backwards."""
-        return _Struck(setting, book).write()
+        return _Struck(at_top(setting) or setting, book).write()
 
 
 class _Struck(Way):
@@ -83,6 +84,10 @@ class _Struck(Way):
     def write(self) -> str:
         """The time, or the goal."""
         _ = self.flights
+        if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
+            step = self.book.open("moment")
+            step.say("At the highest point of the path the vertical velocity is zero.")
+            step.close()
         if self.target is None or self.goal is None:
             return self.time.name
         return self.goal.write(self.target, self).name
@@ -236,9 +241,9 @@ class _Struck(Way):
         a = self.flights.acceleration(k)
         law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
         formula = ratio(leg.speeds[k].scaled(-1.0).expression(), a.expression())
-        step.say(
-            f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}."
-        )
+        who = capital(self.setting.called(body))
+        turns = "reaches its highest point" if isinstance(self.query.moment, HighestPoint) else "comes to rest"
+        step.say(f"{who} {turns} when {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return self.flights.counted(self.flights.begins(leg), name)
 
@@ -251,8 +256,10 @@ class _Struck(Way):
         double = multiplied(Number(2.0), a.expression())
         law = step.law(added(Power(v, 2), multiplied(double, name)), ZERO)
         formula = ratio(-Power(v, 2), double)
-        who = capital(self.setting.called(body))
-        step.say(f"{who} turns back when {law}, so {step.result(name, formula, METRES)}.")
+        top = isinstance(self.query.moment, HighestPoint)
+        where = "At the highest point of the path the vertical velocity" if top else "There the velocity"
+        who = self.setting.called(body)
+        step.say(f"{where} of {who} is zero, so {law} and {step.result(name, formula, METRES)}.")
         step.close()
         return before + Polynomial.of(name)
 

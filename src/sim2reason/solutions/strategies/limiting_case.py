@@ -2,10 +2,7 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.rises import Rises
 from sim2reason.questions.outcomes.slides import Slides
@@ -13,6 +10,7 @@ from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.laws.limiting_balance import LimitingBalance, LimitingDynamics
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
@@ -22,6 +20,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
 INSTANT = 1e-6  # s
+NEAR = 1e-3  # relative: how far from the limit of the engine that of the laws may be
 
 
 @strategy
@@ -49,18 +48,32 @@ class LimitingCase(Strategy):
     def write(self, setting: Setting, book: Book) -> str:
         """Newton's laws as if it moved, the acceleration set to zero."""
         path, sought = setting.unknown, book.sought
-        draft = book.copy()
-        self._written(setting, draft)
-        value = draft.values[sought] / setting.lexicon.givens[path].scale
-        book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
-        return self._written(replace(setting, scene=setting.scene.having(path, value)), book)
-
-    def _written(self, setting: Setting, book: Book) -> str:
         query = setting.query
         assert isinstance(query, ThresholdQuery)
+        draft = book.copy()
+        try:
+            self._balanced(setting, query, draft)
+            write = self._balanced
+        except UnsolvedError:
+            draft = book.copy()
+            self._accelerated(setting, query, draft)
+            write = self._accelerated
+        if abs(draft.values[sought] - book.values[sought]) > NEAR * abs(book.values[sought]):
+            raise UnsolvedError("in the limiting case the unknown has another value")
+        value = draft.values[sought] / setting.lexicon.givens[path].scale
+        book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
+        return write(replace(setting, scene=setting.scene.having(path, value)), query, book)
+
+    def _balanced(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
+        """Write the laws with what is zero at the limit."""
         assert query.outcome is not None
-        dynamics = _Limit(setting, book, _moving(setting, query))
-        name = query.outcome.name
+        balance = LimitingBalance(setting, book, _moving(setting, query), query.outcome.name)
+        return balance.write(slides=isinstance(query.outcome, Slides))
+
+    def _accelerated(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
+        """Write the laws as if it moved, the acceleration they lead to, and that it is zero."""
+        assert query.outcome is not None
+        dynamics, name = LimitingDynamics(setting, book, _moving(setting, query)), query.outcome.name
         goals = _rate(dynamics, name, slides=isinstance(query.outcome, Slides))
         dynamics.reach([f"q{k}" for k in goals])
         rate = total(dynamics.names[f"q{k}"] * part for k, part in goals.items())
@@ -101,17 +114,3 @@ def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Po
     if len(own) != 1:
         raise UnsolvedError("it moves along no line of its own")
     return {own[0]: Polynomial.of(1.0)}
-
-
-class _Limit(WrittenDynamics):
-    """The laws where something is about to move, with the values that they have just there."""
-
-    @cached_property
-    def values(self) -> dict[str, float]:
-        """Of all unknowns, by the laws themselves: the engine has none of a motion that is about to begin."""
-        rows, unknowns = self.laws(["q0"])
-        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
-        matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
-        right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
-        found = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
-        return {**self.newton.values, **dict(zip(unknowns, found.tolist(), strict=True))}

@@ -19,6 +19,7 @@ from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.oscillations.greatest_value import is_slow_at_greatest
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.letters import LETTERS
@@ -39,6 +40,7 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
     "greatest height": ("height", "slowest"),
     "greatest displacement": ("displacement", "slowest"),
 }
+PLACES = frozenset({"deflection", "height", "displacement"})  # what says by itself where it is greatest
 SLOW = 1e-5  # of its greatest speed: none
 STRAIGHT = 1e-6  # rad
 TWO = Number(2.0)
@@ -87,18 +89,22 @@ class SwingAngle(ABC):
     turning: float
     way: float
     WAYS: ClassVar[Mapping[str, Way]]
+    one_point = True  # what swings is a single small body
     falls = True  # its centre of mass is on the side to which the angle is counted
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """Nothing is written yet."""
         self.setting, self.book = setting, book
 
-    @property
+    @cached_property
     def extreme(self) -> str:
         """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
         query = self.setting.query
         found = EXTREMES.get(query.functional) if isinstance(query, StretchQuery) else None
-        return found[1] if found is not None else ""
+        if found is None:
+            return ""
+        turns = found[0] == "acceleration" and is_slow_at_greatest(self.setting, self.setting.query.subject)
+        return "slowest" if turns else found[1]
 
     @property
     def still(self) -> bool:
@@ -255,12 +261,26 @@ class SwingAngle(ABC):
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
         (kind, why), unit = self.WAYS[quantity], self.setting.unit
+        self._tell_where(quantity)
         formula: Expression = getattr(self, kind)()
         if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
         return self.book.told("answer", why or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
+
+    def _tell_where(self, quantity: str) -> None:
+        """Say where the quantity is extreme, unless the question is about that place itself."""
+        query = self.setting.query
+        if not self.extreme or not isinstance(query, StretchQuery) or quantity in PLACES:
+            return
+        superlative, _, noun = query.functional.partition(" ")
+        lowest = "at the lowest point" if self.one_point else "where the centre of mass is lowest"
+        highest = "at the highest point" if self.one_point else "where the centre of mass is highest"
+        still = highest if self.goes_round else "at the turning points"
+        step = self.book.open("extreme")
+        step.say(f"The {noun} is {superlative} {lowest if self.extreme == 'fastest' else still}.")
+        step.close()
 
     @property
     def vertical(self) -> bool:

@@ -25,6 +25,7 @@ from sim2reason.solutions.algebra.digits import EXACT, SIMPLE
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.writing.number_sums import Named, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
@@ -114,6 +115,7 @@ class Lexicon:
         }
         self._twin = self._built()
         self._read: dict[Both, Polynomial] = {}
+        self._sums: dict[Both, Polynomial | None] = {}
 
     @property
     def twin(self) -> Mechanism:
@@ -224,7 +226,19 @@ class Lexicon:
                 factor = _factor(number, reduce(mul, (atom for atom, _ in held)))
                 if factor is not None:
                     return reduce(mul, (name for _, name in held)).scaled(factor)
-        raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
+        found = self._of_sums(number)
+        if found is None:
+            raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
+        return found
+
+    def _of_sums(self, number: Both) -> Polynomial | None:
+        """A total mass times others, or a sum of two products; read once, since it takes longer than anything else."""
+        if number not in self._sums:
+            atoms = [Named(atom.here, atom.there, name) for atom, name in self._atoms]
+            masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
+            heavy = [held for held in atoms if held.name.symbol in masses]
+            self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)
+        return self._sums[number]
 
 
 def _counted(parameter: Parameter, value: float) -> float:

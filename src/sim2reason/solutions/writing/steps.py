@@ -1,6 +1,6 @@
 """A book in which each name has one value, and into which a worked solution is written step by step."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 
 from sim2reason.dsl.units import SI, UnitSystem
@@ -201,6 +201,11 @@ class Writing:
         self._gives: list[str] = []
         self._rests: list[str] = []
         self._integration: Integration | None = None
+
+    @property
+    def relations(self) -> Sequence[Relation]:
+        """Those that were noted so far."""
+        return self._relations
 
     def label(self, name: str) -> None:
         """Name an equation of this step, so that others can rest on it."""

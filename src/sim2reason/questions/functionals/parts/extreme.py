@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import QUANTITIES, Quantity
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.whole_motion import WholeMotion
@@ -30,11 +31,13 @@ class Extreme(Functional):
 
     Class data:
         quantity: whose greatest or least value it is; the size of a vector, and of what has a sign its size, too.
+        sense: along which the component of a vector is taken; None for its size.
         sign: 1 for the greatest, −1 for the least.
     """
 
     kind = "extremum"
     quantity: ClassVar[type[Quantity]]
+    sense: ClassVar[Sense | None] = None
     sign: ClassVar[float] = 1.0
 
     def __init_subclass__(cls) -> None:
@@ -48,6 +51,8 @@ class Extreme(Functional):
     def height(self, state: State, name: str) -> Array:
         """What is greatest, (n,): by default the size of the quantity, of the least value with a minus sign."""
         values = self.quantity.evaluate(state, name)
+        if self.sense is not None:
+            return self.sign * (values @ np.array(self.sense.vector))
         return self.sign * (np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:

@@ -1,0 +1,134 @@
+"""The limit at which something begins to slip or to rise: where nothing moves yet, forces balance."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.inverse import put, settled, solved_for
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+LONG = 200  # characters of a formula for the unknown
+REST = 1e-6  # m/s²: the rounding of an acceleration that is zero at the limit
+
+
+class LimitingDynamics(WrittenDynamics):
+    """The laws where something is about to move, with the values that they have just there."""
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """Of all unknowns, by the laws themselves: the engine has none of a motion that is about to begin."""
+        rows, unknowns = self.laws(["q0"])
+        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
+        matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
+        right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
+        found = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
+        return {**self.newton.values, **dict(zip(unknowns, found.tolist(), strict=True))}
+
+
+class LimitingBalance(LimitingDynamics):
+    """The laws of a limiting case with the accelerations that are zero in it, one of them a condition on the unknown.
+
+    The condition is the law of the body that is about to move; the others determine the forces in it.
+    """
+
+    def __init__(self, setting: Setting, book: Book, segment: Segment, body: str) -> None:
+        """Take the segment of the motion beside the limit in which the `body` moves; nothing is written yet.
+
+        Raises:
+            UnreadError: the mechanism is of another kind.
+        """
+        super().__init__(setting, book, segment)
+        self._who = body
+        self._beside = LimitingDynamics(setting, book, segment)
+
+    @cached_property
+    def frozen(self) -> set[int]:
+        """The coordinates whose accelerations are zero at the limit, those relative to carriers included."""
+        beside = self._beside
+        rates = {k: beside.values[f"q{k}"] for k in range(len(self.mechanism.coordinates)) if k not in beside.frozen}
+        for k, (j, sign) in beside.carried.items():
+            rates[k] -= sign * beside.values[f"q{j}"]
+        return beside.frozen | {k for k, rate in rates.items() if abs(rate) < REST}
+
+    @cached_property
+    def _condition(self) -> Row:
+        """The law of the body along the line on which it may move."""
+        own = [k for k in self.newton.moved(self._who) if self.mechanism.coordinates[k].body == self._who]
+        rows = [row for row in super().laws(())[0] if row.kind == "newton" and row.number in own]
+        if len(rows) != 1 or not rows[0].forces or rows[0].number not in self.frozen:
+            raise UnsolvedError("it moves along no line of its own")
+        (row,) = rows
+        normals = {name: self._pressing(int(name[1:])) for name in row.zero.names() if name[0] == "N"}
+        return Row(row.kind, row.number, row.forces.put(normals), row.inertia)
+
+    def _pressing(self, face: int) -> Polynomial:
+        """The normal force on a face, by the other forces and the accelerations."""
+        still = {f"q{k}": NIL for k in self.frozen}
+        row = self.newton.normal(face)
+        return (row.inertia - row.forces.without((f"N{face}",))).put(still)
+
+    def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
+        """All laws but the condition, and their unknowns."""
+        rows, unknowns = super().laws(goals)
+        held = self._condition
+        return [row for row in rows if (row.kind, row.number) != (held.kind, held.number)], unknowns
+
+    def write(self, *, slides: bool) -> str:
+        """Write the laws and the condition, and return the symbol of the unknown.
+
+        Raises:
+            UnsolvedError: the forces are not determined, or the unknown has no closed form.
+        """
+        book, row, hidden = self.book, self._condition, Symbol(self.book.sought)
+        self._introduce(slides=slides)
+        self.reach(sorted(n for n in row.zero.names() if n[0] in "Tfq" and n[1:].isdigit()))
+        step = book.open("solve for the unknown")
+        step.rest_on("limit")
+        forces, inertia = row.forces.put(self.names), row.inertia.put(self.names)
+        law, formula = step.law(forces.expression(), inertia.expression()), (forces - inertia).expression()
+        plain = formula
+        for name in reversed(book.formulas):
+            if name != hidden.name and name in formula.symbols():
+                formula = put(formula, name, book.formulas[name])
+        found = self._solved(hidden.name, formula)
+        book.values[hidden.name] = book.value(found)
+        book.refresh(hidden.name, book.values[hidden.name])
+        who = capital(self.setting.called(self._who))
+        so = ", so" if formula == plain else ". Together with the equations above, this gives"
+        step.say(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
+        step.close()
+        return hidden.name
+
+    def _solved(self, name: str, formula: Expression) -> Expression:
+        """Return the unknown for which a formula vanishes, with numbers for what is known where it would be long."""
+        book = self.book
+        if name not in formula.symbols():
+            raise UnsolvedError("the limit does not depend on the unknown")
+        found = solved_for(name, formula, ZERO, book.values)
+        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+            short = settled(formula, frozenset({name}), book.worked)
+            found = solved_for(name, short, ZERO, book.values, lambda held: book.worked(held.factored()))
+        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+            raise UnsolvedError("the limit has no short closed form")
+        return found
+
+    def _introduce(self, *, slides: bool) -> None:
+        """Write what holds in the limiting case."""
+        step, who = self.book.open("limit"), self.setting.called(self._who)
+        what = "slip: friction has its greatest value, and" if slides else "rise:"
+        rests = len(self.frozen) == len(self.mechanism.coordinates)
+        still = "all bodies are still at rest" if rests else "its acceleration is still zero"
+        parent = self.mechanism.body[self._who].parent
+        if not rests and slides and parent is not None:
+            still = f"its acceleration relative to {self.setting.called(parent)} is still zero"
+        step.say(f"In the limiting case {who} is just about to {what} {still}.")
+        step.label("limit")
+        step.close()

@@ -1,0 +1,37 @@
+"""Phase by phase: constant accelerations between events, each phase from the state in which the one before it ends."""
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.solutions.phases.integrated import IntegratedPhases
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+
+@strategy
+class PhaseByPhase(Strategy):
+    """Motions that stick, slip or collide, in whatever order, at constant accelerations."""
+
+    name = "phase by phase"
+    cost = 50.0
+    kinds = frozenset({"state", "event", "time_to_event", "extremum"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Return whether accelerations change between events."""
+        return varying_acceleration(mechanism)
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Return no kind: equations of phases are in numbers."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Return why it does not apply."""
+        if setting.formula is not None or setting.unknown:
+            return "equations of phases lead to numbers, and to no unknown"
+        return "" if setting.answer is not None else "there is no answer"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the phases in order, then the answer; UnsolvedError after other steps, since phases begin a text."""
+        if book.steps:
+            raise UnsolvedError("phases begin a solution")
+        return IntegratedPhases(setting, book, integrates=False).write()

@@ -1,0 +1,107 @@
+"""Numbers of a mechanism that are sums: a total mass times others, or two products of what the text says."""
+
+from collections.abc import Sequence
+from itertools import combinations, combinations_with_replacement
+from math import prod
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.dsl.state import Array
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+
+SAME = 1e-10  # relative: far less than two numbers can agree by chance
+COMMON = frozenset(sign * whole / part for sign in (1, -1) for whole in (1, 2, 3) for part in (1, 2, 3, 4, 5, 6, 12))
+"""The factors that products may have in a sum, as in the moment of inertia of a tube, ½ m (R² + r²)."""
+FACTORS = 3  # of a product, at most
+PRODUCTS = 600  # of which pairs are looked at
+APART = 1e-6  # relative: products that differ less with other numbers are no two
+
+
+class Named(NamedTuple):
+    """A number of the mechanism and of its twin, and what it is called."""
+
+    here: float
+    there: float
+    name: Polynomial
+
+
+def sum_of_products(here: float, there: float, masses: Sequence[Named], atoms: Sequence[Named]) -> Polynomial | None:
+    """Return a number of a mechanism, and `there` of its twin, as a sum; None if it is none.
+
+    `masses` may be added up before they are multiplied by two `atoms`; those are all that the text says.
+    """
+    products = [*_products(atoms)]
+    found = _of_totals(here, there, masses, [held for held in products if len(held) < FACTORS])
+    return found if found is not None else _of_pairs(here, there, products)
+
+
+def _products(atoms: Sequence[Named]) -> list[tuple[Named, ...]]:
+    found: list[tuple[Named, ...]] = []
+    for size in range(1, FACTORS + 1):
+        more = [*combinations_with_replacement(atoms, size)]
+        if len(found) + len(more) > PRODUCTS:
+            break
+        found += more
+    return found
+
+
+def _of_totals(
+    here: float, there: float, masses: Sequence[Named], products: Sequence[tuple[Named, ...]]
+) -> Polynomial | None:
+    """Return it as a sum of masses times a product of at most two numbers."""
+    ones, others = _values([*products])
+    for size in range(2, len(masses) + 1):
+        for held in combinations(masses, size):
+            mass, twin = sum(one.here for one in held), sum(one.there for one in held)
+            ratios = here / (mass * ones), there / (twin * others)
+            fits = (np.abs(np.abs(ratios[0]) - 1.0) < SAME) & (np.abs(ratios[1] - ratios[0]) < SAME)
+            if fits.any():
+                number = int(np.argmax(fits))
+                return (_sum(held) * _product(products[number])).scaled(float(np.sign(ratios[0][number])))
+    return None
+
+
+def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) -> Polynomial | None:
+    """Return it as a sum of two products with simple factors, which the two values determine."""
+    ones, others = _values(products)
+    det = ones[:, None] * others[None, :] - ones[None, :] * others[:, None]
+    near = np.abs(det) <= APART * np.abs(ones[:, None] * others[None, :])
+    with np.errstate(all="ignore"):
+        first = (here * others[None, :] - there * ones[None, :]) / det
+        second = (ones[:, None] * there - others[:, None] * here) / det
+    common = np.array(sorted(COMMON))
+    fits = ~near & _among(first, common) & _among(second, common)
+    for one, other in np.argwhere(fits).tolist():
+        weights = [float(common[np.argmin(np.abs(common - part[one, other]))]) for part in (first, second)]
+        pair = products[one], products[other]
+        value = sum(w * prod(atom.here for atom in held) for w, held in zip(weights, pair, strict=True))
+        twin = sum(w * prod(atom.there for atom in held) for w, held in zip(weights, pair, strict=True))
+        if abs(value - here) <= SAME * abs(here) and abs(twin - there) <= SAME * abs(there):
+            return _product(pair[0]).scaled(weights[0]) + _product(pair[1]).scaled(weights[1])
+    return None
+
+
+def _among(values: Array, common: Array) -> NDArray[np.bool_]:
+    """Return where values are common factors, as far as rounding lets one see."""
+    nearest = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1)]
+    before = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1) - 1]
+    distance = np.minimum(np.abs(values - nearest), np.abs(values - before))
+    return distance < APART * np.abs(values)
+
+
+def _values(products: Sequence[tuple[Named, ...]]) -> tuple[Array, Array]:
+    here = np.array([prod(atom.here for atom in held) for held in products])
+    return here, np.array([prod(atom.there for atom in held) for held in products])
+
+
+def _product(held: tuple[Named, ...]) -> Polynomial:
+    found = Polynomial.of(1.0)
+    for atom in held:
+        found = found * atom.name
+    return found
+
+
+def _sum(held: tuple[Named, ...]) -> Polynomial:
+    return total(atom.name for atom in held)

@@ -1,0 +1,66 @@
+"""Extreme values of free flight, against those of a parabola."""
+
+from math import cos, radians, sin
+
+import pytest
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.landed import Landed
+from sim2reason.solutions import STRATEGIES, Solution, by, solve
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+BALL, G, SPEED, ANGLE = "field.ball", 9.8, 5.2, radians(34)
+
+
+def thrown(restitution: float | None) -> tuple[Scene, Bounced | Landed]:
+    entity = Projectile(ball=Ball(mass=0.5), height=3.9, speed=SPEED, angle=34.0, restitution=restitution)
+    lands = Landed(BALL) if restitution is None else Bounced(BALL, after=False)
+    return Scene(entities=(Named(name="field", entity=entity),)), lands
+
+
+def extreme(functional: str, restitution: float | None) -> Solution:
+    scene, lands = thrown(restitution)
+    setting = asked(scene, StretchQuery("extremum", None, lands, functional, BALL))
+    found = solve(setting)
+    assert found.strategy == "impulse", found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    assert not read(found.text).broken
+    return found
+
+
+@pytest.mark.parametrize("restitution", [None, 0.5])
+def test_the_greatest_height_is_that_of_the_vertical_motion(restitution: float | None) -> None:
+    """It was taken for the distance from the starting point, which the horizontal motion makes larger."""
+    found = extreme("greatest height", restitution)
+    assert found.answer == pytest.approx((SPEED * sin(ANGLE)) ** 2 / (2.0 * G), rel=1e-9)
+    assert "vertical velocity of the ball is zero" in found.text
+
+
+@pytest.mark.parametrize("restitution", [None, 0.5])
+def test_the_least_speed_is_the_horizontal_component(restitution: float | None) -> None:
+    found = extreme("least speed", restitution)
+    assert found.answer == pytest.approx(SPEED * cos(ANGLE), rel=1e-9)
+
+
+def test_one_body_has_no_motion_relative_to_itself() -> None:
+    scene, lands = thrown(None)
+    setting = asked(scene, StretchQuery("extremum", None, lands, "greatest height", BALL))
+    assert STRATEGIES["momentum"].unfit(scene.mechanism)
+    assert by(STRATEGIES["momentum"], setting).answer is None
+
+
+def test_what_has_a_closed_form_is_not_said_to_be_integrated() -> None:
+    scene, lands = thrown(0.5)
+    setting = asked(scene, StretchQuery("extremum", None, lands, "greatest height", BALL))
+    found = by(STRATEGIES["integration"], setting)
+    assert found.answer is not None, found.reason
+    assert "numerical" not in found.text
+    assert "accelerations are constant" in found.text

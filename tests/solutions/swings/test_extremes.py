@@ -1,0 +1,58 @@
+"""Where quantities of a pendulum are extreme, against energy and circular motion."""
+
+from math import cos, radians, sqrt
+
+import pytest
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.hanger import LightRod
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.pendulum import Pendulum
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.solutions import Solution, solve
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+G, LENGTH = 9.8, 1.4
+
+
+def extreme(functional: str, angle: float, speed: float) -> Solution:
+    entity = Pendulum(bob=Ball(mass=0.32), hanger=LightRod(length=LENGTH), angle=angle, speed=speed)
+    query = StretchQuery("extremum", None, WholeMotion(), functional, "swing.bob")
+    setting = asked(Scene(entities=(Named(name="swing", entity=entity),)), query)
+    found = solve(setting)
+    assert found.strategy == "energy and circular motion", found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    assert not read(found.text).broken
+    return found
+
+
+def turning(angle: float, speed: float) -> float:
+    """The cosine of the angle at which it turns back."""
+    return cos(radians(angle)) - speed**2 / (2.0 * G * LENGTH)
+
+
+def test_a_small_swing_is_accelerated_most_where_it_turns_back() -> None:
+    cosine = turning(11.0, 0.76)
+    found = extreme("greatest acceleration", 11.0, 0.76)
+    assert found.answer == pytest.approx(G * sqrt(1.0 - cosine**2), rel=1e-9)
+    assert "The acceleration is greatest at the turning points." in found.text
+
+
+def test_a_large_swing_is_accelerated_most_at_the_lowest_point() -> None:
+    """Beyond arccos 3/5, v²/ℓ there is more than g sin φ where it turns back."""
+    cosine = turning(11.0, 4.1)
+    assert cosine < 0.6
+    found = extreme("greatest acceleration", 11.0, 4.1)
+    assert found.answer == pytest.approx(2.0 * G * (1.0 - cosine), rel=1e-9)
+    assert "The acceleration is greatest at the lowest point." in found.text
+
+
+def test_the_text_says_where_the_speed_is_greatest() -> None:
+    found = extreme("greatest speed", 50.0, 1.0)
+    assert found.answer == pytest.approx(sqrt(1.0 + 2.0 * G * LENGTH * (1.0 - cos(radians(50.0)))), rel=1e-9)
+    assert "The speed is greatest at the lowest point." in found.text
