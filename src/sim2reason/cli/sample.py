@@ -37,7 +37,8 @@ def command(
     out: Path | None,
 ) -> None:
     """Draw a random scene: that of the problem of the same recipe, difficulty, mode, seed and index."""
-    from sim2reason.datasets.items import item
+    from sim2reason.datasets.items import sample
+    from sim2reason.scene_files import dump
 
-    made = item(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance, needs=needs)
-    results.tell(made.scene, out)
+    scene = sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance, needs=needs)
+    results.tell(dump(scene), out)
