@@ -36,7 +36,7 @@ IDEAS = {
 
 
 # a blow bears on neither a period nor a start, nor does every spring on both; moments of two modes take a computer
-WEIGHTS = {"period": 0.5, "start": 0.3, "event": 0.6, "extremum": 0.6, "time_to_event": 0.2, "optimum": 0.0}
+WEIGHTS = {"period": 0.5, "start": 0.3, "event": 0.4, "extremum": 0.5, "time_to_event": 0.2, "optimum": 0.0}
 
 
 @recipe("chain", weights=WEIGHTS)

@@ -16,7 +16,9 @@ IDEAS = {
     ),
     "medium": (  # a field that depends on the place, or that has an end
         Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 0.3, "electric": ("LinearElectric",)}),
-        Idea(KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}),
+        Idea(
+            KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}, 0.2
+        ),
         Idea(KIND, {**PLAIN, "region?": 1.0, "start": ("Launched",)}, 2.0),
     ),
     "hard": (  # one that depends on time, or on the velocity; and regions of crossed fields
@@ -27,7 +29,7 @@ IDEAS = {
 }
 
 
-@recipe("electromagnetic", weights={"optimum": 0.0})
+@recipe("electromagnetic", weights={"comparison": 0.4, "event": 0.5, "time_to_event": 0.4, "optimum": 0.0})
 def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A charged bead in fields that are uniform, or depend on place, velocity and time, with or without an end."""
     return one_of(IDEAS[difficulty], rng, "fields")

@@ -35,9 +35,12 @@ TIERS = {
         more=0.1,
         words=WORDS["medium"],
     ),
-    "medium": Tier(  # a coupling: a pendulum on a carriage, a block that two strings or a spring hold at angles
+    "medium": Tier(  # a coupling: a pendulum on a carriage, a block that two strings hold at angles; or more loads
         Count(2, 2),
-        ({"SliderMass": 2.0, "DirectedMass": 1.0}, {"LightRodPendulum": 2.0, **MACHINES}),
+        (
+            {"SliderMass": 1.0, "DirectedMass": 1.0, "RollingEntity": 0.6, "SpringMassIncline": 1.0},
+            {"LightRodPendulum": 1.0, **MACHINES},
+        ),
         {**NUMBERS["medium"], **SIMPLE},
         connections={"tendon": 1.0, "pivot": 1.0},
         closers=LOADS,
@@ -49,7 +52,7 @@ TIERS = {
         Count(2, 2),
         (
             {"SliderMass": 2.0, "RollingEntity": 1.0, **SPRINGS},
-            {"RigidPendulum": 2.0, **MACHINES},
+            {"RigidPendulum": 1.0, **MACHINES},
         ),
         {**NUMBERS["hard"], **SIMPLE},
         connections={"tendon": 1.0, "pivot": 1.0, "spring": 0.6},
@@ -61,8 +64,19 @@ TIERS = {
 }
 
 
-# lengths of rods do not bear on the start yet; most periods are those of one spring and all masses
-@recipe("mixed", weights={"start": 0.4, "period": 0.4, "optimum": 0.0})
+# lengths of rods do not bear on the start yet; most periods are those of one spring and all masses; much takes a computer
+WEIGHTS = {
+    "start": 0.3,
+    "period": 0.4,
+    "sum": 0.5,
+    "comparison": 0.4,
+    "equilibrium": 0.3,
+    "threshold": 0.3,
+    "optimum": 0.0,
+}
+
+
+@recipe("mixed", weights=WEIGHTS)
 def draw_mixed(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two entities of different families, joined by strings, hinges and springs."""
     return grow(TIERS[difficulty], rng)

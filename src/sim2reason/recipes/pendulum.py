@@ -45,9 +45,10 @@ TIERS = {
 
 
 # where a bob is at a time, and when it is somewhere, takes elliptic functions
-@recipe(
-    "pendulum", share=2, weights={"event": 0.6, "state": 0.2, "time_to_event": 0.2, "threshold": 0.0, "optimum": 0.0}
-)
+WEIGHTS = {"event": 0.6, "sum": 0.6, "state": 0.1, "time_to_event": 0.1, "threshold": 0.0, "optimum": 0.0}
+
+
+@recipe("pendulum", share=2, weights=WEIGHTS)
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A bob on a string or a light rod, perhaps on a carriage: released, set moving, or so fast that it goes slack."""
     if rng.random() < CARRIED.get(difficulty, 0.0):

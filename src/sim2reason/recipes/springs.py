@@ -56,7 +56,11 @@ IDEAS = {
 }
 
 
-@recipe("springs", share=2, weights={"optimum": 0.0})
+# where springs pull from several sides, what adds up on the way, and when it is there, takes an integration
+WEIGHTS = {"sum": 0.4, "comparison": 0.4, "start": 0.4, "time_to_event": 0.6, "optimum": 0.0}
+
+
+@recipe("springs", share=2, weights=WEIGHTS)
 def draw_springs(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A block on a smooth table that several springs pull from different sides, or on a rough plane at one spring."""
     return one_of(IDEAS[difficulty], rng, "springs")

@@ -52,7 +52,7 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
-        found = by(strategy, setting)
+        found = _by(strategy, setting)
         if found.answer is not None and best is not None and found.needs >= best.needs:
             continue
         found = found if derived else verified(found, setting)
@@ -63,6 +63,21 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
         elif best is None or found.needs < best.needs:
             best = found
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
+
+
+def _by(strategy: Strategy, setting: Setting) -> Solution:
+    """Return the solution by one strategy, as `by` does; of a plain query what a derivation has found is used again."""
+    given = setting.unknown or setting.stated is not None or setting.sought is not None or setting.formula is not None
+    key, study = ("written", strategy.name, setting.query), setting.study
+    if given or strategy.integrates:
+        return by(strategy, setting)
+    if setting.most == Need.INTEGRATION:
+        return study.once(key, lambda: by(strategy, setting))
+    if study.knows(key):
+        found = study.once(key, lambda: by(strategy, setting))
+        if found.answer is None or found.needs <= setting.most:
+            return found
+    return by(strategy, setting)
 
 
 def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:

@@ -99,7 +99,7 @@ def _effect(
 
 
 def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
-    """Return the number asked for, and what the question itself speaks of if a simplification takes it away or holds it.
+    """Return the number asked for, and what the question speaks of if a simplification takes it away or holds it.
 
     An empty name is none of these: it stands for the whole scene.
     """

@@ -2,14 +2,19 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import reduce
 from math import radians
 from typing import Protocol
 
 from sim2reason.questions import Study
 from sim2reason.questions.kinds.parts.nested import NestedQuery
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.digits import simple_fraction
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied
+from sim2reason.solutions.algebra.functions import Power, plain
 from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together, shortened
+from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -49,12 +54,12 @@ def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
     for way in offered:
         if way.refusal(inner):
             continue
+        saved = book.saved()
         try:
-            way.write(inner, book.copy())
+            return way.write(inner, book)
         except (UnsolvedError, UnreadError) as error:
             reasons.append(str(error))
-            continue
-        return way.write(inner, book)
+            book.restore(saved)
     raise UnsolvedError(reasons[-1])
 
 
@@ -71,12 +76,12 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
     Where all steps put together give a short formula, by that; else step by step.
     """
     whole = short_formula(inner, book, goal)
-    other = _shortened(_put(whole, {symbol: changed})) if whole is not None else None
+    other = tidied(_put(whole, {symbol: changed})) if whole is not None else None
     step = book.open("other value")
     step.rest_on(goal)
-    if whole is not None and other is not None:
+    if whole is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
-        step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(f"Combining these equations gives {step.derived(Symbol(goal), whole)}.")
         step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         said: list[str] = []
@@ -84,6 +89,8 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
         for name, formula in _leading(book, goal):
             if renamed.keys().isdisjoint(formula.symbols()):
                 continue
+            if _is_in_numbers(formula):
+                raise UnsolvedError("the equations on the way were solved in numbers")
             after = book.fresh(name, NEW)
             said.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
             renamed[name] = after
@@ -118,7 +125,26 @@ def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
             formula = put(formula, old, new)
     except TypeError as error:
         raise UnsolvedError("a root on the way was found numerically") from error
-    return formula
+    return _multiplied_out(formula)
+
+
+def _multiplied_out(held: Expression) -> Expression:
+    """A formula with powers of multiples as multiples of powers: 4 v² for (2 v)²."""
+    if not held.parts:
+        return held
+    found = held.built_of([_multiplied_out(part) for part in held.parts])
+    match found:
+        case Power(Product((Number(x), *others)), exponent):
+            return multiplied(Number(x**exponent), Power(reduce(multiplied, others), exponent))
+        case _:
+            return plain(found)
+
+
+def _is_in_numbers(held: Expression) -> bool:
+    """Return whether a number that was worked out stands in a formula."""
+    if isinstance(held, Worked) or (isinstance(held, Number) and simple_fraction(held.x) is None):
+        return True
+    return any(map(_is_in_numbers, held.parts))
 
 
 def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:

@@ -52,7 +52,7 @@ class Limit(Strategy):
         step.rest_on(goal)
         which = "highest" if query.large else "lowest"
         name = book.fresh(goal, end)
-        step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(f"Combining these equations gives {step.derived(Symbol(goal), whole)}.")
         step.say(f"For ${symbol} \\to {end}$ only the terms with the {which} power of ${symbol}$ are left in each sum:")
         step.say(f"{step.result(name, found, book.units.get(goal, ''), law=True)}.")
         step.close()

@@ -128,7 +128,10 @@ class _Modal(LinearWay):
         return self.goal.write(self.target, self)
 
     def _refuse_roots(self) -> None:
-        """Raise UnsolvedError if numerical roots lie ahead that no result may need: writing all until then takes long."""
+        """Raise UnsolvedError if numerical roots lie ahead that no result may need.
+
+        Writing all that leads to them takes long.
+        """
         if self.book.most >= Need.ROOT:
             return
         held = self._all

@@ -79,7 +79,7 @@ def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, s
         raise UnsolvedError(str(error)) from error
     step, name = book.open("derivative"), book.fresh("D")
     step.rest_on(goal)
-    step.say(f"Put together, these equations give {step.derived(Symbol(goal), whole)}.")
+    step.say(f"Combining these equations gives {step.derived(Symbol(goal), whole)}.")
     said = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
     extreme = "greatest" if query.greatest else "least"
     where = "" if core == whole else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"

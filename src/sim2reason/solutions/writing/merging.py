@@ -7,6 +7,7 @@ from dataclasses import replace
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
+APART = "other value"  # the kind of a step that begins a second case, whose steps do not stand among the first one's
 SENTENCE = re.compile(r"(?P<lead>[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 
@@ -14,9 +15,11 @@ def merged(steps: Sequence[Step]) -> list[Step]:
     """Steps of one like sentence as one step where the first of them stands, which rests on all that the others do."""
     groups: list[list[Step]] = []
     place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
+    start = 0
     for step in steps:
+        start = len(groups) if step.kind == APART else start
         held = replace(step, needs=tuple(sorted({place[n] for n in step.needs if n in place})))
-        group = next((group for group in groups if _alike(group[0], held, follows=group is groups[-1])), None)
+        group = next((group for group in groups[start:] if _alike(group[0], held, follows=group is groups[-1])), None)
         if group is None:
             groups.append(group := [])
         group.append(held)

@@ -1,6 +1,7 @@
 """A book in which each name has one value, and into which a worked solution is written step by step."""
 
 from collections.abc import Mapping
+from copy import copy
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
@@ -60,6 +61,14 @@ class Book:
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found._taken = {*self._taken}
         return found
+
+    def saved(self) -> dict[str, object]:
+        """Return all that is known and written, for `restore`."""
+        return {name: copy(value) for name, value in vars(self).items()}
+
+    def restore(self, saved: dict[str, object]) -> None:
+        """Make everything as it was when it was saved, where what was written since then leads nowhere."""
+        vars(self).update(saved)
 
     def reserve(self, *names: str) -> None:
         """Keep names from being given to something else."""
