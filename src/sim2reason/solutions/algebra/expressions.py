@@ -30,8 +30,9 @@ class Expression:
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
-        """The names in it, from left to right, some more than once."""
-        raise NotImplementedError
+        """Yield the names in it, from left to right, some more than once; by default those of its parts."""
+        for part in self.parts:
+            yield from part.symbols()
 
     @property
     def parts(self) -> "tuple[Expression, ...]":
@@ -111,10 +112,6 @@ class Number(Expression):
         """As in: 2, 2/5 or 0.30000."""
         return pure_number(self.x)
 
-    def symbols(self) -> Iterator[str]:
-        """None."""
-        return iter(())
-
     @property
     def rank(self) -> int:
         """A negative one needs parentheses."""
@@ -165,11 +162,6 @@ class Sum(Expression):
         parts = sorted((term.latex() for term in self.terms), key=lambda part: part.startswith("-"))
         return parts[0] + "".join(f" - {part[1:]}" if part.startswith("-") else f" + {part}" for part in parts[1:])
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the terms."""
-        for term in self.terms:
-            yield from term.symbols()
-
     @property
     def rank(self) -> int:
         """The lowest."""
@@ -210,11 +202,6 @@ class Product(Expression):
             text += joint + part
         return text
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the factors."""
-        for factor in self.factors:
-            yield from factor.symbols()
-
     @property
     def rank(self) -> int:
         """That of a product; one with a minus sign is like a sum."""
@@ -246,11 +233,6 @@ class Quotient(Expression):
         """As a fraction; a minus sign of the numerator stands before it."""
         above, sign = self.above.latex(), "-" if self.negative else ""
         return rf"{sign}{FRACTION}{above[len(sign) :]}}}{{{self.below.latex()}}}"
-
-    def symbols(self) -> Iterator[str]:
-        """Those of both."""
-        yield from self.above.symbols()
-        yield from self.below.symbols()
 
     @property
     def rank(self) -> int:
