@@ -11,7 +11,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 
-ITEMS = 8  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
+ITEMS = 6  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
 
 
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)

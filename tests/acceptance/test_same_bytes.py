@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-ITEMS, SHARD = 24, 2
-KILLS = 5
+ITEMS, SHARD = 16, 2  # one of each recipe
+KILLS = 3  # ten of a maker that is fast, in datasets/test_kill
 
 pytestmark = pytest.mark.slow
 
@@ -44,7 +44,7 @@ def shards(out: Path) -> int:
 
 def killed(out: Path, rng: random.Random) -> None:
     """Start, wait for one more shard and a moment, kill."""
-    wanted, run, end = shards(out) + 1, start(out, rng.choice((1, 2, 4))), time.monotonic() + 60
+    wanted, run, end = shards(out) + 1, start(out, rng.choice((1, 2))), time.monotonic() + 60
     while shards(out) < wanted and run.poll() is None and time.monotonic() < end:
         time.sleep(0.002)
     time.sleep(rng.uniform(0.0, 0.03))
@@ -54,7 +54,7 @@ def killed(out: Path, rng: random.Random) -> None:
 
 
 def test_one_two_and_four_workers_and_kills_give_one_digest(tmp_path: Path) -> None:
-    """A run that kills interrupt is the one of two workers, and of all numbers of them between its kills."""
+    """A run that kills interrupt is the one of two workers, and of one or two between its kills."""
     for workers in (1, 4):
         finish(tmp_path / f"by{workers}", workers)
     rng = random.Random(5)

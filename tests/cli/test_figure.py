@@ -88,17 +88,24 @@ def test_a_body_without_a_look_is_warned_of(tmp_path: Path, monkeypatch: pytest.
 
 
 @pytest.mark.parametrize(
-    ("recipe", "difficulty", "index"), [("collision", "hard", 0), ("hybrid", "hard", 0), ("pulley", "easy", 1)]
+    ("recipe", "difficulty", "mode", "index"),
+    [
+        ("collision", "hard", "reverse", 0),
+        ("collision", "easy", "numeric", 0),
+        ("hybrid", "hard", "reverse", 0),
+        ("pulley", "easy", "reverse", 1),
+        ("incline", "easy", "symbolic", 0),
+    ],
 )
 def test_the_figure_of_an_items_scene_is_that_of_the_item(
-    tmp_path: Path, recipe: str, difficulty: Difficulty, index: int
+    tmp_path: Path, recipe: str, difficulty: Difficulty, mode: str, index: int
 ) -> None:
     """It names things as the text does, and shows nothing that is asked for."""
-    made = item(recipe, difficulty, "reverse", seed=31, index=index)
+    made = item(recipe, difficulty, mode, seed=31, index=index)
     file, alone, beside = tmp_path / "scene.yaml", tmp_path / "alone.svg", tmp_path / "beside.svg"
     file.write_text(made.scene, encoding="utf-8")
     assert run("figure", file, "-o", alone) == (0, "")
-    where = ("--recipe", recipe, "--difficulty", difficulty, "--mode", "reverse", "--seed", 31, "--index", index)
+    where = ("--recipe", recipe, "--difficulty", difficulty, "--mode", mode, "--seed", 31, "--index", index)
     assert run("item", *where, "--figure", beside)[0] == 0
     labels = [
         set(re.findall(r"<!-- (.*?) -->|>([^<>\n]+)</text>", path.read_text(encoding="utf-8")))

@@ -24,6 +24,8 @@ OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "eval": (set(), {"config", "out", "begun", "advance"}),  # a group, whose command without a name takes them
     "train": (set(), {"method", "config", "out", "begun", "advance"}),  # the same; a method is a command of its own
     "describe": (set(), {"without"}),  # topics, which are no words of a shell
+    "figure": (set(), {"wording"}),  # which a command reads in the scene's file, as well as the scene
+    "plot": (set(), {"wording"}),  # the same
 }
 """What only a command takes, and only its function."""
 COORDINATES = {"recipe", "difficulty", "mode", "seed", "index", "weights"}

@@ -91,12 +91,22 @@ def test_factors_are_those_of_the_table_of_units(system: SpokenUnits, unit: str)
 )
 def test_a_number_comes_back_to_the_last_digit(system: SpokenUnits, digits: int, power: int, unit: str) -> None:
     said = f"{Decimal(digits).scaleb(power):f} {unit}"
-    back = in_si(f"It is {spoken_in(system, said)}.")[-1].removeprefix("It is ").removesuffix(".")
-    number, _, of = back.partition(" ")
-    if of in (unit, "km"):
-        assert Decimal(number) * (1000 if of == "km" else 1) == Decimal(digits).scaleb(power)
-    else:  # grams, which may be meant
-        assert of == "g"
+    told = f"It is {spoken_in(system, said)}."
+    itself, restored = in_si(told)[0], in_si(told)[:2][-1]  # only itself where the system says it as the SI does
+    assert itself == told
+    number, _, of = restored.removeprefix("It is ").removesuffix(".").partition(" ")
+    assert of in (unit, "km")
+    assert Decimal(number) * (1000 if of == "km" else 1) == Decimal(digits).scaleb(power)
+
+
+def test_grams_are_tried_before_the_units_of_small_particles() -> None:
+    """What a text in cgs says in grams may be meant in grams or stand for kilograms; only then for milligrams."""
+    assert in_si("A bead of 0.10 g is 2.0 cm away.") == (
+        "A bead of 0.10 g is 2.0 cm away.",
+        "A bead of 0.00010 kg is 0.020 m away.",
+        "A bead of 0.10 g is 0.020 m away.",
+        "A bead of 100 mg is 0.020 m away.",
+    )
 
 
 def test_an_unknown_system_is_told_with_those_there_are() -> None:

@@ -139,8 +139,7 @@ def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], t
 
 def _wording_of(description: Description) -> Wording:
     """How the text tells its scene, so that a figure from its file alone agrees with it."""
-    symbols = tuple(path for path in description.told if path in description.symbols)
-    return Wording(description.seed, symbols, tuple(sorted(description.without)))
+    return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:

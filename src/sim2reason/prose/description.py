@@ -36,6 +36,13 @@ class Description:
         """The sentences as one paragraph; a table stands on lines of its own."""
         return paragraphs(self.sentences)
 
+    @property
+    def symbolic(self) -> tuple[str, ...]:
+        """The addresses of the numbers for which it says symbols alone, in the order of telling."""
+        own = {p.path: p for p in self.scene.parameters}
+        said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
+        return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
+
     def role(self, sentence: str) -> Role:
         """What one of the sentences does in the text."""
         return self.roles.get(sentence, "fact")

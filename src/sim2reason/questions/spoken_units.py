@@ -149,10 +149,11 @@ def spoken_in(system: SpokenUnits, text: str) -> str:
 
 
 def in_si(text: str) -> tuple[str, ...]:
-    """What a text could be in the SI, whichever system it speaks in: first itself, last with its grams as they are.
+    """Return what a text could be in the SI, whichever system it speaks in.
 
-    For a text in the SI may say grams of what is light. Long ways are told in kilometres, as questions tell them, and
-    what a small charged particle has in milligrams and what goes with them.
+    First comes the text itself, then with its units restored, then the same with its grams kept, since a text in the SI
+    may say grams of what is light, and last with milligrams and what goes with them, as a text about a small charged
+    particle has it. Long ways are told in kilometres, as questions tell them.
     """
 
     def said(number: str, unit: str) -> tuple[str, str] | None:
@@ -167,7 +168,7 @@ def in_si(text: str) -> tuple[str, ...]:
 
     told = _converted(text, said)
     small = [spoken_in(_SMALL, told)] if told != text else []
-    return tuple(dict.fromkeys((text, told, *small, _converted(text, but_grams))))
+    return tuple(dict.fromkeys((text, told, _converted(text, but_grams), *small)))
 
 
 @lru_cache(maxsize=1024)

@@ -64,7 +64,7 @@ TIERS = {
 }
 
 
-# lengths of rods do not bear on the start yet; most periods are those of one spring and all masses; much takes a computer
+# lengths of rods do not bear on the start; most periods are those of one spring and all masses; much takes a computer
 WEIGHTS = {
     "start": 0.3,
     "period": 0.4,

@@ -28,9 +28,9 @@ IDEAS = {
 }
 
 
-CARRIED = {"easy": 0.0, "medium": 0.4, "hard": 0.4}
+CARRIED: dict[Difficulty, float] = {"medium": 0.4, "hard": 0.4}
 """The chance that the pendulum hangs from a carriage, which moves as it swings."""
-PUSHED: dict[Difficulty, float] = {"easy": 0.0, "medium": 0.0, "hard": 0.6}
+PUSHED: dict[Difficulty, float] = {"medium": 0.0, "hard": 0.6}
 TIERS = {
     level: Tier(
         Count(2, 2),
@@ -51,6 +51,6 @@ WEIGHTS = {"event": 0.6, "sum": 0.6, "state": 0.1, "time_to_event": 0.1, "thresh
 @recipe("pendulum", share=2, weights=WEIGHTS)
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A bob on a string or a light rod, perhaps on a carriage: released, set moving, or so fast that it goes slack."""
-    if rng.random() < CARRIED[difficulty]:
+    if rng.random() < CARRIED.get(difficulty, 0.0):
         return grow(TIERS[difficulty], rng)
     return one_of(IDEAS[difficulty], rng, "pendulum")

@@ -1,5 +1,6 @@
 """What a motion does throughout, in words, and in which other motions it does so."""
 
+from dataclasses import replace
 from math import cos, radians, sin
 
 import numpy as np
@@ -11,7 +12,7 @@ from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
 from sim2reason.bodies.spring import Spring
 from sim2reason.bodies.track import Track
 from sim2reason.dsl.entity import Named
@@ -31,6 +32,7 @@ from sim2reason.questions.regimes.acute import StartsAcute
 from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
 from sim2reason.questions.regimes.sliding import SlidesThroughout
+from sim2reason.questions.spoken import OwnSymbol
 from sim2reason.recipes import RECIPES
 from sim2reason.scene_files import loads
 
@@ -182,7 +184,7 @@ def test_what_is_too_heavy_waits() -> None:
         found = [clause for clause in said(rocket(rate), 20.0) if "lifts off" in clause]
         return [clause.partition(" lifts off ")[2] for clause in found]  # whatever this text calls the rocket
 
-    assert lift_off(9.0) == ["only some time after its engine starts, before its fuel is used up"]
+    assert lift_off(9.0) == ["only after its engine has burned part of its fuel"]
     assert lift_off(11.0) == ["as soon as its engine starts"]
     assert lift_off(2.0) == []
     assert {clause.rpartition(" ")[2] for clause in said(rocket(9.0), 20.0) if "keeps moving" in clause} == {"up"}
@@ -268,15 +270,23 @@ scene:
 
 
 def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
-    """In deep space nothing comes down; nor does a text speak of it that says no time."""
+    """It keeps moving up, or has not fallen back; in deep space nothing comes down; nor is it said beside no time."""
     entity = RocketEntity(rocket=Rocket(mass=724.0, dry=184.0), place=LevelGround(), exhaust=2.8, rate=2.3)
     scene = Scene(entities=(Named(name="rocket", entity=entity),))
     text = assuming(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(280.0)))
-    assert "has burned all its fuel by then but has not yet fallen back" in text
-    motion, words = study(rocket(10.0), 90.0), words_of(describe(rocket(10.0)))
-    assert [
-        held.clause(words) for held in BurntOut.possible(motion, words) if "fallen back" in held.clause(words)
-    ] == []
+    assert text.endswith("that it keeps moving up, and that it has burned all its fuel by then.")
+
+    def fallen(place: LevelGround | DeepSpace, own: dict[str, OwnSymbol]) -> list[str]:
+        entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=place, exhaust=1.0, rate=10.0)
+        scene = Scene(entities=(Named(name="rocket", entity=entity),))
+        words = replace(words_of(describe(scene)), own=own)
+        found = [held.clause(words) for held in BurntOut.possible(study(scene, 90.0), words)]
+        return [clause.partition(" has ")[2] for clause in found if "fallen back" in clause]
+
+    a_time = {"s": OwnSymbol("a time", "t_1", 80.0)}
+    assert fallen(LevelGround(), a_time) == ["burned all its fuel by then but has not yet fallen back"]
+    assert fallen(LevelGround(), {}) == []
+    assert fallen(DeepSpace(), a_time) == []
 
 
 def test_where_bodies_may_collide_one_moves_only_one_way() -> None:

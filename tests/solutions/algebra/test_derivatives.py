@@ -20,7 +20,7 @@ FORMULAS: tuple[Expression, ...] = (
 )
 
 
-@pytest.mark.parametrize("formula", FORMULAS, ids=lambda held: held.latex())
+@pytest.mark.parametrize("formula", FORMULAS, ids=[formula.latex() for formula in FORMULAS])
 def test_derivatives_are_those_of_differences(formula: Expression) -> None:
     step = 1e-6
     ahead, behind = (formula.value({**AT, "x": AT["x"] + side * step}).real for side in (1.0, -1.0))
@@ -46,7 +46,7 @@ LIMITS: tuple[Expression, ...] = (
 )
 
 
-@pytest.mark.parametrize("formula", LIMITS, ids=lambda held: held.latex())
+@pytest.mark.parametrize("formula", LIMITS, ids=[formula.latex() for formula in LIMITS])
 def test_limits_are_values_far_away(formula: Expression) -> None:
     found = limit(formula, "x", AT, large=True)
     assert found is not None

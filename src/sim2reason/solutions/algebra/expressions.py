@@ -30,7 +30,7 @@ class Expression:
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
-        """The names in it, from left to right, some more than once; by default those of its parts."""
+        """Yield the names in it, from left to right, some more than once; by default those of its parts."""
         for part in self.parts:
             yield from part.symbols()
 
@@ -111,10 +111,6 @@ class Number(Expression):
     def latex(self) -> str:
         """As in: 2, 2/5 or 0.30000."""
         return pure_number(self.x)
-
-    def symbols(self) -> Iterator[str]:
-        """None."""
-        return iter(())
 
     @property
     def rank(self) -> int:

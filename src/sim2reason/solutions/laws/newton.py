@@ -8,9 +8,10 @@ a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1``
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from sim2reason.dsl.fields import Push
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism
-from sim2reason.dsl.triples import applied, product
+from sim2reason.dsl.mechanism import ConstantTension, Force, Line, Mechanism
+from sim2reason.dsl.triples import Triple, applied, product
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Symbol
@@ -40,13 +41,24 @@ class Row:
         return self.forces - self.inertia
 
 
+def _constant(force: Force) -> bool:
+    return isinstance(force.law, Push) and force.law.constant
+
+
+def _push(mechanism: Mechanism, number: int) -> Push:
+    law = mechanism.forces[number].law
+    assert isinstance(law, Push)
+    return law
+
+
 class Newton:
     """The laws of one segment of a motion, each worked out when it is asked for."""
 
     def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
-        """UnreadError if the mechanism has something else than bodies on straight ways, strings and faces."""
+        """UnreadError if the mechanism has more than bodies on straight ways, strings, faces and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
-        if self.mechanism.forces or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
+        varying = any(force.region is not None or not _constant(force) for force in self.mechanism.forces)
+        if varying or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
             raise UnreadError("there are forces of fields, or feet")
         self._sides: tuple[Side, Side] = tuple((m, start(m)) for m in (lexicon.mechanism, lexicon.twin))  # type: ignore[assignment]
 
@@ -114,9 +126,22 @@ class Newton:
                 inertia += [mass * self._dot(body.name, k, j) * symbol("q", j) for j in moved]
                 forces.append(mass * self.gravity * self.along(body.name, k, (0.0, 0.0, -1.0)))
         inertia += self._turning(k)
+        forces += self._pushes(lambda f, body: f.center(body).gradient.get(k))
         forces += [pull for number, line in enumerate(self.mechanism.lines) if (pull := self._pull(number, line, k))]
         forces += self._rubbing(k)
         return Row("newton", k, total(forces), total(inertia))
+
+    def _pushes(self, way: Callable[[Frames, str], Triple | None]) -> list[Polynomial]:
+        """The components of constant forces along a way of the body on which each acts."""
+        found = list[Polynomial]()
+        for number, force in enumerate(self.mechanism.forces):
+            if way(self._sides[0][1], force.body) is not None:
+                size = self.read(lambda m, _, n=number: _push(m, n).profile.value)
+                along = self.read(
+                    lambda m, f, n=number, b=force.body: product(_push(m, n).direction, way(f, b) or (0.0, 0.0, 0.0))
+                )
+                found.append(size * along)
+        return found
 
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
         if k == j:
@@ -231,6 +256,7 @@ class Newton:
                 inertia.append(mass * part * symbol("q", j))
             down = self.read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
             forces.append(mass * self.gravity * down)
+        forces += self._pushes(lambda f, body: f.center(body).lift.get(face))
         for number, line in enumerate(self.mechanism.lines):
             lifted = self.read(lambda m, f, n=number: sum(float(p.lift.get(face, 0.0)) for p in f.pieces(m.lines[n])))
             if lifted:

@@ -4,12 +4,29 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+import numpy as np
+
+from sim2reason.simulation.trace import Trace
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 EARLY = 1e-6  # of the stretch: what turns back at its end does not count
+SCAN = 2001
+
+
+def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
+    """Return when a coordinate turns back before a time, s, by the engine."""
+    times = np.linspace(0.0, until, SCAN)
+    speeds = trace.sample(times).v[:, coordinate]
+    moving = np.flatnonzero(np.abs(speeds) > EARLY * float(np.abs(speeds).max()))
+    times, speeds = times[moving], speeds[moving]
+    found: list[float] = []
+    for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
+        share = speeds[n] / (speeds[n] - speeds[n + 1])
+        found.append(float(times[n] + share * (times[n + 1] - times[n])))
+    return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,7 @@ from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes
-from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
+from sim2reason.solutions.oscillations.to_and_fro import Travelled, turning_times
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import PAIR, not_driven_back
@@ -33,7 +33,6 @@ from sim2reason.solutions.writing.numeric_roots import told_root, told_roots
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, SECONDS, SPEED
 
-SCAN = 2001
 Law = Callable[[list[Mode], int, Symbol], Expression]
 LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each the derivative of the one before
 ORDERS = {"s": 0, "v": 1, "a": 2}  # of what goals use
@@ -128,10 +127,7 @@ class _Modal(LinearWay):
         return self.goal.write(self.target, self)
 
     def _refuse_roots(self) -> None:
-        """Raise UnsolvedError if numerical roots lie ahead that no result may need.
-
-        Writing all that leads to them takes long.
-        """
+        """Raise UnsolvedError before all is written that leads to a numerical root which no result may need."""
         if self.book.most >= Need.ROOT:
             return
         held = self._all
@@ -171,7 +167,8 @@ class _Modal(LinearWay):
         value = value + self._goes_on
         step = self.book.open("time")
         step.say(f"{capital(said)} when {step.law(value, ZERO)}.")
-        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "The numerical solution is"))
+        near = time_of_greatest(self.setting) if self.greatest else self.setting.time
+        step.say(told_root(self.book, step, name, value, near, SECONDS, "The numerical solution is"))
         step.close()
         return name
 
@@ -213,8 +210,7 @@ class _Modal(LinearWay):
 
     def _grows(self, line: str) -> dict[int, float]:
         number = self._number(line)
-        parts = {i: self.motion.drawn(number, i) for i in self.motion.free}
-        return {i: part for i, part in parts.items() if part}
+        return {i: part for i in self.motion.free if (part := self.motion.drawn(number, i))}
 
     def _extreme(self) -> tuple[str, dict[int, float], Law]:
         """What is zero where the quantity has its greatest value: the next derivative of what it hangs on."""
@@ -237,11 +233,6 @@ class _Modal(LinearWay):
             raise UnsolvedError("a distance of something else")
         return said, found, law
 
-    @property
-    def _when(self) -> float:
-        """The time, s, by the engine: of a greatest value, when that is taken."""
-        return time_of_greatest(self.setting) if self.greatest else self.setting.time
-
     # ---- what goals ask
 
     def clock(self) -> Symbol:
@@ -261,7 +252,7 @@ class _Modal(LinearWay):
 
     def _turned(self, i: int) -> list[Symbol]:
         """Write when a free coordinate turns back before the moment."""
-        nears = self._turns(i)
+        nears = turning_times(self.setting.study.trace, i, self.setting.time)
         if not nears:
             return []
         step, names = self.book.open("turning"), [self.book.fresh("t") for _ in nears]
@@ -281,19 +272,6 @@ class _Modal(LinearWay):
         step.say(f"Its displacement is then {joined(told)}.")
         step.close()
         return names
-
-    def _turns(self, i: int) -> list[float]:
-        """When a free coordinate turns back before the moment, s, by the engine."""
-        until = self.setting.time
-        times = np.linspace(0.0, until, SCAN)
-        speeds = self.setting.study.trace.sample(times).v[:, i]
-        moving = np.flatnonzero(np.abs(speeds) > EARLY * float(np.abs(speeds).max()))
-        times, speeds = times[moving], speeds[moving]
-        found: list[float] = []
-        for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
-            share = speeds[n] / (speeds[n] - speeds[n + 1])
-            found.append(float(times[n] + share * (times[n + 1] - times[n])))
-        return found
 
     def _told(self, law: Law, i: int, base: str, unit: str, said: str) -> Polynomial:
         """A sum of modes at the moment, told once."""

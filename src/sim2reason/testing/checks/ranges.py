@@ -1,5 +1,6 @@
 """No declared range is dead."""
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 
@@ -18,7 +19,8 @@ from sim2reason.testing.variants import changed, spoken, studied
 
 DRAWS, MANY = 60, 300  # seeds of draws, and how many where something seems to be constant
 OFTEN = 12  # times that something must have been drawn to be called constant
-FRESH, MORE = 1000, 12  # the first seed of scenes that are drawn besides where a number seems not to matter; how many
+FRESH, MOST = 1000, 150  # the first seed of scenes that are drawn besides where a number seems not to matter; how many
+MORE = 12  # of those that have the number, after which it does not
 SHIFTS = (1.01, 0.99)
 
 
@@ -37,14 +39,16 @@ class RangesCheck(Check):
         looked = _Looked()
         for found in specimens.moving:
             looked.at(found)
-        for seed in range(FRESH, FRESH + MORE):
-            if looked.dead:
-                looked.again(specimen(specimens.cls, seed))
+        for seed in range(FRESH, FRESH + MOST):
+            if not looked.open:
+                break
+            looked.again(specimen(specimens.cls, seed))
         for name in looked.dead:
+            others = f"nor of {looked.again_with[name]} others with this number"
             yield looked.seen[name].finding(
                 self.name,
                 f"in some scene an answer changes with {name}",
-                f"none of {len(specimens.moving)} scenes has one, nor of {MORE} others",
+                f"none of {len(specimens.moving)} scenes has one, {others}",
                 "leave out what does not matter, or mark it Hidden and do not say it",
             )
 
@@ -55,11 +59,17 @@ class _Looked:
 
     seen: dict[str, Specimen] = field(default_factory=dict[str, Specimen])
     alive: set[str] = field(default_factory=set[str])
+    again_with: Counter[str] = field(default_factory=Counter[str])  # in how many further scenes each was changed
 
     @property
     def dead(self) -> list[str]:
         """The numbers with which no answer has changed so far."""
         return sorted(self.seen.keys() - self.alive)
+
+    @property
+    def open(self) -> list[str]:
+        """Those of the dead that were changed in too few scenes to be sure."""
+        return [name for name in self.dead if self.again_with[name] < MORE]
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
         """Change one number of a scene after another, those that are not known to matter."""
@@ -71,9 +81,11 @@ class _Looked:
                     self.alive.add(name)
 
     def again(self, found: Specimen) -> None:
-        """Look at another scene for what seems not to matter."""
+        """Look at another scene for what seems not to matter and was not changed often."""
         if found.moves:
-            self.at(found, self.dead)
+            dead = self.open
+            self.again_with.update({_field(path) for path in spoken(found.scene, found.seed)}.intersection(dead))
+            self.at(found, dead)
 
 
 def _field(path: str) -> str:

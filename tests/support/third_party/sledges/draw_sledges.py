@@ -9,11 +9,11 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sledges.horse_and_sledge import HorseAndSledge
 
-FORCE = {"easy": Range(5.0, 10.0), "medium": Range(5.0, 50.0), "hard": Range(5.0, 500.0)}
+FORCE = {"easy": Range(5.0, 10.0), "medium": Range(5.0, 50.0), "hard": Range(5.0, 100.0)}
 
 
 @recipe("sledges")
 def draw_sledges(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A sledge, and a horse whose force has more digits the harder it is."""
-    sledge = draw(HorseAndSledge, rng, {"force": FORCE[difficulty]})
+    """A sledge, and a horse whose force may be greater the harder it is."""
+    sledge = draw(HorseAndSledge, rng, {"draught": FORCE[difficulty]})
     return Scene(entities=(Named(name="sledge", entity=sledge),))
