@@ -12,7 +12,7 @@ from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import check, in_drawn_order, weight
 from sim2reason.errors import DatasetError
 from sim2reason.filters.few_laws import FEW_LAWS
-from sim2reason.questions import KINDS
+from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES
 
 ONLY_SUMS = dict.fromkeys(KINDS, 0.0) | {"sum": 1.0}
@@ -22,6 +22,18 @@ def test_a_weight_is_the_kinds_share_times_the_recipes_factor() -> None:
     assert weight("state", "numeric", "pulley", {}) == KINDS["state"].share
     factor = RECIPES["projectile"].weights["extremum"]
     assert weight("extremum", "numeric", "projectile", {}) == KINDS["extremum"].share * factor
+
+
+def test_a_mode_has_factors_of_its_own() -> None:
+    factor = MODES["reverse"].weights["sum"]
+    assert factor < 1.0
+    assert weight("sum", "reverse", "pulley", {}) == factor * weight("sum", "numeric", "pulley", {})
+
+
+def test_every_mode_weighs_kinds_that_it_can_ask() -> None:
+    for found in MODES.values():
+        assert found.weights.keys() <= found.kinds
+        assert all(factor >= 0.0 for factor in found.weights.values())
 
 
 def test_the_most_special_name_counts() -> None:

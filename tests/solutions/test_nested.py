@@ -7,17 +7,19 @@ from math import isclose
 import numpy as np
 import pytest
 
-from plain_scenes import atwood
+from plain_scenes import atwood, ramp
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import MODES, Query, Target
+from sim2reason.questions import MODES, Query, Study, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.questions.need import ELEMENTARY
 from sim2reason.solutions import solve
 from sim2reason.solutions.closed_forms import closed_form
+from sim2reason.solutions.shortest import may_have_solution
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
@@ -75,3 +77,39 @@ def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:
         assert solution.answer == pytest.approx(found.question.answer, rel=1e-6)
         assert found.question.formula is not None
         assert solution.formula == found.question.formula.latex
+
+
+def test_another_value_is_multiplied_out_of_powers() -> None:
+    said = (
+        "By what factor would doubling the initial speed, and nothing else, multiply the speed of the block after it "
+        "has moved 0.10 m?"
+    )
+    found = solve(asked(ramp(angle=30.0, friction=0.2, speed=3.0), said))
+    assert found.strategy == "comparison"
+    assert r"4\,v^{2}" in found.text
+    assert r"\left(2\,v\right)^{2}" not in found.text
+
+
+def test_the_second_of_two_cases_is_told_after_the_first() -> None:
+    """Its block turns back before the time, and does not with twice the speed."""
+    said = (
+        "By how much would doubling the initial speed, and nothing else, increase the total distance that the block "
+        "travels between t = 0 and t = 0.89 s?"
+    )
+    found = solve(asked(ramp(angle=26.0, friction=0.0, speed=2.5), said))
+    assert found.strategy == "comparison of two cases"
+    before, after = found.text.split(r"With $v$ doubled", 1)
+    assert "a_1" not in before
+    assert "a_1" in after
+
+
+def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:
+    """Where a puck on two springs is at a time takes an integration; what acts at the start does not."""
+    scene = next(
+        held
+        for held in (sample("springs", seed=seed) for seed in range(60))
+        if len(held.mechanism.lines) == 2 and len(held.mechanism.coordinates) == 2
+    )
+    study = Study.of(scene, np.linspace(0.0, 1.0, 5))
+    assert not may_have_solution("state", study, ELEMENTARY)
+    assert may_have_solution("start", study, ELEMENTARY)

@@ -1,7 +1,8 @@
 """The reverse mode: one number of the text is unknown, and a result is given that it follows from; or a time is."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
+from typing import ClassVar
 
 import numpy as np
 
@@ -44,6 +45,10 @@ class Reverse(QuestionMode):
     """Which number makes a result what it is said to be, or when is it that?"""
 
     name = "reverse"
+    weights: ClassVar[Mapping[str, float]] = {
+        "sum": 0.4,
+        "threshold": 0.4,
+    }  # nobody measures a sum, or a limit, as such
 
     @property
     def kinds(self) -> frozenset[str]:

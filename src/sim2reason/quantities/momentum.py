@@ -22,7 +22,7 @@ class Momentum(Quantity):
     signed = "the {component}momentum of {body}{ground}"
     given = True
     needs = ("mass",)
-    weight = 0.8
+    weight = 0.4
     floor, heavy = 0.1, True
     order = 3
 

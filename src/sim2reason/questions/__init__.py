@@ -4,7 +4,7 @@ A `Query` is what is asked, without words; a `Question` has words and an answer.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar, TypeVar
 
@@ -107,11 +107,13 @@ class QuestionMode(ABC):
         name: under which it is registered.
         several: whether an item asks several questions about one scene, each of which leads to another.
         offers_options: whether an item comes with options, one of which is its answer.
+        weights: by which factor some kinds of question are asked more or less often than in other modes.
     """
 
     name: ClassVar[str]
     several: ClassVar[bool] = False
     offers_options: ClassVar[bool] = False
+    weights: ClassVar[Mapping[str, float]] = {}
 
     @property
     def kinds(self) -> frozenset[str]:

@@ -12,8 +12,6 @@ from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
 _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
-_MATH = re.compile(r"(\$[^$]*\$)")
-_EQUATION = re.compile(r"(?<!part )\(([a-z])\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,14 +97,8 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
 
 
 def _told(part: Solution) -> str:
-    """The text of one part, without a box; equations are numbered, since letters are labels of parts."""
-    text = _BOX.sub(r"\1", part.text)
-    pieces = _MATH.split(text)
-    return "".join(piece if n % 2 else _EQUATION.sub(_number, piece) for n, piece in enumerate(pieces))
-
-
-def _number(match: re.Match[str]) -> str:
-    return f"({ord(match[1]) - ord('a') + 1})"
+    """Return the text of one part, without a box."""
+    return _BOX.sub(r"\1", part.text)
 
 
 def _in_one_row(parts: Sequence[Solution]) -> Iterator[Step]:

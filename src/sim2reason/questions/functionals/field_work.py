@@ -24,7 +24,7 @@ class FieldWork(Integral):
     phrase = "the work that the electric field does on {body}"
     how = "how much work does the electric field do on {body} {when}?"
     indirect = "how much work the electric field does on {body}"
-    weight = 3.0
+    weight = 1.5
 
     def rate(self, state: State, name: str) -> Array:
         """F·v inside the field, W, (n,)."""

@@ -25,7 +25,7 @@ class FrictionHeat(Integral):
     phrase = "the energy that friction between {body} and {surface} dissipates"
     how = "how much energy does friction between {body} and {surface} dissipate {when}?"
     indirect = "how much energy friction between {body} and {surface} dissipates"
-    weight = 5.0
+    weight = 2.5
 
     def rate(self, state: State, name: str) -> Array:
         """−f·u, W, (n,), never negative."""

@@ -45,7 +45,7 @@ class PullWork(Functional):
     phrase = "the work that {hand} does"
     how = "how much work does {hand} do {when}?"
     indirect = "how much work {hand} does"
-    weight = 3.0
+    weight = 1.5
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Not until something has moved by a stated distance: force times distance is no question."""

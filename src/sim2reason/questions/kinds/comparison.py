@@ -20,7 +20,7 @@ from sim2reason.simulation.certify import Certificate
 
 GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
 OFTEN = (0.6, 0.25, 0.15)
-RATIOS = 0.6  # of comparisons: how often the factor is asked for, not the difference
+RATIOS = 0.85  # of comparisons: how often the factor is asked for, not the difference
 CLEARLY = 0.1  # relative: by how much the answer must change
 POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 """Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""

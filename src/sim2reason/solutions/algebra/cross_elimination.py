@@ -1,6 +1,6 @@
 """Linear equations whose coefficients are symbols: unknowns eliminated by multiplying crosswise, without fractions."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, parenthesized
@@ -33,11 +33,9 @@ class SymbolicEquation:
 class CrossElimination:
     """Solves such equations, and writes down how."""
 
-    def __init__(
-        self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing], marks: Iterator[str]
-    ) -> None:
-        """`units`, in LaTeX, of every unknown; `opened` begins a step; `marks` are labels that are free."""
-        self.book, self.units, self._opened, self._marks = book, units, opened, marks
+    def __init__(self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing]) -> None:
+        """`units`, in LaTeX, of every unknown; `opened` begins a step."""
+        self.book, self.units, self._opened = book, units, opened
 
     def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:
         """Give all names their values, the first one first."""
@@ -71,7 +69,7 @@ class CrossElimination:
             if name != last
         }
         right = held.right * mine[1] + (pivot.right * other[1]).scaled(sign)
-        found = SymbolicEquation(f"({next(self._marks)})", {n: part for n, part in left.items() if part}, right)
+        found = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, right)
         step = self._opened("combine")
         step.rest_on(held.label)
         step.rest_on(pivot.label)

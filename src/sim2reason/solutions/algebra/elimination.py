@@ -1,6 +1,6 @@
 """Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -161,37 +161,36 @@ class Elimination:
             self._in_symbols(equations, names)
             return
         step = self._open("solve")
-        marks = iter("abcdefghijklmnop")
         numeric: list[NumericEquation] = []
         said: list[str] = []
         for equation in equations:
             before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self.book.worked(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if self.book.value(part)}
-            numeric.append(NumericEquation(f"({next(marks)})", kept, rest))
+            numeric.append(NumericEquation(self.book.labels.next(), kept, rest))
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
         how = "Ordered" if self.book.hidden else "In numbers"
         step.say(f"{how}: {'; '.join(said)}.")
         step.close()
-        self._reduce(numeric, list(names), marks)
+        self._reduce(numeric, list(names))
 
     def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """The same where what stands before the unknowns may not be written as numbers."""
-        step, marks = self._open("solve"), iter("abcdefghijklmnop")
+        step = self._open("solve")
         ordered: list[SymbolicEquation] = []
         for equation in equations:
             before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
             left = {n: part for n, part in before.items() if part}
-            ordered.append(SymbolicEquation(f"({next(marks)})", left, equation.zero.without(names)))
+            ordered.append(SymbolicEquation(self.book.labels.next(), left, equation.zero.without(names)))
             step.rest_on(_key(equation))
             step.label(ordered[-1].label)
         step.say(f"Ordered: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}.")
         step.close()
-        CrossElimination(self.book, self.units, self._open, marks).reduce(ordered, names)
+        CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 
-    def _reduce(self, equations: list[NumericEquation], names: list[str], marks: Iterator[str]) -> None:
+    def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
         first = names[0]
         if len(names) == 1:
             equation = equations[0]
@@ -204,8 +203,8 @@ class Elimination:
         last = names[-1]
         having = [e for e in equations if last in e.left]
         pivot = max(having, key=lambda e: abs(self.book.value(e.left[last])))
-        reduced = [self._without(e, pivot, last, marks) if last in e.left else e for e in equations if e is not pivot]
-        self._reduce(reduced, names[:-1], marks)
+        reduced = [self._without(e, pivot, last) if last in e.left else e for e in equations if e is not pivot]
+        self._reduce(reduced, names[:-1])
         step = self._open("solve")
         step.rest_on(pivot.label)
         rest = pivot.right if self.book.value(pivot.right) else ZERO
@@ -215,9 +214,7 @@ class Elimination:
         step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
 
-    def _without(
-        self, equation: NumericEquation, pivot: NumericEquation, last: str, marks: Iterator[str]
-    ) -> NumericEquation:
+    def _without(self, equation: NumericEquation, pivot: NumericEquation, last: str) -> NumericEquation:
         """An equation less so much of another that an unknown is gone."""
         ratio = self.book.worked(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
@@ -227,7 +224,7 @@ class Elimination:
             if name != last
         }
         right = self.book.worked(equation.right - multiplied(ratio, pivot.right))
-        found = NumericEquation(f"({next(marks)})", left, right)
+        found = NumericEquation(self.book.labels.next(), left, right)
         step = self._open("combine")
         step.rest_on(equation.label)
         step.rest_on(pivot.label)

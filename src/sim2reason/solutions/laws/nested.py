@@ -59,7 +59,7 @@ def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
             return way.write(inner, book)
         except (UnsolvedError, UnreadError) as error:
             reasons.append(str(error))
-            book.restore(saved)
+            vars(book).update(saved)
     raise UnsolvedError(reasons[-1])
 
 

@@ -61,7 +61,7 @@ class DynamicsWriter:
         equations = [*self._strings(), *self._faces()]
         groups = self.d.groups
         known = self.bound | self.pressed
-        rows = [self._equation(group, number, len(groups)) for number, group in enumerate(groups, start=1)]
+        rows = [self._equation(group, labelled=len(groups) > 1) for group in groups]
         self._tell(groups, rows)
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
         known |= self._balanced(light, known)
@@ -184,7 +184,7 @@ class DynamicsWriter:
         forces, inertia = (part.put(self.names).put(self.inline).scaled(sense) for part in (row.forces, row.inertia))
         return Row("newton", group[0].number, forces, inertia)
 
-    def _equation(self, group: Sequence[Row], number: int, count: int) -> Equation:
+    def _equation(self, group: Sequence[Row], *, labelled: bool) -> Equation:
         row = self._row(group)
         k = group[0].number
         moves = self.names.get(f"q{k}", NIL)
@@ -192,7 +192,7 @@ class DynamicsWriter:
             j, sign = self.d.carried[k]
             moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
         moves = moves.scaled(float(self.d.sense.get(k, 1)))
-        return Equation(f"({number})" if count > 1 else "", row.forces, row.inertia, moves)
+        return Equation(self.d.book.labels.next() if labelled else "", row.forces, row.inertia, moves)
 
     def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
         step = self._open("newton")

@@ -10,6 +10,7 @@ from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import Integration, Phase, Relation, Step, with_unit
+from sim2reason.solutions.writing.labels import Labels
 from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
 
@@ -51,6 +52,7 @@ class Book:
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
+        self.labels = Labels()
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
@@ -59,16 +61,12 @@ class Book:
         found = Book(self._units, asks_time=self.asks_time, called=self._called, most=self.most)
         found.hidden, found.sought = {*self.hidden}, self.sought
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
-        found._taken = {*self._taken}
+        found._taken, found.labels = {*self._taken}, copy(self.labels)
         return found
 
     def saved(self) -> dict[str, object]:
-        """Return all that is known and written, for `restore`."""
+        """Return all that is known and written: with `vars(book).update(…)` it is so again."""
         return {name: copy(value) for name, value in vars(self).items()}
-
-    def restore(self, saved: dict[str, object]) -> None:
-        """Make everything as it was when it was saved, where what was written since then leads nowhere."""
-        vars(self).update(saved)
 
     def reserve(self, *names: str) -> None:
         """Keep names from being given to something else."""

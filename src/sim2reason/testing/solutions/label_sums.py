@@ -59,13 +59,13 @@ def label_sums(
     sums = list(SUM.finditer(text))
     apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
     outs = {match["out"] for match in sums}
-    told = text[: sums[0].start()] if sums else text  # what follows from the sums is free to move with them
-    plain = re.findall(r"\$([^$]*=[^$]*)\$", told)
-    laws = [f for f in plain if f not in labelled.values() and f not in outs and f.count("=") == 1 and not _number(f)]
-    held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
+    rows = {*labelled.values(), *outs}
     moved = tuple(name for name in names if name not in givens)
     found: list[LabelSum] = []
     for match in sums:
+        plain = re.findall(r"\$([^$]*=[^$]*)\$", text[: match.start()])  # what follows is free to move with it
+        laws = [f for f in plain if f not in rows and f.count("=") == 1 and not _number(f)]
+        held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
         out = read(match["out"])
         parts = [_part(part, labelled, read) for part in PART.finditer(match["sum"])]
         if out is not None and all(part is not None for part in parts):

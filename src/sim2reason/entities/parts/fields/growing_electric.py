@@ -28,9 +28,9 @@ class GrowingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field points in the {way} direction at t = 0, with a strength of {strength}; its only component, that in this direction, {trend} at a rate of {growth}.",
-            "there is a uniform electric field, parallel to one line at all times: at t = 0 it points in the {way} direction with a strength of {strength}, and its component in that direction {trend} at a rate of {growth}.",
-            "at t = 0 a uniform electric field of strength {strength} points in the {way} direction; it never has another component, and its component in that direction {trend} at a rate of {growth}.",
+            "a uniform electric field has only a component in the {way} direction: this is {strength} at t = 0 and {trend} at a rate of {growth}.",
+            "there is a uniform electric field with only one component: that in the {way} direction is {strength} at t = 0 and {trend} at a rate of {growth}.",
+            "the component of a uniform electric field in the {way} direction is {strength} at t = 0 and {trend} at a rate of {growth}; the field has no other component.",
         ),
     )
 

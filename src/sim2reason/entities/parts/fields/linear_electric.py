@@ -34,9 +34,9 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field points in the {way} direction at {axis} = 0, where its strength is {strength}; its only component, that in this direction, {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field, parallel to one line everywhere: at {axis} = 0 it points in the {way} direction with a strength of {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
-            "at {axis} = 0 an electric field of strength {strength} points in the {way} direction; it has no other component anywhere, and its component in that direction {trend} with {axis} at a rate of {slope}.",
+            "an electric field has only a component in the {way} direction: this is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field parallel to the {axis} axis: its component in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "the component of an electric field in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}; the field has no other component.",
         ),
     )
 

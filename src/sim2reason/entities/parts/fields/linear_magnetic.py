@@ -29,9 +29,9 @@ class LinearMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field points in the {way} direction at {axis} = 0, where its strength is {strength}; its only component, that in this direction, {trend} with {axis} at a rate of {slope}.",
-            "there is a magnetic field, parallel to one line everywhere: at {axis} = 0 it points in the {way} direction with a strength of {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
-            "at {axis} = 0 a magnetic field of strength {strength} points in the {way} direction; it has no other component anywhere, and its component in that direction {trend} with {axis} at a rate of {slope}.",
+            "a magnetic field has only a component in the {way} direction: this is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "there is a magnetic field parallel to the z axis: its component in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "the component of a magnetic field in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}; the field has no other component.",
         ),
     )
 
