@@ -1,6 +1,6 @@
 """A book in which each name has one value, and into which a worked solution is written step by step."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from copy import copy
 
 from sim2reason.dsl.units import SI, UnitSystem
@@ -195,15 +195,10 @@ class Writing:
         """Nothing is said yet."""
         self._book, self._kind = book, kind
         self._said: list[str] = []
-        self._relations: list[Relation] = []
+        self.relations: list[Relation] = []  # those that were noted so far
         self._gives: list[str] = []
         self._rests: list[str] = []
         self._integration: Integration | None = None
-
-    @property
-    def relations(self) -> Sequence[Relation]:
-        """Those that were noted so far."""
-        return self._relations
 
     def label(self, name: str) -> None:
         """Name an equation of this step, so that others can rest on it."""
@@ -231,7 +226,7 @@ class Writing:
         self._book.check_need(formula)
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
-        self._relations.append(relation)
+        self.relations.append(relation)
         value = self._book.value(formula)
         self._book.know(name.name, value, unit)
         self._gives.append(name.name)
@@ -243,7 +238,7 @@ class Writing:
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
         """What something comes to on which nothing rests, so that an assumption can be judged by it."""
         relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
-        self._relations.append(relation)
+        self.relations.append(relation)
         return relation.latex(self._book.value(formula))
 
     def integrate(self, integration: Integration) -> None:
@@ -264,21 +259,21 @@ class Writing:
     def defined(self, name: Symbol, formula: Expression) -> str:
         """Return a law that gives a name, whose value the book knows already, as a formula."""
         relation = Relation(name, formula, "law", self._book.units[name.name])
-        self._relations.append(relation)
+        self.relations.append(relation)
         self._gives.append(name.name)
         return relation.latex(self._book.values[name.name])
 
     def trial(self, name: Symbol) -> str:
         """Return the value of an unknown that is found by trial: the result that is given determines it."""
         value, unit = self._book.values[name.name], self._book.units[name.name]
-        self._relations.append(Relation(name, Number(value), "trial", unit))
+        self.relations.append(Relation(name, Number(value), "trial", unit))
         self._gives.append(name.name)
         return f"${name.latex()} = {with_unit(value, unit, STATE_DIGITS)}$"
 
     def given_result(self, name: Symbol, value: float) -> str:
         """Return the equation by which a result that the question gives determines the unknown."""
         relation = Relation(name, Number(value), "condition", self._book.units[name.name])
-        self._relations.append(relation)
+        self.relations.append(relation)
         return f"${name.latex()} = {with_unit(value, relation.unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
@@ -286,17 +281,17 @@ class Writing:
         self._book.check_need(formula)
         unit = self._book.units[name.name]
         relation = Relation(name, formula, "result", unit)
-        self._relations.append(relation)
+        self.relations.append(relation)
         self._book.hidden.discard(name.name)
         self._gives.append(name.name)
         return relation.latex(None if self._book.in_symbols else self._book.value(formula))
 
     def _noted(self, relation: Relation) -> str:
-        self._relations.append(relation)
+        self.relations.append(relation)
         return relation.latex()
 
     def close(self) -> None:
         """Keep it, if it says anything."""
-        if self._said or self._relations or self._integration:
+        if self._said or self.relations or self._integration:
             text = " ".join(self._said)
-            self._book.close(self._kind, text, self._relations, self._gives, self._rests, self._integration)
+            self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)
