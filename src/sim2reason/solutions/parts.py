@@ -48,7 +48,7 @@ class ChosenSolution(Solution):
     def text(self) -> str:
         """The solution of the question without options, and the letter in a box."""
         text = _BOX.sub(r"\1", super(ChosenSolution, self).text)
-        return rf"{text}\n\nThat is option $\boxed{{\text{{{self.letter}}}}}$."
+        return f"{text}\n\n" + rf"That is option $\boxed{{\text{{{self.letter}}}}}$."
 
 
 def chosen(solution: Solution, letter: str) -> Solution:
