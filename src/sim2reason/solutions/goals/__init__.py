@@ -233,9 +233,10 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
         return held
     if not book.hidden.isdisjoint(held.symbols()):
         return held if positive else -held
-    if positive and not (book.in_symbols and of_either_sign):
+    either = book.in_symbols and of_either_sign
+    if positive and not either:
         return held
-    return Absolute(-held if held.negative else held)
+    return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
 
 
 def magnitude(

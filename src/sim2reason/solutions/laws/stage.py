@@ -35,6 +35,7 @@ class End:
     distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
     what: str = ""  # in words
     slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
+    turned: int | None = None  # the face on which the body slips the other way from then on
 
 
 @dataclass
