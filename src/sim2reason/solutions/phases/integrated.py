@@ -1,6 +1,6 @@
 """The phases of a motion written in order, each from the state in which the one before it ends."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from math import isnan, radians
 
@@ -77,10 +77,14 @@ class IntegratedPhases:
     def _check_names(self) -> None:
         """Refuse equations with a name that has no value, or none in the numbers of the text."""
         names = {name for step in self.book.steps for name in step.symbols()}
-        if unread := sorted(name for name in names if name.startswith(UNREAD)):
-            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
+        self._refuse_unread(names)
         if unknown := sorted(names - {*self.book.values, *self.book.observed}):
             raise UnsolvedError(f"the equations have no number for {', '.join(unknown)}")
+
+    @staticmethod
+    def _refuse_unread(names: Iterable[str]) -> None:
+        if unread := sorted({name for name in names if name.startswith(UNREAD)}):
+            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
 
     def _introduce(self) -> None:
         book, constant = self.book, self.setting.lexicon.constant
@@ -106,6 +110,8 @@ class IntegratedPhases:
             formulas, happens = [formula for formula, _ in conditions], joined([said for _, said in conditions])
         else:
             formulas, happens = self._moment_formulas(inner), self._moment_words()
+        sides = [side for law in inner.laws for side in (law.left, law.right)]
+        self._refuse_unread(name for formula in (*formulas, *sides) for name in formula.symbols())
         for name, value, unit in inner.stated:
             self.book.reserve(name)
             self.book.say_given(name, value, unit)
