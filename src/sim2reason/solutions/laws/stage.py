@@ -259,7 +259,7 @@ class Stage:
 
     def _when(self, again: str) -> str:
         """Begin a sentence about the end of the stage; `again` where another one spoke of it before."""
-        return again if self._moved or self._velocity else "After this time"
+        return again if self._moved or self._velocity else f"After the time ${self.time.name}$"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None

@@ -163,11 +163,11 @@ class Oscillating(SingleWay):
         rate, turns = held.rate, held.turns(self._since)
         step, time = self.book.open("time"), self.book.fresh("t")
         motion = (rate * time, angle) if turns else (place, held.displacement(time))
-        step.say(f"{self._reached(turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
+        step.say(f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
         step.close()
         return self.until(time)
 
-    def _reached(self, turns: bool) -> str:
+    def _reached(self, *, turns: bool) -> str:
         """Begin a sentence with what happens at the moment."""
         moment = self.query.moment
         if turns:

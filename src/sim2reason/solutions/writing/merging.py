@@ -7,7 +7,7 @@ from dataclasses import replace
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
-SENTENCE = re.compile(r"(?P<lead>[^$]*) (?P<formulas>\$[^$]*\$)\.")
+SENTENCE = re.compile(r"(?P<lead>((At|After the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 
 def merged(steps: Sequence[Step]) -> list[Step]:
