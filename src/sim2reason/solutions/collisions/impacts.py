@@ -113,9 +113,11 @@ class Impacts(FreeFlights, ABC):
         if impact is None or begins is None or impact.bodies != (body,) or begins == time:
             return
         k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
+        if not self.acceleration(k):
+            return
         formula = ratio(leg.speeds[k].scaled(-2.0).expression(), self.acceleration(k).expression())
         span = self.span(leg, time)
-        if not self.acceleration(k) or book.is_hidden(formula) or book.is_hidden(span):
+        if book.is_hidden(formula) or book.is_hidden(span):
             return
         if book.value(formula) < book.value(span):
             raise UnsolvedError("it lands before the moment")
