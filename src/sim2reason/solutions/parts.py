@@ -1,7 +1,7 @@
 """Worked solutions of problems with several parts, later ones starting from earlier results, or with options."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 
 from sim2reason.grading.parts import LABELS
@@ -12,6 +12,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
 _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
+_NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +47,7 @@ class ChosenSolution(Solution):
     def text(self) -> str:
         """The solution of the question without options, and the letter in a box."""
         text = _BOX.sub(r"\1", super(ChosenSolution, self).text)
-        return rf"{text}\n\nThat is option $\boxed{{\text{{{self.letter}}}}}$."
+        return f"{text}\n\n" + rf"That is option $\boxed{{\text{{{self.letter}}}}}$."
 
 
 def chosen(solution: Solution, letter: str) -> Solution:
@@ -91,6 +92,8 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     given = {name for step in kept for name in step.gives}
     if not used - given or len(kept) >= sum(bool(step.gives) for step in solution.steps):
         return solution
+    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
+    kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     first = [_givens(step, kept) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name][0] for name in known if name in used - given}, solution)
     return replace(solution, steps=_renumbered([*first, *told, *kept]))
@@ -124,7 +127,22 @@ def _is_told(name: str, solution: Solution, other: Solution, *, whole: bool) -> 
     if whole and any(name in step.gives and step.kind != EARLIER for step in other.steps):
         found.append((name, _unit(name, other)))
     value, unit = solution.values[name], _unit(name, solution)
+    if abs(other.values.get(name, value) - value) > SAME * abs(value) or _is_opposite(other):
+        found = [(known, said) for known, said in found if known == name]  # its goal is another quantity of this size
     return any(unit == said and abs(value - other.values[known]) <= SAME * abs(value) for known, said in found)
+
+
+def _is_opposite(solution: Solution) -> bool:
+    """Whether a solution ends by changing a sign, as that of a displacement to that of a compression."""
+    last = [held.right for held in solution.relations if held.left.latex() == solution.goal]
+    return bool(last) and isinstance(-last[-1], Symbol)
+
+
+def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
+    """The sentences that define what kept steps use, such as *let x be the displacement*, but for those `said`."""
+    bases = {name.partition("_")[0] for step in kept for name in _symbols(step)}
+    found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
+    return [step for step in found if bases & {*_NAMED.findall(step.text)}]
 
 
 def _unit(name: str, solution: Solution) -> str:

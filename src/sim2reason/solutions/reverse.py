@@ -124,8 +124,11 @@ class Inversion:
         step = book.open(SOLVED)
         if not self.stated:
             step.rest_on(self.goal)
-        said = f"These equations determine ${self.unknown}$;"
-        how = f"in numbers they come to ${closed.equation.latex()} = 0$, so" if closed else "the numerical solution is"
+        if closed:
+            said = f"Inserting these equations into each other leaves one for ${self.unknown}$, in numbers"
+            how = f"${closed.equation.latex()} = 0$, so"
+        else:
+            said, how = f"These equations determine ${self.unknown}$;", "the numerical solution is"
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         self._tell_implied(step, names)
         step.close()

@@ -248,3 +248,23 @@ def test_what_nothing_drives_back_has_no_share_in_an_acceleration(quantity: str)
     for moment in (MostStretched(spring(scene)), AtTime(0.4)):
         setting = asked(scene, Query("event", Target(quantity, cart(scene)), moment))
         sound(by(STRATEGIES["normal modes"], setting), setting)
+
+
+def test_a_time_follows_from_the_law_of_motion_that_is_stated() -> None:
+    """With friction x = x₀ (1 − cos ωt), and a displacement is not that of the turning point and of the moment."""
+    scene = lone(strain=0.2, friction=0.1)
+    found = solve(asked(scene, Query("time_to_event", None, NaturalLength(spring(scene)))))
+    assert found.strategy == "half swings"
+    assert r"x = x_0 - x_0\,\cos\left(\omega t\right)$, so $t" in found.text
+    assert "This happens" not in found.text
+    assert "s_1" not in found.text
+    rest = 0.2 - 0.1 * MASS * G / STIFFNESS
+    assert found.answer == pytest.approx(acos(1.0 - 0.2 / rest) / sqrt(STIFFNESS / MASS), rel=1e-8)
+
+
+def test_an_acceleration_beyond_the_place_of_balance_has_the_sense_of_the_displacement() -> None:
+    """a = ω² (x₀ − x) is negative where x > x₀, and so no acceleration towards the equilibrium position."""
+    scene = lone(tilt=30.0)
+    found = solve(asked(scene, Query("state", Target("net force", cart(scene)), AtTime(0.5))))
+    assert found.answer == pytest.approx(abs(MASS * G * 0.5 * cos(0.5 * sqrt(STIFFNESS / MASS))), rel=1e-8)
+    assert "towards the equilibrium" not in found.text

@@ -137,6 +137,10 @@ class FreeFlights(ABC):
         """When an impact comes."""
 
     @abstractmethod
+    def event(self, time: Symbol) -> str:
+        """Return the impact that comes at a time, in words."""
+
+    @abstractmethod
     def after(self, impact: Impact) -> dict[int, Polynomial]:
         """The rates of the bodies that meet, just after it."""
 
@@ -159,7 +163,7 @@ class FreeFlights(ABC):
         if key not in self._spans:
             step, name = self.book.open(TIME), self.book.fresh("t")
             formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
-            step.say(f"The time since then is {step.result(name, formula, SECONDS, law=True)}.")
+            step.say(f"The time since {self.event(begins)} is {step.result(name, formula, SECONDS, law=True)}.")
             step.close()
             self._spans[key] = name
         return self._spans[key]
@@ -184,7 +188,8 @@ class FreeFlights(ABC):
             span = self.span(leg, time)
             step, name = self.book.open(VELOCITY), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
-            step.say(f"At that instant {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
+            step.rest_on(time.name)
+            step.say(f"At ${time.name}$ {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             self._speeds[key] = Polynomial.of(name)
         return self._speeds[key]
@@ -227,7 +232,8 @@ class FreeFlights(ABC):
         if formula == ZERO:
             return NIL
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
-        says = f"The displacement of {self.setting.called(body)} is then"
+        says = f"At ${time.name}$ the displacement of {self.setting.called(body)}{self._axis(k)} is"
+        step.rest_on(time.name)
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
@@ -242,7 +248,8 @@ class FreeFlights(ABC):
     def _axis(self, k: int) -> str:
         label = self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
-        return f" along {label}" if several else ""
+        upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNED else ""
+        return f" along {label}{upward}" if several else ""
 
     def mark(self, body: str, k: int) -> str:
         """The subscript of what a body has along a coordinate."""

@@ -8,6 +8,7 @@ from sim2reason.solutions.algebra.functions import Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
 from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
@@ -72,7 +73,8 @@ class Impacts(FreeFlights, ABC):
         else:
             law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
             formula = self.root(gap, rate, rise)
-        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
+        later = f" after {self.event(since)}" if since else ""
+        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{later}.")
         step.close()
         return self.counted(since, name)
 
@@ -95,6 +97,36 @@ class Impacts(FreeFlights, ABC):
     def _what(self, impact: Impact) -> str:
         normal = self.mechanism.meetings[impact.meeting].normal
         return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
+
+    def event(self, time: Symbol) -> str:
+        """Return the impact that comes at a time, in words; *then* if none does."""
+        impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
+        if impact is None:
+            return "then"
+        who = self.setting.listed(list(impact.bodies))
+        return f"the collision of {who}" if len(impact.bodies) > 1 else f"the impact of {who} on {self._what(impact)}"
+
+    def flying_on(self, body: str, number: int, time: Symbol) -> None:
+        """Say that a body is still in the air at a time after it rebounded from the ground; nothing rests on it."""
+        leg, book = self.leg(body, number), self.book
+        impact, begins = leg.after, self.begins(leg)
+        if impact is None or begins is None or impact.bodies != (body,) or begins == time:
+            return
+        k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
+        if not self.acceleration(k):
+            return
+        formula = ratio(leg.speeds[k].scaled(-2.0).expression(), self.acceleration(k).expression())
+        span = self.span(leg, time)
+        if book.is_hidden(formula) or book.is_hidden(span):
+            return
+        if book.value(formula) < book.value(span):
+            raise UnsolvedError("it lands before the moment")
+        step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
+        book.observed[name.name] = book.value(formula)
+        step.rest_on(span.name)
+        told = step.verified(name, formula, SECONDS)
+        step.say(f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$.")
+        step.close()
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:
         """The rates of the bodies that meet, just after it."""

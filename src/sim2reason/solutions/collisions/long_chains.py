@@ -39,6 +39,6 @@ def _row(group: Sequence[Step]) -> Step:
     """Steps of one kind as one, their formulas in a row; one of another kind itself."""
     if group[0].kind not in ROWS:
         return group[0]
-    formulas = [f"${formula}$" for step in group for formula in step.text.split("$")[1::2]]
+    formulas = [f"${formula}$" for step in group for formula in step.text.split("$")[1::2][-len(step.gives) :]]
     one, several = ROWS[group[0].kind]
     return together(group, f"{one if len(formulas) == 1 else several} {joined(formulas)}.")

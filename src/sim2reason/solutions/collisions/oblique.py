@@ -91,6 +91,8 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         if apart or w:  # along an axis on which nothing differs nothing happens
             found.append((flights.mechanism.coordinates[i].label, apart, w))
     step, said = flights.book.open("relative"), list[str]()
+    if any(flights.acceleration(i) for i in flights.coordinates(one)):
+        step.say("Both have the same acceleration, so their relative velocity is constant.")
     pair = "".join(flights.setting.mark(body) for body in impact.bodies)
     for label, apart, w in found:
         x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{pair},{label}")

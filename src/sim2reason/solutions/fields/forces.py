@@ -77,7 +77,8 @@ class Fields:
         if number is None:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
-        said = "The magnetic force is perpendicular to the velocity and turns it clockwise with the angular velocity"
+        said = "The magnetic force is perpendicular to the velocity and turns it with the angular velocity"
+        said += " (positive if clockwise)"
         return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
     @cached_property

@@ -10,7 +10,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.registry import Registry
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
@@ -222,11 +222,33 @@ def single(parts: Components, known: Known) -> Symbol | None:
     return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
 
 
-def magnitude(parts: Components, known: Known, noun: "VectorName", body: str) -> Expression:
-    """The size of a vector, by its components where it has several; a name, or a formula of names."""
+def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Expression:
+    """Return the modulus of a formula: between bars where its value is negative.
+
+    With `of_either_sign` a formula in symbols is between bars whatever its value is. What hangs on an unknown changes
+    its sign instead, so that it can be solved for that.
+    """
+    positive = book.value(held) >= 0.0
+    if isinstance(held, Root | Absolute):
+        return held
+    if not book.hidden.isdisjoint(held.symbols()):
+        return held if positive else -held
+    either = book.in_symbols and of_either_sign
+    if positive and not either:
+        return held
+    return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
+
+
+def magnitude(
+    parts: Components, known: Known, noun: "VectorName", body: str, *, relative_to: str = "the ground"
+) -> Expression:
+    """The size of a vector, by its components where it has several; a name, or a formula of names.
+
+    Components along the axes of the room are said to be `relative_to` something.
+    """
     one = single(parts, known)
     if one is not None:
-        return one if known.book.values[one.name] >= 0.0 else -one
+        return modulus(one, known.book)
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, WAYS, parts, strict=True) if part]
     step, mark = known.book.open("components"), known.setting.mark(body)
@@ -242,10 +264,11 @@ def magnitude(parts: Components, known: Known, noun: "VectorName", body: str) ->
         sentences.append(f"{where} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
     whose = f"{noun.said} of {known.setting.called(body)}"
     if sentences:
-        step.say(f"The {whose}{' relative to the ground' if axes == AXES else ''}: {joined(sentences)}.")
+        said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
+        step.say(f"The {whose}{said}: {joined(sentences)}.")
     step.close()
     if len(names) == 1:
-        return names[0] if known.book.values[names[0].name] >= 0.0 else -names[0]
+        return modulus(names[0], known.book)
     squares: Expression = ZERO
     for name in names:
         squares = added(squares, Power(name, 2))

@@ -28,7 +28,7 @@ class DistanceGoal(Goal):
         apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
         parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])
         noun = VectorName.of("distance", "position")
-        formula = magnitude(parts, known, noun, other)
+        formula = magnitude(parts, known, noun, other, relative_to=known.setting.called(one))
         return finish(known, formula, noun, r"\text{rel}", "so the distance is")
 
 

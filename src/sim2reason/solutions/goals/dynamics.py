@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol, added, multiplied
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.goals.turning import squared
 
@@ -78,7 +78,7 @@ class PotentialEnergyGoal(Goal):
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName.of("potential energy"), known.setting.mark(body)
-        size = formula if known.book.value(formula) >= 0.0 else -formula
+        size = modulus(formula, known.book)
         what = f"the magnitude of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 

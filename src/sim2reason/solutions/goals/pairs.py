@@ -28,7 +28,8 @@ class RelativeSpeedGoal(Goal):
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-        formula = magnitude(parts, known, VectorName.of("relative speed", "relative velocity"), other)
+        noun, apart = VectorName.of("relative speed", "velocity"), known.setting.called(one)
+        formula = magnitude(parts, known, noun, other, relative_to=apart)
         return finish(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
 
 

@@ -6,13 +6,21 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, modulus
 
 EXTENSION = VectorName.of("extension")
 LENGTH = VectorName.of("spring length")
 RATE = VectorName.of("extension rate")
 FORCE = VectorName.of("spring force")
 ENERGY = VectorName.of("spring energy")
+_RATE = "rate of change of the length"
+_CALLED = {  # what is positive, what is so where that is negative, and the modulus of both
+    EXTENSION: ("extension", "compression", "extension or compression"),
+    LENGTH: ("length",) * 3,
+    RATE: (_RATE, "rate of decrease of the length", f"magnitude of the {_RATE}"),
+    FORCE: ("tension", "compressive force", "magnitude of the force"),
+    ENERGY: ("energy",) * 3,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,16 +46,13 @@ class SpringGoal(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """Of its extension; with a sign where one is asked for."""
         formula = self._formula(target.subject, known)
-        if target.sense is None and self.noun not in (ENERGY, LENGTH) and known.book.value(formula) < 0.0:
-            formula = -formula
-        what = {
-            EXTENSION: "its extension is",
-            LENGTH: "its length is",
-            RATE: "the rate of change of its length is",
-            FORCE: "its force is",
-            ENERGY: "its energy is",
-        }[self.noun]
-        return finish(known, formula, self.noun, "", f"of {known.setting.springs[target.subject]}, {what}")
+        named, opposite, either = _CALLED[self.noun]
+        if target.sense is None and self.noun not in (ENERGY, LENGTH):
+            if known.book.in_symbols:
+                formula, named = modulus(formula, known.book, of_either_sign=True), either
+            elif known.book.value(formula) < 0.0:
+                formula, named = -formula, opposite
+        return finish(known, formula, self.noun, "", f"the {named} of {known.setting.springs[target.subject]}")
 
     def _formula(self, line: str, known: Known) -> Expression:
         if self.noun is RATE:

@@ -7,7 +7,7 @@ from typing import ClassVar
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
+from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude, modulus
 from sim2reason.solutions.goals.kinematics import VELOCITIES
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import UnsolvedError
@@ -188,16 +188,15 @@ class NetImpulseGoal(Goal):
         body = target.subject
         lone = known.lone("v", body), known.lone("u", body)
         if lone[0] is not None and lone[1] is not None:
-            change = (lone[0] - lone[1]).expression()
-            size = change if known.book.value(change) >= 0.0 else -change
+            size = (lone[0] - lone[1]).expression()
         else:
             end, begin = known.vector("v", body), known.vector("u", body)
             parts: Components = (end[0] - begin[0], end[1] - begin[1], end[2] - begin[2])
             size = magnitude(parts, known, VectorName("w", VELOCITIES.unit, "change in the velocity"), body)
-        formula = multiplied(known.mass(body).expression(), size)
-        return finish(
-            known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {known.setting.called(body)}"
-        )
+        mass = known.mass(body).expression()
+        formula = multiplied(mass, modulus(size, known.book, of_either_sign=True))
+        who = known.setting.called(body)
+        return finish(known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {who}, of magnitude")
 
 
 def tension(line: str, setting: Setting) -> str:

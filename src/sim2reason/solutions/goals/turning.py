@@ -6,8 +6,8 @@ from typing import ClassVar
 
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
 from sim2reason.solutions.goals.kinematics import VELOCITIES
 
 
@@ -35,7 +35,7 @@ class AngularGoal(AboutAxis):
     def write(self, target: Target, known: Known) -> Symbol:
         """As in: the angular velocity is v/R."""
         body = target.subject
-        formula = ratio(_size(known.rim(self.of, body).expression(), known), known.radius(body).expression())
+        formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
         what = f"the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, formula, self.noun, known.setting.mark(body), what)
 
@@ -56,7 +56,8 @@ class InertiaTimes(AboutAxis):
         """Of I = c m R², c m R times what the rim does."""
         body = target.subject
         held = known.rim_inertia(body) * known.radius(body)
-        other = _size(known.rim(self.of, body).expression(), known) if self.of else known.radius(body).expression()
+        rim = known.rim(self.of, body) if self.of else known.radius(body)
+        other = modulus(rim.expression(), known.book)
         what = f"the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
 
@@ -105,15 +106,12 @@ class EnergyOfCenter(KineticShare):
 
 
 def squared(held: Expression) -> Expression:
-    """A square, of a root what stands under it; without a sign."""
-    inside = getattr(held, "inside", None)
-    if isinstance(inside, Expression):
-        return inside
+    """A square, of a root what stands under it; without a sign or bars."""
+    if isinstance(held, Root):
+        return held.inside
+    if isinstance(held, Absolute):
+        held = held.inside
     return Power(-held if held.negative else held, 2)
-
-
-def _size(held: Expression, known: Known) -> Expression:
-    return held if known.book.value(held) >= 0.0 else -held
 
 
 ANGULAR_VELOCITIES = VectorName.of("angular velocity")

@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import KILOGRAMS, SECONDS
+from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
 
 
 class Burning(Way):
@@ -78,6 +78,7 @@ class Burning(Way):
     def full(self) -> Expression:
         """The mass with which it begins to rise."""
         if not self.waits:
+            self._tell_rising()
             return self.first
         thrust = self.rate_of_burning * self.exhaust
         said = "It stays on the ground until the thrust equals its weight, at the mass"
@@ -91,7 +92,7 @@ class Burning(Way):
     def _wait(self) -> Symbol:
         formula = (self.first - self.full) / self.rate_of_burning
         return self.book.told(
-            "wait", "This amount of fuel has been burned after", self.book.fresh("t", "1"), formula, SECONDS
+            "wait", "Its mass has fallen to this value after", self.book.fresh("t", "1"), formula, SECONDS
         )
 
     @cached_property
@@ -100,6 +101,31 @@ class Burning(Way):
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
+
+    def _tell_rising(self) -> None:
+        """Say that the thrust exceeds the weight from the start; nothing rests on it."""
+        thrust, weight = self.rate_of_burning * self.exhaust, self.first * self.gravity.expression()
+        known = not (self.book.is_hidden(thrust) or self.book.is_hidden(weight))
+        if not self.gravity or not known or self.mechanism.attractions:
+            return
+        step = self.book.open("verify")
+        names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
+        pairs = [*zip(names, (thrust, weight), strict=True)]
+        self.book.observed |= {name.name: self.book.value(held) for name, held in pairs}
+        told = [step.verified(name, held, NEWTONS) for name, held in pairs]
+        step.say(f"It rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
+        step.close()
+
+    def tell_spent(self, time: Symbol) -> None:
+        """Say that no fuel is left at a time; nothing rests on it."""
+        formula = (self.first - self.dry) / self.rate_of_burning
+        if self.book.is_hidden(formula):
+            return
+        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{out}")
+        self.book.observed[name.name] = self.book.value(formula)
+        told = step.verified(name, formula, SECONDS)
+        step.say(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
+        step.close()
 
 
 def _pull(mechanism: Mechanism) -> float:

@@ -35,6 +35,7 @@ class End:
     distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
     what: str = ""  # in words
     slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
+    turned: int | None = None  # the face on which the body slips the other way from then on
 
 
 @dataclass
@@ -258,7 +259,7 @@ class Stage:
 
     def _when(self, again: str) -> str:
         """Begin a sentence about the end of the stage; `again` where another one spoke of it before."""
-        return again if self._moved or self._velocity else "After this time"
+        return again if self._moved or self._velocity else f"After the time ${self.time.name}$"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None

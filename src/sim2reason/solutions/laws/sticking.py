@@ -4,9 +4,11 @@ from math import isinf
 
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import Expression, multiplied
+from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.laws.dynamics import Dynamics
-from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.setting import capital
+from sim2reason.solutions.laws.newton import Newton, Row
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 LIMIT = 1.0 + 1e-9
@@ -32,16 +34,57 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     most = multiplied(dynamics.newton.coefficient(number).expression(), normal)
     if book.is_hidden(friction) or book.is_hidden(most) or book.value(friction) > LIMIT * book.value(most):
         return
-    step, mark = book.open("verify"), dynamics.setting.mark(body)
-    names = [book.fresh(base, mark) for base in ("f", r"f_{\text{max}}")]
-    for name, held in zip(names, (friction, most), strict=True):
-        book.observed[name.name] = book.value(held)
-    said = [step.verified(n, held, NEWTONS) for n, held in zip(names, (friction, most), strict=True)]
+    step = book.open("verify")
+    said = _told(book, step, dynamics.setting.mark(body), friction, most)
     who = capital(dynamics.setting.called(body))
     step.say(
         f"{who} does not slip: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
     )
     step.close()
+
+
+def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) -> None:
+    """A step that says why what stops slipping slips the other way; with numbers for a body that nothing else holds."""
+    body = setting.mechanism.faces[face].subject
+    step, who = book.open("verify"), capital(setting.called(body))
+    said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
+    needed = _holding(newton, setting, face)
+    if needed is None:
+        step.say(f"{said}.")
+    else:
+        normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
+        friction, most = needed, multiplied(newton.coefficient(face).expression(), normal.expression())
+        friction = friction if book.value(friction) >= 0.0 else -friction
+        if book.value(friction) <= book.value(most):
+            raise UnsolvedError("friction could hold what slips")
+        told = _told(book, step, setting.mark(body), friction, most)
+        grip = "roll without slipping" if newton.alone(face) is None else "stay at rest"
+        step.say(f"To {grip} {setting.called(body)} would need the friction {told[0]}, more than {told[1]}.")
+        step.say(f"{said}.")
+    step.close()
+
+
+def _holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
+    """The friction with which a lone body would stick or roll: all of its load, or I/(I + m R²) of it."""
+    mechanism, subject = setting.mechanism, setting.mechanism.faces[face].subject
+    ways = [mechanism.number[c.name] for c in mechanism.body[subject].coordinates if c.kind == "slide"]
+    if len(mechanism.bodies) > 1 or mechanism.lines or len(ways) != 1:
+        return None
+    mass, (k,) = newton.mass(subject), ways
+    load = mass * newton.gravity * newton.along(subject, k, (0.0, 0.0, -1.0))
+    hinges = [j for j in newton.slip(face) if j != k]
+    if not hinges:
+        return load.expression()
+    turning = newton.turning(hinges[0], hinges[0])
+    return over(load * turning, mass + turning) if len(hinges) == 1 else None
+
+
+def _told(book: Book, step: Writing, mark: str, friction: Expression, most: Expression) -> list[str]:
+    """The friction that is needed, and the most that there is, with names that the checker knows."""
+    names = [book.fresh(base, mark) for base in ("f", r"f_{\text{max}}")]
+    for name, held in zip(names, (friction, most), strict=True):
+        book.observed[name.name] = book.value(held)
+    return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 
 def _alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:

@@ -69,6 +69,17 @@ class Harmonic:
 
     # ---- in writing
 
+    def swinging(self, angle: Expression) -> Expression:
+        """Return the displacement at a phase ωt."""
+        formula: Expression = self.rest - self.rest * Call("cos", angle) if self.rest != ZERO else ZERO
+        return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
+
+    def displacement(self, time: Symbol) -> Expression:
+        """Return the displacement at a time, about the place of balance if it neither begins there nor at rest."""
+        if ZERO in (self.begun, self.rest):
+            return self.swinging(self.rate * time)
+        return self.rest + self.amplitude * Call("cos", self.rate * time - self._first_phase)
+
     @cached_property
     def mass(self) -> Expression:
         """What moves, as if all of it moved with the free coordinate."""
@@ -159,7 +170,8 @@ class Harmonic:
             plain: Expression = Call("arcsin", self._share(place, self.begun))
             options = [(plain, 0.0, 1.0), (plain, 1.0, -1.0)]
         elif self.begun == ZERO:
-            base, plain = ZERO, Call("arccos", ONE - self._share(place, self.rest))
+            share = self._share(place, self.rest)
+            base, plain = ZERO, Call("arccos", ONE + -share if share.negative else ONE - share)
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         else:
             level = abs(self.book.value(apart)) <= LITTLE * self.size

@@ -18,6 +18,8 @@ from sim2reason.solutions.writing.unit_latex import METRES
 class SingleWay(LinearWay):
     """Goals in terms of the only free coordinate."""
 
+    _given_distance = ""  # the name of the distance that a moment states
+
     @property
     @abstractmethod
     def name(self) -> Symbol:
@@ -53,6 +55,7 @@ class SingleWay(LinearWay):
         if share is None:
             raise UnsolvedError("the moment is not about the relative motion")
         self.book.say_given(name.name, moment.value, METRES)
+        self._given_distance = name.name
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
         return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage import End, Stage
 from sim2reason.solutions.laws.stage_part import StagePart
+from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
@@ -179,6 +181,9 @@ class _Staged(Way):
             speeds = {k: before.relative("v", k) for k in handed} if before else self.first_speeds
             places = {k: before.relative("s", k) for k in self.wanted} if before else {}
             end = self._end(found, places) if last else stops[number]
+            if before is not None and before.end.turned is not None:
+                newton = Newton(self.setting.lexicon, segment)
+                tell_slipping_on(newton, self.setting, self.book, before.end.turned)
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
             spare = set[int]() if not last else {*self.wanted} - {*self._enough(stage)}
             spare |= {*(self.spared[number] if self.spared else ())}
@@ -275,5 +280,15 @@ class _Staged(Way):
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:
-                return self._slips_no_more(face.subject, now)
+                stop = self._slips_no_more(face.subject, now)
+                return self._turned(stop, face.subject) if later else stop
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
+
+    def _turned(self, stop: End, body: str) -> End:
+        """The end of a stage after which a body slips the other way."""
+        who, carrier = self.setting.called(body), self.mechanism.body[body].parent
+        relative = f" relative to {self.setting.called(carrier)}" if carrier else ""
+        what = f"{capital(who)} is momentarily at rest{relative}"
+        if len(self._slipping(body)) > 1:
+            what = f"The point of contact of {who} is momentarily at rest"
+        return replace(stop, what=f"{what} when", turned=list(self.mechanism.contacts).index(body))

@@ -211,7 +211,8 @@ class EnergyWay(SingleWay):
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             time = self._lasting
             formula = self._first + self._rise * time
-            return self.book.told("speed", "After this time", self.book.fresh("v"), formula, SPEED)
+            said = f"At ${time.name}$ its velocity is"
+            return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
         work = self._work(self._place)
         if work == ZERO:
             raise UnsolvedError("nothing does work")

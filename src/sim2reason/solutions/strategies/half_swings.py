@@ -56,6 +56,11 @@ class _Swinging(Oscillating):
         """The last one."""
         return self._segments[-1]
 
+    @cached_property
+    def whole_name(self) -> Symbol:
+        """The displacement since the start."""
+        return self.book.fresh("x")
+
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
         """One swing, from `begin` on."""
         at = self.book.value(self.begin) if self.begin != ZERO else 0.0
@@ -71,13 +76,16 @@ class _Swinging(Oscillating):
         """The last swing."""
         if len(self.linear.free) != 1:
             raise UnsolvedError("nothing moves at last, or several modes do")
-        self.introduce({self.linear.free[0]: self.book.fresh("x")})
+        self.introduce({self.linear.free[0]: self.whole_name})
         before: Harmonic | None = None
         for number, segment in enumerate(self._segments):
-            name = self.book.fresh("s", str(number + 1))
+            name = self.book.fresh("s", str(number + 1)) if number else self.whole_name
             step = self.book.open("names")
             step.say(
-                f"Until it turns back, the friction force is constant; let ${name.name}$ be the displacement there."
+                f"From there until it turns back again, the friction force is constant; let ${name.name}$ be the "
+                "displacement from this turning point."
+                if number
+                else "Until it first turns back, the friction force is constant."
             )
             step.close()
             held = self._swing(segment, name, before)
@@ -92,11 +100,14 @@ class _Swinging(Oscillating):
 
     def _turn(self, held: Harmonic, span: float) -> None:
         """Where and when the next swing begins."""
-        there = self.book.told("turning", "It turns back at", held.name, held.turning(span), METRES)
-        if self.begin == ZERO:
+        first = self.begin == ZERO
+        name = self.book.fresh("x") if first else held.name
+        said = "It first turns back at" if first else "It turns back at"
+        there = self.book.told("turning", said, name, held.turning(span), METRES)
+        if first:
             self.begin = there
         else:
-            said = "Its displacement from the start is"
+            said = "Its displacement from the start is then"
             self.begin = self.book.told("turning", said, self.book.fresh("x"), self.begin + there, METRES)
         self._places.append(self.begin)
         self._times.append((held, span))

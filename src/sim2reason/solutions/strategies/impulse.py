@@ -112,6 +112,11 @@ class _Struck(Way):
         times = [*(held.when(impact) if impact is not None else None for impact in ends), self.time]
         return [FlightPart(held, number, time) for number, time in enumerate(times)]
 
+    @cached_property
+    def _flying(self) -> set[str]:
+        """The bodies of which it was said that they are in the air at the moment."""
+        return set()
+
     # ---- the moment
 
     @cached_property
@@ -163,6 +168,9 @@ class _Struck(Way):
         if turning and self.flights.acceleration(k):
             return NIL if kind == "v" else self._height(body, k)
         number = self.number(body)
+        if isinstance(self.query.moment, AtTime) and body not in self._flying:
+            self._flying.add(body)
+            self.flights.flying_on(body, number, self.time)
         if kind == "s":
             return self.flights.place(body, number, k, self.time)
         needs_time = self.flights.acceleration(k) and not isinstance(self.query.moment, AtStart)

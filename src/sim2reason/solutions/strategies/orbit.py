@@ -15,7 +15,7 @@ from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
 from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace, Turned
-from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.goals import GOALS, modulus
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import Setting
@@ -171,8 +171,10 @@ class _OnOrbit(Way):
         body = self._moving(query.name)
         orbit = self.orbit(body)
         if query.functional == "area swept":
-            swift = orbit.momentum if self.book.value(orbit.momentum) > 0.0 else -orbit.momentum
-            said = "Half the angular momentum per unit of mass is the area swept out per unit of time, so that it is"
+            swift = modulus(orbit.momentum, self.book, of_either_sign=True)
+            said = (
+                "The area swept out per unit of time is half the angular momentum per unit mass, so in this time it is"
+            )
             return orbit.book.told("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
         if query.functional == "greatest displacement":
             return orbit.farthest()

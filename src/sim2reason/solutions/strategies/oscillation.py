@@ -27,7 +27,7 @@ from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.pair_way import PairWay
 from sim2reason.solutions.oscillations.single_way import SingleWay
 from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
@@ -159,9 +159,23 @@ class Oscillating(SingleWay):
     @cached_property
     def _time(self) -> Symbol:
         """When the moment comes."""
-        said = "This happens at the time"
-        formula = self._angle / self.harmonic.rate
-        return self.until(self.book.told("time", said, self.book.fresh("t"), formula, SECONDS))
+        held, angle, place = self.harmonic, self._angle, self._place
+        rate, turns = held.rate, held.turns(self._since)
+        step, time = self.book.open("time"), self.book.fresh("t")
+        motion = (rate * time, angle) if turns else (place, held.displacement(time))
+        step.say(f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
+        step.close()
+        return self.until(time)
+
+    def _reached(self, *, turns: bool) -> str:
+        """Begin a sentence with what happens at the moment."""
+        moment = self.query.moment
+        if turns:
+            return "It turns back when"
+        if isinstance(moment, Moved):
+            return f"{capital(self.setting.called(moment.name))} has moved ${self._given_distance}$ when"
+        level = self._place == self.harmonic.rest
+        return f"The {'equilibrium position' if level else 'displacement just found'} is reached when"
 
     @cached_property
     def _timed(self) -> bool:
@@ -172,12 +186,8 @@ class Oscillating(SingleWay):
         """How far the free coordinate has come."""
         held, moment = self.harmonic, self.query.moment
         if self._timed:
-            formula: Expression = ZERO
-            if held.rest != ZERO:
-                formula = held.rest - held.rest * Call("cos", self._angle)
-            if held.begun != ZERO:
-                formula = formula + held.begun * Call("sin", self._angle)
-            return self.book.told("place", "Its displacement is", held.name, formula, METRES)
+            formula = held.swinging(self._angle)
+            return self.book.told("place", "Its displacement is then", held.name, formula, METRES)
         if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
@@ -214,7 +224,7 @@ class Oscillating(SingleWay):
                 formula = held.rest * held.rate * Call("sin", self._angle)
             if held.begun != ZERO:
                 formula = formula + held.first.expression() * Call("cos", self._angle)
-            step.say(f"Its speed is then {step.result(name, formula, SPEED, law=True)}.")
+            step.say(f"Its velocity is then {step.result(name, formula, SPEED, law=True)}.")
         else:
             sign = 1.0 if held.where(self._since)[1] > 0.0 else -1.0
             place, rest = self._place, held.rest
@@ -236,8 +246,13 @@ class Oscillating(SingleWay):
         """How far it has come since the start."""
         if self.begin == ZERO:
             return self._place
-        said = "Its displacement from the start is"
-        return self.book.told("place", said, self.book.fresh("x"), self.begin + self._place, METRES)
+        said = "Its displacement from the start is then"
+        return self.book.told("place", said, self.whole_name, self.begin + self._place, METRES)
+
+    @cached_property
+    def whole_name(self) -> Symbol:
+        """A name for the displacement since the start, where `begin` is another place."""
+        return self.book.fresh("x")
 
     @property
     def stretches(self) -> Sequence[Stretch]:
@@ -255,7 +270,7 @@ class Oscillating(SingleWay):
         held, place, rest = self.harmonic, self._place, self.harmonic.rest
         apart = rest - place
         formula = Power(held.rate, 2) * apart
-        said = "Its acceleration towards the equilibrium position is"
+        said = f"Its acceleration in the direction of increasing ${held.name.name}$ is"
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:

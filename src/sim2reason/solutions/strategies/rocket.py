@@ -236,6 +236,7 @@ class _Burning(Burning):
         if not self.out:
             return self._burnt(self.time, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
+            self.tell_spent(self.time)
             return self._burnt(self.time, "v", "")
         fast = self._at_end[0]
         if not self.gravity:

@@ -8,7 +8,7 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
 APART = "other value"  # the kind of a step that begins a second case, whose steps do not stand among the first one's
-SENTENCE = re.compile(r"(?P<lead>[^$]*) (?P<formulas>\$[^$]*\$)\.")
+SENTENCE = re.compile(r"(?P<lead>((At|After the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 
 def merged(steps: Sequence[Step]) -> list[Step]:

@@ -239,7 +239,7 @@ class Writing:
         """What something comes to on which nothing rests, so that an assumption can be judged by it."""
         relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
         self.relations.append(relation)
-        return relation.latex(self._book.value(formula))
+        return relation.latex(None if self._book.is_hidden(formula) else self._book.value(formula))
 
     def integrate(self, integration: Integration) -> None:
         """State an initial-value problem; the values at its end are known to the book already."""

@@ -1,0 +1,49 @@
+"""What goals call what they find: moduli, compressions, and positions relative to another body."""
+
+import pytest
+
+from plain_scenes import row, squeezed
+from sim2reason.quantities.subjects.pairs import AND
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.solutions import solve
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.functions import Absolute
+from sim2reason.solutions.goals import modulus
+from sim2reason.solutions.writing.steps import Book
+from worked import asked
+
+
+@pytest.mark.parametrize(("moment", "noun"), [(MostCompressed, "compression"), (MostStretched, "extension")])
+def test_a_compression_is_not_called_an_extension(moment: type, noun: str) -> None:
+    scene = row((2.0,), (50.0,), "left", speed=1.0)
+    line = scene.mechanism.lines[0].name
+    found = solve(asked(scene, Query("event", Target("extension", line), moment(line))))
+    assert found.answer == pytest.approx(0.2)
+    assert ("compression" in found.text) == (noun == "compression")
+
+
+def test_a_distance_is_that_of_a_position_relative_to_the_other_body() -> None:
+    scene = squeezed()
+    one, other = (body.name for body in scene.mechanism.bodies if body.mass)
+    found = solve(asked(scene, Query("state", Target("distance", f"{one}{AND}{other}"), AtTime(0.5))))
+    assert found.answer == pytest.approx(0.5)
+    assert "relative to the ground" not in found.text
+
+
+@pytest.mark.parametrize(("value", "either", "barred"), [(2.0, False, False), (2.0, True, True), (-2.0, False, True)])
+def test_in_symbols_what_may_have_either_sign_stands_between_bars(value: float, either: bool, barred: bool) -> None:
+    book = Book(called={})
+    book.know("w", value)
+    found = modulus(Symbol("w"), book, of_either_sign=either)
+    assert found == (Absolute(Symbol("w")) if barred else Symbol("w"))
+    assert found.value(book.values) == abs(value)
+
+
+def test_what_hangs_on_an_unknown_changes_its_sign_instead() -> None:
+    book = Book()
+    book.know("w", -2.0)
+    book.hidden.add("w")
+    assert modulus(Symbol("w"), book) == -Symbol("w")
