@@ -249,7 +249,7 @@ class Oscillating(SingleWay):
         said = "Its displacement from the start is then"
         return self.book.told("place", said, self.whole_name, self.begin + self._place, METRES)
 
-    @property
+    @cached_property
     def whole_name(self) -> Symbol:
         """A name for the displacement since the start, where `begin` is another place."""
         return self.book.fresh("x")
