@@ -12,8 +12,9 @@ from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.in_numbers import closed_root
-from sim2reason.solutions.algebra.inverse import numeric_root, put, settled, solved_for
+from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SOLVED = "solve for the unknown"  # the kind of its steps
@@ -75,7 +76,8 @@ class Inversion:
             if len(names) == 1 and not isinstance(formula, ImplicitRoot):
                 found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
-                    self._close(names[0], found, at)
+                    others = [] if book.in_symbols else other_solutions(names[0], formula, value, book.values)
+                    self._close(names[0], found, at, others)
                     if names[0] == self.unknown:
                         return self.unknown
                     at, (formula, value) = names[0], self._equation(names[0])
@@ -130,9 +132,30 @@ class Inversion:
         else:
             said, how = f"These equations determine ${self.unknown}$;", "the numerical solution is"
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
+        self._drop(
+            step, self.unknown, other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
+        )
         self._tell_implied(step, names)
         step.close()
         return self.unknown
+
+    def _drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
+        """Say why another root does not count: a number that is positive would be negative."""
+        book = self.book
+        if len(others) != 1 or book.values[self.unknown] <= 0.0 or others[0] * book.values[name] >= 0.0:
+            return
+        number = f"The other root, ${with_unit(others[0], book.units[name])}$,"
+        if name == self.unknown:
+            step.say(f"{number} is negative.")
+        elif self._is_proportional(name):
+            step.say(f"{number} would take a negative ${self.unknown}$.")
+
+    def _is_proportional(self, name: str) -> bool:
+        """Whether a name is a multiple of the unknown."""
+        chain = Chain(tuple((held, self._formula(held)) for held in (*self._leading(name), name)))
+        at, known = self.book.values, self.book.values[self.unknown]
+        seen = [chain.value({**at, self.unknown: factor * known}) / factor for factor in (1.0, 2.0, 3.0)]
+        return all(abs(value - seen[0]) <= 1e-9 * abs(seen[0]) for value in seen)
 
     def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
         """Tell the values of names that have been written without one, roots and values of special functions."""
@@ -158,7 +181,7 @@ class Inversion:
         """That of a name, also of a goal that is set to zero and so has none any more."""
         return self._defined if name == self.goal else self.book.formulas[name]
 
-    def _close(self, name: str, found: Expression, at: str) -> None:
+    def _close(self, name: str, found: Expression, at: str, others: Sequence[float]) -> None:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
         where = "So " if at != self.goal else f"With the given ${at}$, "
@@ -171,5 +194,7 @@ class Inversion:
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
+        if not isinstance(found, NumericRoot):
+            self._drop(step, name, others)
         self._tell_implied(step, names)
         step.close()

@@ -37,6 +37,13 @@ ODD = (
     r"how far .* has moved",
     r"grown by",
     r"holds what",
+    r"^after this time",
+    r"this happens at the time",
+    r"this amount of fuel",
+    r"towards the equilibrium position",
+    r"its extension is",
+    r"turns it clockwise",
+    r"in numbers they come to",
 )
 FOLDER = Path(sim2reason.solutions.__file__).parent
 

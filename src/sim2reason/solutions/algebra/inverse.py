@@ -51,6 +51,21 @@ def solved_for(
     return numeric_root(name, formula, value, at)
 
 
+def other_solutions(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> list[float]:
+    """Return what else a symbol may be where a formula of it has a value, apart from what it is `at` known values."""
+    found: list[float] = []
+    for held in _branches(name, formula, value, Polynomial.factored):
+        other = _real(held, at)
+        if other is None or any(abs(other - known) <= NEAR * abs(known) for known in (at[name], *found)):
+            continue
+        reached, wanted = (_real(side, {**at, name: other}) for side in (formula, value))
+        if reached is None or wanted is None:
+            continue
+        if abs(reached - wanted) <= NEAR * (abs(wanted) or max(1.0, other**2)):
+            found.append(other)
+    return found
+
+
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
     """The same, found numerically near where it is known to be."""
     return NumericRoot(added(formula, -value), name, at[name])

@@ -18,6 +18,7 @@ def verify_sticking(dynamics: Dynamics) -> None:
     """A step for each body that sticks where its law alone says which friction that takes; nothing rests on it."""
     mechanism, newton = dynamics.mechanism, dynamics.newton
     spoken = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
+    spoken |= {carrier for body in spoken for carrier in _carriers(dynamics, body)}
     for number, side in newton.rough.items():
         face = mechanism.faces[number]
         if side or isinf(face.friction) or not spoken & {face.subject, *_carriers(dynamics, face.subject)}:

@@ -56,11 +56,6 @@ class _Swinging(Oscillating):
         """The last one."""
         return self._segments[-1]
 
-    @cached_property
-    def whole_name(self) -> Symbol:
-        """The displacement since the start."""
-        return self.book.fresh("x")
-
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
         """One swing, from `begin` on."""
         at = self.book.value(self.begin) if self.begin != ZERO else 0.0

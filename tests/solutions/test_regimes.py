@@ -1,0 +1,102 @@
+"""What a solution assumes of the motion is checked in its text: fuel, thrust, flights, friction, and other roots."""
+
+import re
+from math import cos, radians, sin
+
+import pytest
+
+from plain_scenes import row
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.bodies.slab import Slab
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
+from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.algebra.inverse import other_solutions
+from sim2reason.testing.solutions.faults import faults
+from worked import asked
+
+G = 9.8
+
+
+def solved(setting: Setting) -> Solution:
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    return found
+
+
+def verified(found: Solution) -> dict[str, float]:
+    """The values of what is only checked, by symbol."""
+    held = (relation for relation in found.relations if relation.role == "verified")
+    return {relation.left.latex(): float(relation.right.value(found.values).real) for relation in held}
+
+
+def scene(entity: Entity) -> Scene:
+    return Scene(entities=(Named(name="e", entity=entity),))
+
+
+def test_a_rocket_rises_if_its_thrust_is_larger_than_its_weight_and_has_burned_out_by_a_time() -> None:
+    rocket = scene(RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=1.0, rate=16.0))
+    (body,) = (body.name for body in rocket.mechanism.bodies)
+    found = solved(asked(rocket, Query("state", Target("velocity", body), AtTime(31.0))))
+    seen = verified(found)
+    assert seen[r"t_{\text{out}}"] == pytest.approx(25.0)
+    assert seen[r"F_{\text{thrust}}"] == pytest.approx(16000.0)
+    assert seen[r"F_{\text{weight}}"] == pytest.approx(700.0 * G)
+    assert "so at $t$ the engine is off" in found.text
+
+
+def test_a_ball_that_bounced_is_still_in_the_air() -> None:
+    """It would land again 2 v/g after it left the ground at v."""
+    thrown = scene(Projectile(ball=Ball(mass=0.5), height=2.0, speed=3.0, angle=20.0, restitution=0.6))
+    (ball,) = (body.name for body in thrown.mechanism.bodies)
+    found = solved(asked(thrown, Query("state", Target("kinetic energy", ball), AtTime(1.0))))
+    flight = verified(found)[r"t_{\text{flight}}"]
+    assert flight == pytest.approx(2.0 * found.values["v_{y,1}"] / G, rel=1e-3)
+    assert flight > found.values["t_2"] > 0.0
+    assert "still in the air at $t$" in found.text
+
+
+def test_a_slab_below_a_sliding_one_stays_at_rest() -> None:
+    """It is held against its weight along the slope and the friction of what slides up on it."""
+    slabs = StackedMassPlane(
+        plane=Plane(angle=30.0, friction=0.9), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.4, speed=2.0
+    )
+    stack, slope = scene(slabs), radians(30.0)
+    upper = [body.name for body in stack.mechanism.bodies][1]
+    found = solved(asked(stack, Query("state", Target("velocity", upper), AtTime(0.1))))
+    seen = verified(found)
+    friction = 0.4 * G * cos(slope)
+    assert seen["f_A"] == pytest.approx(4.0 * G * sin(slope) - G * sin(slope) - friction)
+    assert seen[r"f_{\text{max},A}"] == pytest.approx(0.9 * 4.0 * G * cos(slope))
+
+
+def test_another_root_is_named_that_the_question_excludes() -> None:
+    """v² = u² + 2 g d sin θ has the roots ±u; with x² + x = 6 the other one is −3."""
+    x = Symbol("x")
+    assert other_solutions("x", Power(x, 2) + x, Number(6.0), {"x": 2.0}) == [pytest.approx(-3.0)]
+    assert other_solutions("x", Number(2.0) * x, Number(6.0), {"x": 3.0}) == []
+
+
+def test_a_reverse_problem_says_why_the_other_root_does_not_count() -> None:
+    """How far a spring was stretched, from the way that a struck cart has come by a time: a quadratic equation."""
+    carts = row((1.2,), (107.0, 151.0), "both", strain=0.09, speed=0.93, at=1)
+    cart = next(body.name for body in carts.mechanism.bodies if body.mass)
+    query = StretchQuery("sum", None, AtTime(0.54), "distance travelled", cart)
+    plain = asked(carts, query)
+    path = next(held.path for held in carts.parameters if held.path.endswith("strain.by"))
+    stated = StatedResult(f"{plain.answer!r}", "m")
+    found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, path, stated))
+    assert found.answer == pytest.approx(0.09, rel=1e-6)
+    assert re.search(r"The other root, \$-\d\.\d+\\ \\text\{m\}\$, would take a negative \$d\$\.", found.text)
