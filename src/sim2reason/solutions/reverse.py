@@ -151,10 +151,13 @@ class Inversion:
             step.say(f"{number} would take a negative ${self.unknown}$.")
 
     def _is_proportional(self, name: str) -> bool:
-        """Whether a name is a multiple of the unknown."""
+        """Return whether a name is a multiple of the unknown."""
         chain = Chain(tuple((held, self._formula(held)) for held in (*self._leading(name), name)))
         at, known = self.book.values, self.book.values[self.unknown]
-        seen = [chain.value({**at, self.unknown: factor * known}) / factor for factor in (1.0, 2.0, 3.0)]
+        try:
+            seen = [chain.value({**at, self.unknown: factor * known}) / factor for factor in (1.0, 2.0, 3.0)]
+        except (ValueError, ArithmeticError):  # it has no value for twice the number
+            return False
         return all(abs(value - seen[0]) <= 1e-9 * abs(seen[0]) for value in seen)
 
     def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
