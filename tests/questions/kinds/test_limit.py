@@ -111,7 +111,7 @@ def test_both_engines_vouch_for_it_and_every_sentence_leads_back() -> None:
 @pytest.mark.parametrize("mode", ["numeric", "symbolic"])
 def test_limits_are_drawn_and_solved(mode: str) -> None:
     found = []
-    for seed in range(12):
+    for seed in range(30):
         search = QuestionSearch(sample("pulley", seed=seed), seed)
         question = search.ask(MODES[mode], np.random.default_rng(seed), Counter(), "limit", 2)
         found += [question] if question is not None else []

@@ -30,7 +30,7 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
         "angle": Range(25.0, 65.0),
         "blocks": Count(1, 1),  # blocks that move as one add nothing but a sum of masses
         "left_blocks": Count(1, 1),
-        "right_blocks": Count(1, 1),
+        "right_blocks": Count(1, 2),
     },
     "hard": {
         "mass": Range(2.0, 20.0),
@@ -38,8 +38,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
         "friction": Range(0.15, 0.4),
         "angle": Range(25.0, 65.0),
         "blocks": Count(1, 2),
-        "left_blocks": Count(1, 1),
-        "right_blocks": Count(1, 1),
+        "left_blocks": Count(1, 2),
+        "right_blocks": Count(1, 2),
     },
 }
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from math import inf
 
 from sim2reason.solutions.algebra.digits import simple_fraction
@@ -83,9 +83,25 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
     found = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    if (bare := _without_bars(found)) != found:
+        at = {renamed.get(name, name): solution.values[name] for name in given}
+        found = -bare if _negative(bare, at) else bare
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found
+
+
+def _without_bars(held: Expression) -> Expression:
+    """Return a formula without the modulus of itself or of a factor: the sign of a whole is told by its numbers."""
+    match held:
+        case Absolute():
+            return held.inside
+        case Product():
+            return reduce(multiplied, map(_without_bars, held.factors))
+        case Quotient():
+            return ratio(_without_bars(held.above), _without_bars(held.below))
+        case _:
+            return held
 
 
 def hopeless(whole: Expression) -> bool:
