@@ -59,7 +59,7 @@ def test_nearly_every_item_has_one() -> None:
 
 
 def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
-    item = made("pulley", "medium", 0, "threshold")
+    item = made("pulley", "medium", 1, "threshold")
     assert item.kind == "threshold"
     assert item.distractors
     check(item)
