@@ -54,7 +54,7 @@ TIERS = {
             {"SliderMass": 2.0, "RollingEntity": 1.0, **SPRINGS},
             {"RigidPendulum": 1.0, **MACHINES},
         ),
-        {**NUMBERS["hard"], **SIMPLE},
+        {**NUMBERS["hard"], **SIMPLE, "Hemisphere.mass": Range(1.0, 4.0), "SphericalCap.mass": Range(1.0, 3.5)},
         connections={"tendon": 1.0, "pivot": 1.0, "spring": 0.6},
         closers={**LOADS, "FixedSupport": 1.0},
         rough=0.3,
