@@ -82,7 +82,7 @@ def test_positions_along_a_track_have_an_axis(tilt: float) -> None:
 
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 def test_no_spring_is_drawn_through_the_nail_of_another(difficulty: Difficulty) -> None:
-    drawn = (RECIPES["springs"](difficulty, generator("nails", difficulty, index)) for index in range(60))
+    drawn = (RECIPES["springs"](difficulty, generator("nails", difficulty, index)) for index in range(120))
     tables = [held for scene in drawn if isinstance(held := scene.entities[0].entity, SpringBlock)]
     assert len(tables) >= 20
     for held in tables:
