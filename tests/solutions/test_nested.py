@@ -11,13 +11,14 @@ from plain_scenes import atwood, ramp
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query, Study, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.need import ELEMENTARY
-from sim2reason.solutions import solve
+from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.shortest import may_have_solution
 from sim2reason.testing.solutions.faults import SEEN, faults
@@ -79,24 +80,25 @@ def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:
         assert solution.formula == found.question.formula.latex
 
 
+def doubling_the_speed(scene: Scene, verb: str, what: str) -> Solution:
+    """Return the solution of a question about a block with twice the initial speed."""
+    how = "By what factor" if verb == "multiply" else "By how much"
+    return solve(asked(scene, f"{how} would doubling the initial speed, and nothing else, {verb} {what}?"))
+
+
 def test_another_value_is_multiplied_out_of_powers() -> None:
-    said = (
-        "By what factor would doubling the initial speed, and nothing else, multiply the speed of the block after it "
-        "has moved 0.10 m?"
-    )
-    found = solve(asked(ramp(angle=30.0, friction=0.2, speed=3.0), said))
+    scene = ramp(angle=30.0, friction=0.2, speed=3.0)
+    found = doubling_the_speed(scene, "multiply", "the speed of the block after it has moved 0.10 m")
     assert found.strategy == "comparison"
     assert r"4\,v^{2}" in found.text
     assert r"\left(2\,v\right)^{2}" not in found.text
 
 
 def test_the_second_of_two_cases_is_told_after_the_first() -> None:
-    """Its block turns back before the time, and does not with twice the speed."""
-    said = (
-        "By how much would doubling the initial speed, and nothing else, increase the total distance that the block "
-        "travels between t = 0 and t = 0.89 s?"
-    )
-    found = solve(asked(ramp(angle=26.0, friction=0.0, speed=2.5), said))
+    """The block turns back before the time, but not with twice the speed."""
+    scene = ramp(angle=26.0, friction=0.0, speed=2.5)
+    way = "the total distance that the block travels between t = 0 and t = 0.89 s"
+    found = doubling_the_speed(scene, "increase", way)
     assert found.strategy == "comparison of two cases"
     before, after = found.text.split(r"With $v$ doubled", 1)
     assert "a_1" not in before

@@ -51,7 +51,7 @@ def wanting(request: Request) -> Made:
 
 
 def nothing(request: Request) -> Made:
-    """No item, since no scene offers any kind of question."""
+    """Return no item, as if no scene of the cell could be asked about."""
     del request
     return Made(None, {"nothing to ask": 40})
 

@@ -11,7 +11,7 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.recipes import RECIPES, difficulty_named
-from sim2reason.solutions import Setting, solve
+from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 
@@ -32,9 +32,9 @@ def asked(scene: Scene, question: str | Query) -> Setting:
     return setting_of(search, query)
 
 
-def answer(name: str, entity: Entity, query: Query) -> float:
-    """What is derived about a lone entity, every check passed, its text alone included."""
-    setting = asked(Scene(entities=(Named(name=name, entity=entity),)), query)
+def derived(scene: Scene, query: Query) -> Solution:
+    """Return the derivation of an answer, every check passed, its text alone included."""
+    setting = asked(scene, query)
     found = solve(setting)
     assert found.answer is not None, found.reason
     assert found.derived, found.strategy
@@ -43,6 +43,13 @@ def answer(name: str, entity: Entity, query: Query) -> float:
     reading = read(found.text)
     assert not reading.unread
     assert not reading.broken, reading.broken
+    return found
+
+
+def answer(name: str, entity: Entity, query: Query) -> float:
+    """Return what is derived about a lone entity."""
+    found = derived(Scene(entities=(Named(name=name, entity=entity),)), query)
+    assert found.answer is not None
     return found.answer
 
 

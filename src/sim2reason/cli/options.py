@@ -110,7 +110,7 @@ def seed(text: str) -> Callable[[F], F]:
 
 
 def wording() -> Callable[[F], F]:
-    """The seed of a text for which a scene file may have its own."""
+    """Add the option --seed for a text whose wording a scene file may state itself."""
     text = "Of the wording, as in describe; by default that which the file states, or 0."
     return click.option("--seed", type=click.IntRange(0, LARGEST), default=None, help=text)
 

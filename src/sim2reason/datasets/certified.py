@@ -32,25 +32,25 @@ class CertifiedQuestion:
 
     @property
     def prompt(self) -> str:
-        """The whole text."""
+        """Return the whole text of the problem, with all its parts."""
         return self.text or self.candidate.prompt
 
     @cached_property
     def shortest(self) -> Solution:
-        """The solution by which it is measured; where only an integration leads to the answer, that."""
+        """Return the solution that difficulty and needs are measured by, an integration if there is no shorter one."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """How difficult it is by its shortest solution; None where there is none."""
+        """Return the difficulty by the shortest solution; None if no solution leads to the answer."""
         found, study = self.shortest, self.candidate.study
         events = number_of_events(study.trace, self.candidate.time)
         return measured(found, events) if found.answer is not None else None
 
     @property
     def setting(self) -> Setting:
-        """All that a worked solution looks at."""
+        """Return the scene, motion, names and question that a worked solution starts from."""
         assert self.candidate.words is not None
         return Setting.of(self.question, self.study, self.candidate.words, self.description)
 

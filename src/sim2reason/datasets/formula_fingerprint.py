@@ -63,7 +63,7 @@ def _values(formula: CompiledFormula, roles: Sequence[Dimension], point: int) ->
 
 
 def _number(role: Dimension, point: int) -> float:
-    """Return the number that every symbol of one dimension takes at one of the comparison points."""
+    """Return the value given to all symbols of one dimension when two formulas are compared at a sample point."""
     digest = blake2b(f"{point} {tuple(role)}".encode(), digest_size=8).digest()
     low, high = ANGLES if role == Dimension(angle=1) else RANGE
     return low * (high / low) ** (int.from_bytes(digest, "big") / 2.0**64)

@@ -138,7 +138,7 @@ def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], t
 
 
 def _wording_of(description: Description) -> Wording:
-    """How the text tells its scene, so that a figure from its file alone agrees with it."""
+    """Return how the prompt words its scene, so that a figure made from the scene file alone uses the same names."""
     return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
 
 

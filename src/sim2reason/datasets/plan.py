@@ -176,7 +176,7 @@ class Config(Record):
         return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
 
     def barren_from(self, behind_last: int) -> int:
-        """From which position on there is nothing left to be had, `behind_last` being the one behind the last item."""
+        """Return the position from which on no new items are expected; the last item is at `behind_last` - 1."""
         tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
         return behind_last + max(tries, turns * len(self._cells))
 

@@ -60,7 +60,7 @@ class Candidate:
 
     @property
     def is_solved(self) -> bool:
-        """Whether that solution is known, so that looking at it costs little."""
+        """Return whether `solution` was worked out before, so that reading it costs almost nothing."""
         question = self.question
         if question.formula is not None:
             return is_derived(question.query, self.study)

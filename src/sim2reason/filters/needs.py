@@ -15,7 +15,7 @@ class Needs(Filter):
     order = 5
 
     def ready(self, candidate: Candidate) -> bool:
-        """Return whether the solution is known."""
+        """Return whether the shortest solution was worked out before, so that this filter costs almost nothing."""
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:

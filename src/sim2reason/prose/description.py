@@ -38,7 +38,7 @@ class Description:
 
     @property
     def symbolic(self) -> tuple[str, ...]:
-        """The addresses of the numbers for which it says symbols alone, in the order of telling."""
+        """Return the addresses of the numbers that the text gives only as symbols, in its order."""
         own = {p.path: p for p in self.scene.parameters}
         said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
         return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))

@@ -1,4 +1,4 @@
-"""How quantities differ between moments: what a question about one may ask for."""
+"""Tests of whether the value of a quantity at a moment is worth asking for."""
 
 from collections.abc import Callable
 
@@ -16,7 +16,7 @@ JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps th
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Whether a quantity at a moment is something, neither stated nor what it was at the start or is at other moments.
+    """Return a test of whether a quantity has a value at a moment that is new: not zero, stated, initial or constant.
 
     Else the moment would decorate the question. At an event whose words name no side of it, it must not jump either.
     """
@@ -41,5 +41,5 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
 
 
 def is_something(value: float, target: Target, study: Study) -> bool:
-    """Whether a value is large enough to be asked for, and positive: no constant below zero is ever right."""
+    """Return whether a value is large enough to be asked for; negative ones never are."""
     return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

@@ -149,7 +149,7 @@ def spoken_in(system: SpokenUnits, text: str) -> str:
 
 
 def in_si(text: str) -> tuple[str, ...]:
-    """Return what a text could be in the SI, whichever system it speaks in.
+    """Return the possible readings of a text with its units converted to the SI, the most literal first.
 
     First comes the text itself, then with its units restored, then the same with its grams kept, since a text in the SI
     may say grams of what is light, and last with milligrams and what goes with them, as a text about a small charged

@@ -20,14 +20,14 @@ CLEAR = 0.08  # m, from a spring to the nail of another one
 
 
 def _apart(held: SpringBlock) -> bool:
-    """Whether no spring lies across the nail of another one."""
+    """Return whether every spring stays clear of the nails of the others."""
     block = complex(held.x, held.y)
     nails = [complex(spring.x, spring.y) - block for spring in held.springs]
     return all(_distance(other, nail) > CLEAR for nail, other in permutations(nails, 2))
 
 
 def _distance(point: complex, end: complex) -> float:
-    """From a point to the straight line from the block to a nail, m; both as seen from the block."""
+    """Return the distance, m, from a point to the segment from the block to a nail; both are relative to the block."""
     share = (point / end).real
     return abs(point - min(max(share, 0.0), 1.0) * end)
 

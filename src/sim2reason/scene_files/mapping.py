@@ -58,7 +58,7 @@ def loads(text: str) -> Scene:
 
 
 def dump(scene: Scene, wording: Wording | None = None) -> str:
-    """A scene as YAML, with how a problem tells it: everything is said but what is absent."""
+    """Return a scene as YAML, with the wording of its problem if there is one; absent optional parts are left out."""
     classes = {named.name: type(named.entity) for named in scene.entities}
     entities: list[Plain] = [_told_entity(named) for named in scene.entities]
     connections: list[Plain] = []

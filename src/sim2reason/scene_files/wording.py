@@ -52,7 +52,7 @@ class Wording:
 
     @property
     def plain(self) -> dict[str, Plain]:
-        """It as a file has it."""
+        """Return the mapping that stands in a file under ``text``."""
         found: dict[str, Plain] = {"wording": self.seed}
         if self.symbols:
             found["symbols"] = list[Plain](self.symbols)

@@ -133,13 +133,13 @@ def _is_told(name: str, solution: Solution, other: Solution, *, whole: bool) -> 
 
 
 def _is_opposite(solution: Solution) -> bool:
-    """Whether a solution ends by changing a sign, as that of a displacement to that of a compression."""
+    """Return whether the last relation only changes a sign, as from a displacement to a compression."""
     last = [held.right for held in solution.relations if held.left.latex() == solution.goal]
     return bool(last) and isinstance(-last[-1], Symbol)
 
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
-    """The sentences that define what kept steps use, such as *let x be the displacement*, but for those `said`."""
+    """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
     bases = {name.partition("_")[0] for step in kept for name in _symbols(step)}
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if bases & {*_NAMED.findall(step.text)}]

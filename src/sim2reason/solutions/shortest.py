@@ -3,13 +3,14 @@
 Nothing is integrated numerically on the way: where only that would lead to the answer, the solution has none.
 """
 
-from sim2reason.dsl.mechanism import Mechanism
+from collections.abc import Hashable
+
 from sim2reason.questions import Query, StatedResult, Study, Words
 from sim2reason.questions.need import Need
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
-from sim2reason.solutions.solve import offered, solve
-from sim2reason.solutions.strategies import STRATEGIES, Strategy
+from sim2reason.solutions.solve import solve
+from sim2reason.solutions.strategies import closed
 
 FOUND, SHORTEST = "shortest solution", "shortest"
 
@@ -29,21 +30,19 @@ def shortest(
     """
     most = min(most, Need.SPECIAL_FUNCTION)
     setting = Setting(study.scene, words, words.symbols, study, query, unknown, stated, most=most)
-    found = study.once((SHORTEST, query, unknown, stated, most), lambda: solve(setting))
+    found = study.once(_key(query, unknown, stated, most), lambda: solve(setting))
     if found.answer is not None and not unknown and stated is None:
         study.once((FOUND, query), lambda: found)
     return found
 
 
-def is_solved(
-    query: Query,
-    study: Study,
-    unknown: str = "",
-    stated: StatedResult | None = None,
-    most: Need = Need.SPECIAL_FUNCTION,
-) -> bool:
+def is_solved(query: Query, study: Study, unknown: str, stated: StatedResult | None, most: Need) -> bool:
     """Return whether `shortest` was asked for this before, so that its solution costs nothing."""
-    return study.knows((SHORTEST, query, unknown, stated, min(most, Need.SPECIAL_FUNCTION)))
+    return study.knows(_key(query, unknown, stated, min(most, Need.SPECIAL_FUNCTION)))
+
+
+def _key(query: Query, unknown: str, stated: StatedResult | None, most: Need) -> Hashable:
+    return SHORTEST, query, unknown, stated, most
 
 
 def shortest_known(query: Query, study: Study) -> Solution | None:
@@ -53,14 +52,5 @@ def shortest_known(query: Query, study: Study) -> Solution | None:
 
 def may_have_solution(kind: str, study: Study, most: Need) -> bool:
     """Return whether any strategy that needs no more than `most` may have a way to questions of a kind."""
-    found = study.once(("needed least", kind), lambda: [each.least_need for each in _closed(kind, study.mechanism)])
+    found = study.once(("needed least", kind), lambda: [each.least_need for each in closed(kind, study.mechanism)])
     return min(found, default=Need.INTEGRATION) <= most
-
-
-def _closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
-    return [strategy for strategy in offered(kind, mechanism) if not strategy.integrates]
-
-
-def may_be_solved(mechanism: Mechanism) -> bool:
-    """Return whether any strategy that does not integrate may apply to a mechanism, judged before it is simulated."""
-    return any(not strategy.integrates and not strategy.unfit(mechanism) for strategy in STRATEGIES.values())

@@ -6,7 +6,6 @@ from math import radians
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
@@ -20,7 +19,7 @@ from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
-from sim2reason.solutions.strategies import STRATEGIES, Strategy
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, offered
 from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
@@ -52,7 +51,7 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
-        found = _by(strategy, setting)
+        found = _kept(strategy, setting, derived=derived)
         if found.answer is not None and best is not None and found.needs >= best.needs:
             continue
         found = found if derived else verified(found, setting)
@@ -65,25 +64,21 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
 
 
-def _by(strategy: Strategy, setting: Setting) -> Solution:
-    """Return the solution by one strategy, as `by` does; of a plain query what a derivation has found is used again."""
-    given = setting.unknown or setting.stated is not None or setting.sought is not None or setting.formula is not None
-    key, study = ("written", strategy.name, setting.query), setting.study
-    if given or strategy.integrates:
-        return by(strategy, setting)
-    if setting.most == Need.INTEGRATION:
+def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
+    """Return the solution by one strategy, as `by` does.
+
+    What a derivation finds is kept with the motion: the search for the shortest solution of the same query takes it
+    from there, unless it needs more than it may. A solution to be shown is always written anew, in its own names.
+    """
+    key, study = ("derived by", strategy.name, setting.query), setting.study
+    if derived:
         return study.once(key, lambda: by(strategy, setting))
-    if study.knows(key):
+    asked = setting.unknown or setting.stated is not None or setting.sought is not None
+    if not asked and setting.most < Need.INTEGRATION and study.knows(key):
         found = study.once(key, lambda: by(strategy, setting))
         if found.answer is None or found.needs <= setting.most:
             return found
     return by(strategy, setting)
-
-
-def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
-    """Return the strategies that may have a way to a kind of question about a mechanism, the cheapest first."""
-    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.unfit(mechanism))
-    return sorted((held for held in own if not derived or kind in held.formulas(mechanism)), key=lambda held: held.cost)
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:

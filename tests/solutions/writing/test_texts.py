@@ -146,3 +146,21 @@ def test_unknowns_are_eliminated_crosswise() -> None:
     assert book.values["y"] == pytest.approx((7.0 - 5.0 * x) / 2.0, rel=1e-12)
     text = "\n".join(step.text for step in book.steps)
     assert not any(part.isdigit() for part in text.replace("^{2}", "").replace("(1)", ""))
+
+
+def test_no_sentence_joins_one_that_stands_before_its_names_are_introduced() -> None:
+    """Of two blocks in two stages: the accelerations of the second are not told among those of the first."""
+    book = Book()
+    book.know("g", 9.8)
+    for name in ("a", "b"):
+        step = book.open("names")
+        step.say(f"Let ${name}$ be the acceleration.")
+        step.close()
+        book.told("law", "Along the slope,", Symbol(name), 0.5 * Symbol("g"))
+    texts = [step.text for step in merged(book.steps)]
+    assert texts == [
+        "Let $a$ be the acceleration.",
+        r"Along the slope, $a = \tfrac{1}{2} g = 4.9000$.",
+        "Let $b$ be the acceleration.",
+        r"Along the slope, $b = \tfrac{1}{2} g = 4.9000$.",
+    ]

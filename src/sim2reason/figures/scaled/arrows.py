@@ -25,7 +25,7 @@ STEPS = (1.0, 2.0, 5.0)
 
 
 def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
-    """An arrow at every body that moves at the start, with its speed if that is stated, else with a scale for all.
+    """Draw the initial velocity of every moving body as an arrow, labelled with its speed, or with one scale for all.
 
     With its direction too, unless only the arrows are wanted: an angle that is shown once is not shown again.
     """

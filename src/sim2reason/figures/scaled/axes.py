@@ -43,7 +43,7 @@ def axes(setting: Setting) -> Sketch:
 
 
 def _beside_track(setting: Setting, found: Sketch) -> None:
-    """The x axis of positions along one line, below what moves on it."""
+    """Draw the x axis for positions along a single track, below the bodies on it."""
     slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
     ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
     if len(ways) != 1:
@@ -65,7 +65,7 @@ def _beside_track(setting: Setting, found: Sketch) -> None:
 
 
 def _walls(setting: Setting, way: complex) -> Iterator[complex]:
-    """Where walls stand across a track, on the line through its bodies."""
+    """Yield the points at which walls cross the line through the bodies of a track."""
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
             normal = setting.view.way(meeting.normal)
@@ -108,7 +108,7 @@ def _ticks(
     *,
     zero: bool = False,
 ) -> None:
-    """Ticks with numbers, at round distances, wherever neither body nor arrow covers the axis nor the end is near.
+    """Draw ticks with numbers at round distances, except under bodies and arrows and near the ends of the axis.
 
     At the origin only where that is wanted: two axes cross there.
     """

@@ -79,7 +79,7 @@ def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
 
 
 def _tilt(setting: Setting, body: RigidBody, low: complex, way: complex, found: Sketch) -> None:
-    """The angle of a rail to the level at its lower left end, if it is stated."""
+    """Draw the angle between a rail and the horizontal at its left end, if the text states it."""
     turn = degrees(phase(way))
     text = setting.once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
     if text:

@@ -58,7 +58,7 @@ def _dimension(start: complex, end: complex, by: complex, text: str, subject: st
 
 
 def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
-    """The angle between the upward vertical and the line from the centre of a body to its hole, if it is stated."""
+    """Draw the angle between the vertical and the line from a body's centre to its hole, if the text states it."""
     look = setting.look(body.name)
     if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
         return

@@ -14,10 +14,11 @@ MOST = 1000  # readings of one sentence that are tried
 
 
 def assuming(assumed: Sequence[Regime], words: Words) -> str:
-    """Return, as in: assume that block A moves down the slope and that the string stays taut.
+    """Return the sentence that states some assumptions.
 
-    In the order of time: what is so at the start, all the while, and at the moment that is asked about. What a clause
-    is about is *it* where the one before is about the same.
+    As in *assume that block A moves down the slope and that the string stays taut*: in the order of time, what is so at
+    the start, all the while, and at the moment asked about. Where two clauses in a row are about one body, the second
+    one calls it *it*.
     """
     ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
     clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]
@@ -57,7 +58,7 @@ def _forms(held: Regime, words: Words) -> Iterator[str]:
 
 
 def _subject(held: Regime, words: Words) -> str:
-    """What the text calls the one that a clause begins with; empty for what is about several, or begins otherwise."""
+    """Return the name of the body with which a clause begins; empty if it begins with no single body."""
     called = words.called(held.of).get(held.name, "")
     return called if called and held.clause(words).startswith(f"{called} ") else ""
 

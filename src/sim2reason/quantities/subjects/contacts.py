@@ -36,7 +36,7 @@ class Contacts(Subject):
 
 
 def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
-    """What a body rests on, in the words of the text; where those mean several, the one on which it rests."""
+    """Return the text's name for the surface under a body, made unambiguous if several surfaces share it."""
     parent = mechanism.body[name].parent
     if parent is not None:
         return mentions.get(parent, ANY)

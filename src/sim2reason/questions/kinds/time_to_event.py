@@ -70,7 +70,7 @@ class TimeToEventKind(Kind):
         return (f"the time from {words.since} until {clause.statement}",) if clause is not None else ()
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """As in: B first stops 1.2 s after release."""
+        """Return statements of the result, such as *B first stops 1.2 s after release*."""
         assert isinstance(query.moment, Happening)
         clause, since = query.moment.clause(words), words.since
         if clause is None:
@@ -80,7 +80,7 @@ class TimeToEventKind(Kind):
         return (natural, *super().told(query, words, noun, value))
 
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """None: that something happens at a time is said as such."""
+        """Return no noun phrase if `told` has a sentence, which reads better than *the time until … shall be 2 s*."""
         return () if self.told(query, words, noun, "") else self.called(query, words, noun)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:

@@ -55,15 +55,15 @@ class BurntOut(Regime):
         return True
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket has burned all its fuel by then but has not yet fallen back."""
+        """Return the assumption, such as *the rocket has burned all its fuel by then but has not yet fallen back*."""
         return f"{self.short_clause(words)}{' but has not yet fallen back' * (self.out and self.falls)}"
 
     def short_clause(self, words: Words) -> str:
-        """As in: the rocket has burned all its fuel by then."""
+        """Return only the part about fuel, such as *the rocket has burned all its fuel by then*."""
         called = words.called(self.of)[self.name]
         return f"{called} has burned all its fuel by then" if self.out else f"{called} still has fuel then"
 
     def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
-        """What has only moved one way can not have fallen back."""
+        """Return the short clause beside an assumed direction of motion, which rules out a fall back."""
         rises = any(isinstance(other, MovesOneWay) and other.name == self.name for other in others)
         return self.short_clause(words) if rises else self.clause(words)

@@ -117,7 +117,7 @@ def _short(held: Polynomial) -> Polynomial:
 
 
 def _without_radicals(zero: Polynomial, name: str) -> Polynomial:
-    """With P² b = Q² a for P + Q √(a/b) = 0, as long as there are square roots that hold the symbol.
+    """Return an equation without square roots of the symbol: P + Q √(a/b) = 0 becomes P² b = Q² a.
 
     Raises:
         OverflowError: there are more of them, or more terms, than could be solved for the symbol in the end.

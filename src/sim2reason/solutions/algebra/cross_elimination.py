@@ -34,7 +34,7 @@ class CrossElimination:
     """Solves such equations, and writes down how."""
 
     def __init__(self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing]) -> None:
-        """`units`, in LaTeX, of every unknown; `opened` begins a step."""
+        """Take the `units`, in LaTeX, of every unknown, and the function `opened` that begins a step."""
         self.book, self.units, self._opened = book, units, opened
 
     def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:

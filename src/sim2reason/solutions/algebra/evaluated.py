@@ -32,7 +32,7 @@ class Worked(Expression):
         return self.inner.symbols()
 
     def __neg__(self) -> Expression:
-        """The negative number."""
+        """Return the negative, again as one number."""
         return Worked(-self.inner, -self.comes_to)
 
     @property

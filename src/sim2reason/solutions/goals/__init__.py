@@ -242,7 +242,7 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
 def magnitude(
     parts: Components, known: Known, noun: "VectorName", body: str, *, relative_to: str = "the ground"
 ) -> Expression:
-    """The size of a vector, by its components where it has several; a name, or a formula of names.
+    """Return the magnitude of a vector as a formula of its components, each of which gets a name.
 
     Components along the axes of the room are said to be `relative_to` something.
     """

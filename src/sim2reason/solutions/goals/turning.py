@@ -106,7 +106,7 @@ class EnergyOfCenter(KineticShare):
 
 
 def squared(held: Expression) -> Expression:
-    """A square, of a root what stands under it; without a sign or bars."""
+    """Return the square of a formula; that of a root is its radicand, and signs and bars fall away."""
     if isinstance(held, Root):
         return held.inside
     if isinstance(held, Absolute):

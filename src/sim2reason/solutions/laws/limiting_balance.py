@@ -20,11 +20,11 @@ REST = 1e-6  # m/s²: the rounding of an acceleration that is zero at the limit
 
 
 class LimitingDynamics(WrittenDynamics):
-    """The laws where something is about to move, with the values that they have just there."""
+    """Newton's laws and their unknowns at the instant at which a body is about to move."""
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Of all unknowns, by the laws themselves: the engine has none of a motion that is about to begin."""
+        """Return the values of all unknowns by the laws; the engine has none before the motion begins."""
         rows, unknowns = self.laws(["q0"])
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
         matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
@@ -51,7 +51,7 @@ class LimitingBalance(LimitingDynamics):
 
     @cached_property
     def frozen(self) -> set[int]:
-        """The coordinates whose accelerations are zero at the limit, those relative to carriers included."""
+        """Return the indices of coordinates whose acceleration, or that relative to a carrier, is zero at the limit."""
         beside = self._beside
         rates = {k: beside.values[f"q{k}"] for k in range(len(self.mechanism.coordinates)) if k not in beside.frozen}
         for k, (j, sign) in beside.carried.items():
@@ -60,7 +60,7 @@ class LimitingBalance(LimitingDynamics):
 
     @cached_property
     def _condition(self) -> Row:
-        """The law of the body along the line on which it may move."""
+        """Return Newton's law for the body along the line on which it may move."""
         own = [k for k in self.newton.moved(self._who) if self.mechanism.coordinates[k].body == self._who]
         rows = [row for row in super().laws(())[0] if row.kind == "newton" and row.number in own]
         if len(rows) != 1 or not rows[0].forces or rows[0].number not in self.frozen:
@@ -70,13 +70,13 @@ class LimitingBalance(LimitingDynamics):
         return Row(row.kind, row.number, row.forces.put(normals), row.inertia)
 
     def _pressing(self, face: int) -> Polynomial:
-        """The normal force on a face, by the other forces and the accelerations."""
+        """Return the normal force on a face in terms of the other forces and the accelerations."""
         still = {f"q{k}": NIL for k in self.frozen}
         row = self.newton.normal(face)
         return (row.inertia - row.forces.without((f"N{face}",))).put(still)
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
-        """All laws but the condition, and their unknowns."""
+        """Return all laws except the condition, and their unknowns."""
         rows, unknowns = super().laws(goals)
         held = self._condition
         return [row for row in rows if (row.kind, row.number) != (held.kind, held.number)], unknowns

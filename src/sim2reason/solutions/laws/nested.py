@@ -129,7 +129,7 @@ def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
 
 
 def _multiplied_out(held: Expression) -> Expression:
-    """A formula with powers of multiples as multiples of powers: 4 v² for (2 v)²."""
+    """Return a formula with powers of multiples multiplied out: 4 v² for (2 v)²."""
     if not held.parts:
         return held
     found = held.built_of([_multiplied_out(part) for part in held.parts])

@@ -55,7 +55,7 @@ class Newton:
     """The laws of one segment of a motion, each worked out when it is asked for."""
 
     def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
-        """UnreadError if the mechanism has more than bodies on straight ways, strings, faces and constant forces."""
+        """Take a segment; UnreadError if something else acts than weights, strings, faces and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
         varying = any(force.region is not None or not _constant(force) for force in self.mechanism.forces)
         if varying or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
@@ -132,7 +132,7 @@ class Newton:
         return Row("newton", k, total(forces), total(inertia))
 
     def _pushes(self, way: Callable[[Frames, str], Triple | None]) -> list[Polynomial]:
-        """The components of constant forces along a way of the body on which each acts."""
+        """Return the components of the constant forces along a direction in which their bodies move."""
         found = list[Polynomial]()
         for number, force in enumerate(self.mechanism.forces):
             if way(self._sides[0][1], force.body) is not None:

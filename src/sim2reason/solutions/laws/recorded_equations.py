@@ -42,7 +42,7 @@ def assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
 
 
 def phase_at(state: State) -> Phase:
-    """What acts at an instant: fields, engines that burn, and springs that act one way; nothing sticks."""
+    """Return which fields, engines and one-sided springs act at an instant; nothing sticks."""
     m, time = state.mechanism, float(state.times[0])
     inside: list[tuple[bool, ...]] = []
     for force in m.forces:

@@ -258,7 +258,7 @@ class Stage:
         return Polynomial.of(name)
 
     def _when(self, again: str) -> str:
-        """Begin a sentence about the end of the stage; `again` where another one spoke of it before."""
+        """Return the first words of a sentence about the end of the stage: `again` if that instant was named before."""
         return again if self._moved or self._velocity else f"After the time ${self.time.name}$"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:

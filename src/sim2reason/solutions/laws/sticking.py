@@ -45,7 +45,7 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
 
 
 def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) -> None:
-    """A step that says why what stops slipping slips the other way; with numbers for a body that nothing else holds."""
+    """Write that a body slips the other way from now on, and why, with numbers if nothing else holds it."""
     body = setting.mechanism.faces[face].subject
     step, who = book.open("verify"), capital(setting.called(body))
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
@@ -66,7 +66,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
 
 
 def _holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
-    """The friction with which a lone body would stick or roll: all of its load, or I/(I + m R²) of it."""
+    """Return the friction for a lone body to stick (its load) or to roll (I/(I + m R²) of it); else None."""
     mechanism, subject = setting.mechanism, setting.mechanism.faces[face].subject
     ways = [mechanism.number[c.name] for c in mechanism.body[subject].coordinates if c.kind == "slide"]
     if len(mechanism.bodies) > 1 or mechanism.lines or len(ways) != 1:
@@ -81,7 +81,7 @@ def _holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
 
 
 def _told(book: Book, step: Writing, mark: str, friction: Expression, most: Expression) -> list[str]:
-    """The friction that is needed, and the most that there is, with names that the checker knows."""
+    """Return the sentences for the friction that is needed and the greatest friction, under new names."""
     names = [book.fresh(base, mark) for base in ("f", r"f_{\text{max}}")]
     for name, held in zip(names, (friction, most), strict=True):
         book.observed[name.name] = book.value(held)

@@ -65,7 +65,7 @@ class NormalModes(ModeLaws):
         return [n for n in range(self.size) if sizes[n] > FAINT * max(sizes) and self._counts(n, forms)]
 
     def excited(self, forms: Sequence[Form]) -> list[Mode]:
-        """The modes in which the start leaves anything moving, with their shapes and what is excited.
+        """Write the modes that the initial state excites, with their shapes and amplitudes, and return them.
 
         `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
         """

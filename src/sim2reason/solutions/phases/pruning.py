@@ -82,7 +82,7 @@ def _coefficients(laws: Sequence[Relation], unknowns: Sequence[str], values: Map
 
 
 def _determines(matrix: Array, targets: Array) -> bool:
-    """Return whether combinations of the rows give all targets."""
+    """Return whether every target is a linear combination of the rows of a matrix."""
     if not len(targets):
         return True
     if not len(matrix):

@@ -63,11 +63,23 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     return cls
 
 
+def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
+    """Return the strategies that may answer a kind of question about a mechanism, the cheapest first.
+
+    With `derived`, only those that lead to formulas.
+    """
+    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.unfit(mechanism))
+    return sorted((held for held in own if not derived or kind in held.formulas(mechanism)), key=lambda held: held.cost)
+
+
 def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
-    """The strategies that may lead to a formula for a kind of question which is about no other, the cheapest first."""
-    own = (held for held in STRATEGIES.values() if not held.nested and kind in held.kinds)
-    fitting = (held for held in own if not held.unfit(mechanism) and kind in held.formulas(mechanism))
-    return sorted(fitting, key=lambda held: held.cost)
+    """Return the strategies that may lead to a formula for a kind of question which is about no other question."""
+    return [held for held in offered(kind, mechanism, derived=True) if not held.nested]
+
+
+def closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
+    """Return the strategies that may answer a kind of question without any numerical integration."""
+    return [held for held in offered(kind, mechanism) if not held.integrates]
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:

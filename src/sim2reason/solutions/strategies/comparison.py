@@ -16,7 +16,7 @@ from sim2reason.solutions.laws.nested import (
     with_other_value,
 )
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.strategies import STRATEGIES, Strategy, deriving, strategy
+from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import marked
 
@@ -115,6 +115,4 @@ def _deriving(inner: Setting) -> Sequence[Strategy]:
 
 def _closed(inner: Setting) -> Sequence[Strategy]:
     """The strategies that integrate nothing, the cheapest first."""
-    kind = inner.query.kind
-    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.nested and not held.integrates)
-    return sorted((held for held in own if not held.unfit(inner.mechanism)), key=lambda held: held.cost)
+    return [held for held in closed(inner.query.kind, inner.mechanism) if not held.nested]

@@ -285,7 +285,7 @@ class _Staged(Way):
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
 
     def _turned(self, stop: End, body: str) -> End:
-        """The end of a stage after which a body slips the other way."""
+        """Return the end of a stage, marked as one after which a body slips the other way."""
         who, carrier = self.setting.called(body), self.mechanism.body[body].parent
         relative = f" relative to {self.setting.called(carrier)}" if carrier else ""
         what = f"{capital(who)} is momentarily at rest{relative}"

@@ -114,7 +114,7 @@ class _Struck(Way):
 
     @cached_property
     def _flying(self) -> set[str]:
-        """The bodies of which it was said that they are in the air at the moment."""
+        """Return the bodies whose flight at the moment asked about was verified in the text."""
         return set()
 
     # ---- the moment

@@ -96,7 +96,7 @@ class _Modal(LinearWay):
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
-        """The derivative, by its order, of a sum of places whose root is the moment; none where its time is given."""
+        """Return the order of the derivative and the weights of the coordinates in the sum that is then zero."""
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             return []
         _, parts, law = self._condition

@@ -251,7 +251,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def whole_name(self) -> Symbol:
-        """A name for the displacement since the start, where `begin` is another place."""
+        """Return the symbol of the displacement since the start, if the oscillation is counted from another point."""
         return self.book.fresh("x")
 
     @property

@@ -16,7 +16,7 @@ class PhaseByPhase(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether accelerations change between events."""
+        """Return the reason why it does not apply: accelerations change between events."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:

@@ -77,7 +77,7 @@ class _AtRest(LinearWay):
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
             said.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
-        step.say(f"There the forces of springs balance all others: {joined(said)}.")
+        step.say(f"In equilibrium the spring forces balance all other forces: {joined(said)}.")
         step.label("balance")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):

@@ -83,9 +83,16 @@ class CarriageAngle(SwingAngle):
         return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.called(self.arm.carrier)
 
     def _say(self, where: str) -> None:
+        query = self.setting.query
+        assert isinstance(query, StretchQuery)
+        superlative, _, noun = query.functional.partition(" ")
         step = self.book.open("extreme")
-        step.say(f"The extreme value is taken where {where}.")
+        step.say(f"The {noun} is {superlative} where {where}.")
         step.close()
+
+    def _tell_where(self, quantity: str) -> None:
+        """Write nothing: the angle, by which the extreme value is found, comes with the place."""
+        del quantity
 
     def _turned(self) -> Expression:
         """As far on the other side of where its frame has gravity pull."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Labels:
-    """How many labels a text has used."""
+    """The counter of the equation labels in a text."""
 
     used: int = 0
 

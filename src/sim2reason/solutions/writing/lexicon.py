@@ -232,7 +232,7 @@ class Lexicon:
         return found
 
     def _of_sums(self, number: Both) -> Polynomial | None:
-        """A total mass times others, or a sum of two products; read once, since it takes longer than anything else."""
+        """Return a number as a total mass times others or a sum of two products; kept, since the search is slow."""
         if number not in self._sums:
             atoms = [Named(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]

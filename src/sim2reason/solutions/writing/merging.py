@@ -7,7 +7,8 @@ from dataclasses import replace
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
-APART = "other value"  # the kind of a step that begins a second case, whose steps do not stand among the first one's
+BEGIN = frozenset({"other value", "names"})
+"""The kinds of steps that begin a second case or name new unknowns; what follows does not stand before them."""
 SENTENCE = re.compile(r"(?P<lead>((At|After the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 
@@ -17,7 +18,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
     place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
     start = 0
     for step in steps:
-        start = len(groups) if step.kind == APART else start
+        start = len(groups) if step.kind in BEGIN else start
         held = replace(step, needs=tuple(sorted({place[n] for n in step.needs if n in place})))
         group = next((group for group in groups[start:] if _alike(group[0], held, follows=group is groups[-1])), None)
         if group is None:

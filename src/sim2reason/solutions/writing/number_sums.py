@@ -6,7 +6,6 @@ from math import prod
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
@@ -59,7 +58,9 @@ def _of_totals(
             fits = (np.abs(np.abs(ratios[0]) - 1.0) < SAME) & (np.abs(ratios[1] - ratios[0]) < SAME)
             if fits.any():
                 number = int(np.argmax(fits))
-                return (_sum(held) * _product(products[number])).scaled(float(np.sign(ratios[0][number])))
+                return (total(one.name for one in held) * _product(products[number])).scaled(
+                    float(np.sign(ratios[0][number]))
+                )
     return None
 
 
@@ -71,10 +72,9 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) 
     with np.errstate(all="ignore"):
         first = (here * others[None, :] - there * ones[None, :]) / det
         second = (ones[:, None] * there - others[:, None] * here) / det
-    common = np.array(sorted(COMMON))
-    fits = ~near & _among(first, common) & _among(second, common)
-    for one, other in np.argwhere(fits).tolist():
-        weights = [float(common[np.argmin(np.abs(common - part[one, other]))]) for part in (first, second)]
+    first, second = _nearest(first), _nearest(second)
+    for one, other in np.argwhere(~near & np.isfinite(first) & np.isfinite(second)).tolist():
+        weights = [float(part[one, other]) for part in (first, second)]
         pair = products[one], products[other]
         value = sum(w * prod(atom.here for atom in held) for w, held in zip(weights, pair, strict=True))
         twin = sum(w * prod(atom.there for atom in held) for w, held in zip(weights, pair, strict=True))
@@ -83,12 +83,13 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) 
     return None
 
 
-def _among(values: Array, common: Array) -> NDArray[np.bool_]:
-    """Return where values are common factors, as far as rounding lets one see."""
-    nearest = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1)]
-    before = common[np.clip(np.searchsorted(common, values), 1, len(common) - 1) - 1]
-    distance = np.minimum(np.abs(values - nearest), np.abs(values - before))
-    return distance < APART * np.abs(values)
+def _nearest(values: Array) -> Array:
+    """Return the common factors that values are, but for rounding; NaN where they are none."""
+    common = np.array(sorted(COMMON))
+    after = np.clip(np.searchsorted(common, values), 1, len(common) - 1)
+    above, below = common[after], common[after - 1]
+    found = np.where(np.abs(values - above) < np.abs(values - below), above, below)
+    return np.where(np.abs(values - found) < APART * np.abs(values), found, np.nan)
 
 
 def _values(products: Sequence[tuple[Named, ...]]) -> tuple[Array, Array]:
@@ -101,7 +102,3 @@ def _product(held: tuple[Named, ...]) -> Polynomial:
     for atom in held:
         found = found * atom.name
     return found
-
-
-def _sum(held: tuple[Named, ...]) -> Polynomial:
-    return total(atom.name for atom in held)

@@ -68,7 +68,7 @@ class _Looked:
 
     @property
     def open(self) -> list[str]:
-        """Those of the dead that were changed in too few scenes to be sure."""
+        """Return the parameters without effect so far that were changed in too few scenes to be sure."""
         return [name for name in self.dead if self.again_with[name] < MORE]
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
