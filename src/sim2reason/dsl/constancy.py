@@ -14,6 +14,10 @@ ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parall
 
 def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
     """What makes the equations change, in a few words; empty if nothing does. `frames` are those of the start."""
+    return mechanism.once("changing", lambda: _changing(mechanism, frames))
+
+
+def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
     if mechanism.attractions or mechanism.burns or mechanism.feet:
         return "attraction, a burning engine or a foot"
     if any(force.region is not None or not force.law.constant for force in mechanism.forces):

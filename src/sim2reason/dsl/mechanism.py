@@ -4,9 +4,10 @@ At the start of the motion the axes of every body's frame are those of the room:
 reader, z up. All numbers are in one coherent system of units, SI unless `units` says otherwise, angles in radians.
 """
 
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from math import inf
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, TypeVar, cast
 
 from sim2reason.dsl.fields import Law
 from sim2reason.dsl.regions import Region
@@ -20,6 +21,8 @@ Z: Vector = (0.0, 0.0, 1.0)
 ZERO: Vector = (0.0, 0.0, 0.0)
 NO_INERTIA: Tensor = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 GRAVITY = 9.8
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,6 +238,16 @@ class Mechanism:
     meetings: tuple[Meeting, ...] = ()
     gravity: Vector = (0.0, 0.0, -GRAVITY)
     units: UnitSystem = SI
+
+    @cached_property
+    def _known(self) -> dict[Hashable, object]:
+        return {}
+
+    def once(self, name: Hashable, make: Callable[[], T]) -> T:
+        """Return what `make` returns, which follows from the mechanism alone and is worked out once for each name."""
+        if name not in self._known:
+            self._known[name] = make()
+        return cast("T", self._known[name])
 
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:

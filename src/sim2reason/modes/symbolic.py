@@ -37,7 +37,7 @@ from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.strategies import Strategy
+from sim2reason.solutions.strategies import fitting
 
 DRAWS = 3  # of questions of one kind
 UNDERIVED = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
@@ -135,14 +135,7 @@ class Symbolic(QuestionMode):
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:
     """The kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
-    fitting = (strategy for strategy in STRATEGIES.values() if not strategy.unfit(mechanism))
-    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting))
-
-
-def _fitting(study: Study) -> tuple[Strategy, ...]:
-    """The strategies that may apply to questions about a mechanism."""
-    mechanism, offered = study.mechanism, STRATEGIES.values()
-    return study.once("fitting", lambda: tuple(held for held in offered if not held.unfit(mechanism)))
+    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting(mechanism)))
 
 
 def _derived(query: Query, study: Study, words: Words) -> Expression | None:
@@ -155,7 +148,7 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
     if spoken is None:
         return None
     setting = forward(Setting(study.scene, words, words.symbols, study, query))
-    tried = [held for held in _fitting(study) if query.kind in held.formulas(study.mechanism)]
+    tried = [held for held in fitting(study.mechanism) if query.kind in held.formulas(study.mechanism)]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
     solution = derivation(query, study, words)

@@ -19,7 +19,7 @@ from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
-from sim2reason.solutions.strategies import STRATEGIES, Strategy, offered
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered
 from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
@@ -43,10 +43,7 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
         return Solution("", reason=str(error))
     if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
         return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
-    kind, mechanism = setting.query.kind, setting.mechanism
-    for strategy in setting.study.once(
-        ("strategies", kind, derived), lambda: offered(kind, mechanism, derived=derived)
-    ):
+    for strategy in offered(setting.query.kind, setting.mechanism, derived=derived):
         if strategy.least_need > setting.most:
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
@@ -85,7 +82,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     """The solution by one strategy, without an answer where it finds none; of a problem in symbols one in symbols."""
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
-    refused = refused or strategy.unfit(setting.mechanism) or strategy.refusal(setting)
+    unfit = strategy not in fitting(setting.mechanism)
+    refused = refused or (strategy.unfit(setting.mechanism) if unfit else strategy.refusal(setting))
     if refused:
         return Solution(strategy.name, reason=refused, applies=False)
     found = _written(strategy, setting)

@@ -63,18 +63,27 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     return cls
 
 
+def fitting(mechanism: Mechanism) -> list[Strategy]:
+    """Return the strategies that are fit for a mechanism, the cheapest first."""
+    fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
+    return mechanism.once("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
+
+
 def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
     """Return the strategies that may answer a kind of question about a mechanism, the cheapest first.
 
     With `derived`, only those that lead to formulas.
     """
-    own = (held for held in STRATEGIES.values() if kind in held.kinds and not held.unfit(mechanism))
-    return sorted((held for held in own if not derived or kind in held.formulas(mechanism)), key=lambda held: held.cost)
+    own = [held for held in fitting(mechanism) if kind in held.kinds]
+    return [held for held in own if not derived or kind in held.formulas(mechanism)]
 
 
 def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may lead to a formula for a kind of question which is about no other question."""
-    return [held for held in offered(kind, mechanism, derived=True) if not held.nested]
+    return mechanism.once(
+        ("deriving strategies", kind),
+        lambda: [held for held in offered(kind, mechanism, derived=True) if not held.nested],
+    )
 
 
 def closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
