@@ -86,16 +86,42 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
 
 def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
     """A formula in which all that holds nothing unknown is written as the numbers that it comes to."""
-    if unknown.isdisjoint(held.symbols()):
-        return held if isinstance(held, Number | Symbol | Worked) else worked(held)
-    if not held.parts or isinstance(held, Worked):
-        return held
-    if isinstance(held, Sum | Product):
-        known = [part for part in held.parts if unknown.isdisjoint(part.symbols())]
-        rest = [settled(part, unknown, worked) for part in held.parts if not unknown.isdisjoint(part.symbols())]
-        if len(known) > 1:
-            return held.built_of([worked(held.built_of(known)), *rest])
-    return held.built_of([settled(part, unknown, worked) for part in held.parts])
+    return _Settling(unknown, worked).of(held)
+
+
+class _Settling:
+    """Formulas with numbers for what is known; a part that stands in several places is looked at once."""
+
+    def __init__(self, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> None:
+        self._unknown, self._worked = unknown, worked
+        self._open: dict[int, bool] = {}  # by the identities of parts, which the whole formula keeps alive
+        self._found: dict[int, Expression] = {}
+
+    def of(self, held: Expression) -> Expression:
+        """Return a formula with such numbers."""
+        if id(held) not in self._found:
+            self._found[id(held)] = self._settled(held)
+        return self._found[id(held)]
+
+    def _settled(self, held: Expression) -> Expression:
+        if not self._is_open(held):
+            return held if isinstance(held, Number | Symbol | Worked) else self._worked(held)
+        if not held.parts or isinstance(held, Worked):
+            return held
+        if isinstance(held, Sum | Product):
+            known = [part for part in held.parts if not self._is_open(part)]
+            if len(known) > 1:
+                rest = [self.of(part) for part in held.parts if self._is_open(part)]
+                return held.built_of([self._worked(held.built_of(known)), *rest])
+        return held.built_of([self.of(part) for part in held.parts])
+
+    def _is_open(self, held: Expression) -> bool:
+        """Return whether a part holds something unknown."""
+        if id(held) not in self._open:
+            parts = held.parts
+            names = () if parts else held.symbols()
+            self._open[id(held)] = any(map(self._is_open, parts)) or not self._unknown.isdisjoint(names)
+        return self._open[id(held)]
 
 
 def _real(held: Expression, at: Mapping[str, float]) -> float | None:
