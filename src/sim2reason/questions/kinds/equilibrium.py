@@ -46,9 +46,9 @@ class EquilibriumKind(Kind):
         return QUANTITIES[query.target.quantity].from_start
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight.
+        """A magnitude at a stable equilibrium, which is not where the motion starts, and not a body's weight.
 
-        Nor a change in energy since the start.
+        Nor a change in energy since the start. `doubt` refuses it where there is another equilibrium.
         """
         del words
         mechanism = study.mechanism
@@ -68,7 +68,7 @@ class EquilibriumKind(Kind):
             return all(abs(value - other) > SAME * abs(value) for other in told)
 
         target = pick([target for target in targets if not target.signed], rng, differs)
-        if target is None or lone_equilibrium(mechanism) is None:
+        if target is None:
             return None
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
@@ -91,8 +91,8 @@ class EquilibriumKind(Kind):
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
         """Begun at rest there, nothing moves in the second engine, and all forces are the same."""
         del query, certificate
-        rest = equilibrium(study.mechanism)
-        return "there is no equilibrium" if rest is None else unrest(rest)
+        rest = lone_equilibrium(study.mechanism)
+        return "there is no equilibrium, or another one" if rest is None else unrest(rest)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
         """How the motion begins, and what is inert alone, as a mass on a level table is."""

@@ -60,7 +60,10 @@ class PeriodKind(Kind):
         return motion if small is None or (motion is not None and rng.random() < EVEN) else small
 
     def _small(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
-        """Small oscillations about the only stable equilibrium, in one of a few modes."""
+        """Return small oscillations about a stable equilibrium, in one of a few modes.
+
+        `doubt` refuses them where there is another one: to look for that takes longer than all else here.
+        """
         mechanism = study.mechanism
         if _is_simple_pendulum(mechanism):
             return None  # two numbers of the text, and a formula that everybody knows
@@ -70,7 +73,7 @@ class PeriodKind(Kind):
         of, count = _oscillating(words, free=rest.free > 0), len(modes.frequencies)
         gaps = np.diff(modes.frequencies) / modes.frequencies[1:]
         plain = rest.linear or count == 1 or len(mechanism.lines) <= count
-        if of is None or not plain or (count > 1 and float(gaps.min()) < APART) or lone_equilibrium(mechanism) is None:
+        if of is None or not plain or (count > 1 and float(gaps.min()) < APART):
             return None
         rank = int(rng.integers(2)) * (count - 1)
         stable = not rest.linear and len(of) < 2  # of two against each other no place is told
@@ -124,14 +127,13 @@ class PeriodKind(Kind):
         return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Of small oscillations: the second engine is to swing so, begun a little off the equilibrium."""
+        """Of small oscillations: the second engine is to swing so, begun a little off the only equilibrium."""
         assert isinstance(query, PeriodQuery)
         if not query.small:
             return Kind.doubt(self, query, study, certificate)
-        rest = equilibrium(study.mechanism)
-        modes = _modes(study.mechanism)
+        modes, rest = _modes(study.mechanism), lone_equilibrium(study.mechanism)
         if rest is None or modes is None:
-            return "there is no oscillation"
+            return "there is no oscillation, or another equilibrium"
         return disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
