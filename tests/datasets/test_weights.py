@@ -43,9 +43,18 @@ def test_the_most_special_name_counts() -> None:
 
 
 def test_every_recipe_weighs_kinds_that_exist() -> None:
+    """Each name is that of a kind, or of a mode and a kind that the mode asks."""
+    known = {*KINDS, *(f"{mode}.{kind}" for mode, found in MODES.items() for kind in found.kinds)}
     for found in RECIPES.values():
-        assert found.weights.keys() <= KINDS.keys()
+        assert found.weights.keys() <= known
         assert all(factor >= 0.0 for factor in found.weights.values())
+
+
+def test_a_recipe_weighs_a_kind_in_one_mode_alone() -> None:
+    found = RECIPES["chain"].weights
+    assert "comparison" not in found
+    numeric, symbolic = (weight("comparison", mode, "chain", {}) for mode in ("numeric", "symbolic"))
+    assert symbolic == found["symbolic.comparison"] * numeric
 
 
 def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:

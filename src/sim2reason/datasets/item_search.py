@@ -24,10 +24,11 @@ TRIES = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
+REFUSED = 6  # questions of one kind that any filter refuses, after which it is asked last, too
 UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
 BEYOND = 2  # kinds that need other means, after which a scene is not asked for others
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, BEYOND, ABSENT
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, BEYOND, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -48,6 +49,7 @@ class ItemSearch:
         self._needs = allowed(request)
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
+        self._refused: Counter[str] = Counter()  # questions that are refused, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
         self._first = ""  # the first kind of its order that a scene offers
         self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
@@ -78,8 +80,9 @@ class ItemSearch:
         return sorted((first, *others), key=lambda kind: self._is_last(kind) or (turn > 0 and KINDS[kind].derivable))
 
     def _is_last(self, kind: str) -> bool:
-        """Whether few scenes of the cell offer a kind, or few laws answer what is asked of it."""
-        return self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
+        """Whether few scenes of the cell offer a kind, few laws answer what is asked of it, or most is refused."""
+        known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
+        return known or self._refused[kind] >= REFUSED
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """A question about one of some scenes."""
@@ -151,6 +154,7 @@ class ItemSearch:
         except (SceneError, SimulationError, UnsupportedError) as error:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]
+        self._refused[kind] += refused.total()
         if found is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
             self._problems.add(kind)
         self.rejected.update(refused)

@@ -22,7 +22,9 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
     for name in (f"{recipe}.{mode}.{kind}", f"{recipe}.{kind}", f"{mode}.{kind}", kind):
         if name in ordered:
             return ordered[name]
-    return KINDS[kind].share * MODES[mode].weights.get(kind, 1.0) * RECIPES[recipe].weights.get(kind, 1.0)
+    declared = RECIPES[recipe].weights
+    own = declared.get(f"{mode}.{kind}", declared.get(kind, 1.0))
+    return KINDS[kind].share * MODES[mode].weights.get(kind, 1.0) * own
 
 
 def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:

@@ -24,7 +24,8 @@ Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
 class Recipe:
     """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round.
 
-    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never.
+    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never. Their
+    names are those of kinds, or of a mode and a kind, as ``reverse.period``, for what holds in that mode alone.
     """
 
     draw: Draw

@@ -45,7 +45,7 @@ TIERS = {
 }
 
 
-@recipe("box", weights={"optimum": 0.0})
+@recipe("box", weights={"threshold": 0.6, "limit": 0.3, "optimum": 0.0})
 def draw_box(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One large movable body with what moves on it, often drawn by a hand or a load."""
     return grow(TIERS[difficulty], rng)

@@ -36,7 +36,16 @@ IDEAS = {
 
 
 # a blow bears on neither a period nor a start, nor does every spring on both; moments of two modes take a computer
-WEIGHTS = {"period": 0.5, "start": 0.3, "event": 0.4, "extremum": 0.5, "time_to_event": 0.2, "optimum": 0.0}
+WEIGHTS = {
+    "period": 0.5,
+    "start": 0.3,
+    "event": 0.4,
+    "extremum": 0.5,
+    "time_to_event": 0.2,
+    "equilibrium": 0.2,
+    "optimum": 0.0,
+    "symbolic.comparison": 0.1,  # of formulas that are too long
+}
 
 
 @recipe("chain", weights=WEIGHTS)

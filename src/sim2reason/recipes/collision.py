@@ -74,8 +74,16 @@ TIERS = {
     ),
 }
 
+WEIGHTS = {
+    "count": 0.3,  # three collisions, or before some
+    "comparison": 0.2,
+    "extremum": 0.1,
+    "limit": 0.0,  # which few laws answer
+    "optimum": 0.0,
+}
 
-@recipe("collision", weights={"count": 0.3, "extremum": 0.5, "optimum": 0.0})  # three collisions, or before some
+
+@recipe("collision", weights=WEIGHTS)
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]

@@ -28,8 +28,10 @@ IDEAS = {
     ),
 }
 
+WEIGHTS = {"comparison": 0.1, "event": 0.5, "time_to_event": 0.4, "extremum": 0.2, "optimum": 0.0}
 
-@recipe("electromagnetic", weights={"comparison": 0.4, "event": 0.5, "time_to_event": 0.4, "optimum": 0.0})
+
+@recipe("electromagnetic", weights=WEIGHTS)
 def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A charged bead in fields that are uniform, or depend on place, velocity and time, with or without an end."""
     return one_of(IDEAS[difficulty], rng, "fields")

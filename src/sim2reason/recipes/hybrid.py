@@ -45,7 +45,10 @@ TIERS = {
 }
 
 
-@recipe("hybrid")
+WEIGHTS = {"threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
+
+
+@recipe("hybrid", weights=WEIGHTS)
 def draw_hybrid(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two or three entities of both kinds, and what closes their ports."""
     return grow(TIERS[difficulty], rng)

@@ -48,8 +48,16 @@ PAIR = replace(
     more=0.6,
 )
 
+WEIGHTS = {
+    "start": 0.5,  # of a lone block no more than its forces
+    "threshold": 0.3,
+    "extremum": 0.1,
+    "optimum": 0.3,
+    "reverse.comparison": 0.3,
+}
 
-@recipe("incline", weights={"start": 0.5, "threshold": 0.5})  # of a lone block no more than its forces
+
+@recipe("incline", weights=WEIGHTS)
 def draw_incline(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One to three entities with faces, joined by strings."""
     pulled = difficulty == "easy" and rng.random() < PULLED

@@ -67,11 +67,13 @@ TIERS = {
 # lengths of rods do not bear on the start; most periods are those of one spring and all masses; much takes a computer
 WEIGHTS = {
     "start": 0.3,
-    "period": 0.4,
+    "period": 0.2,
     "sum": 0.5,
+    "extremum": 0.6,
     "comparison": 0.4,
-    "equilibrium": 0.3,
-    "threshold": 0.3,
+    "equilibrium": 0.1,
+    "threshold": 0.1,
+    "limit": 0.1,
     "optimum": 0.0,
 }
 

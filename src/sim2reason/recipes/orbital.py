@@ -34,8 +34,11 @@ TIERS = {
     ),
 }
 
+# of other speeds at the start, which give other orbits, no text says for how long they are followed
+WEIGHTS = {"optimum": 0.0, "reverse.extremum": 0.2, "reverse.sum": 0.3, "symbolic.extremum": 0.3}
 
-@recipe("orbital", share=2, weights={"optimum": 0.0})
+
+@recipe("orbital", share=2, weights=WEIGHTS)
 def draw_orbital(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Planets on circles or ellipses about a fixed star."""
     tiers = TIERS[difficulty]

@@ -45,7 +45,17 @@ TIERS = {
 
 
 # where a bob is at a time, and when it is somewhere, takes elliptic functions
-WEIGHTS = {"event": 0.6, "sum": 0.6, "state": 0.1, "time_to_event": 0.1, "threshold": 0.0, "optimum": 0.0}
+WEIGHTS = {
+    "start": 0.2,
+    "event": 0.6,
+    "sum": 0.6,
+    "state": 0.1,
+    "time_to_event": 0.1,
+    "period": 0.2,
+    "comparison": 0.2,
+    "threshold": 0.0,
+    "optimum": 0.0,
+}
 
 
 @recipe("pendulum", share=2, weights=WEIGHTS)

@@ -35,7 +35,7 @@ TIERS = {
 }
 
 
-@recipe("pulley", weights={"optimum": 0.0})
+@recipe("pulley", weights={"threshold": 0.5, "extremum": 0.2, "optimum": 0.0})
 def draw_pulley(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two or three pulley entities, every open end closed."""
     return grow(TIERS[difficulty], rng)

@@ -26,7 +26,7 @@ IDEAS = {
 }
 
 
-@recipe("rocket", weights={"time_to_event": 0.3, "optimum": 0.0})  # which are often about a minute
+@recipe("rocket", weights={"time_to_event": 0.3, "extremum": 0.1, "optimum": 0.0})  # which are often about a minute
 def draw_rocket(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A rocket that burns its fuel: in deep space, above level ground, from a planet that really pulls."""
     return one_of(IDEAS[difficulty], rng, "rocket")

@@ -53,7 +53,17 @@ IDEAS = {
 
 
 # a period hangs neither on how it begins nor on the mass
-@recipe("rolling", share=2, weights={"period": 0.5, "optimum": 0.5})
+WEIGHTS = {
+    "start": 0.4,
+    "period": 0.1,
+    "extremum": 0.1,
+    "limit": 0.1,
+    "optimum": 0.5,
+    "symbolic.optimum": 0.1,  # of formulas that are too long
+}
+
+
+@recipe("rolling", share=2, weights=WEIGHTS)
 def draw_rolling(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A sphere, cylinder, hoop or prism on a plane, perhaps with a hole beside its axis."""
     return one_of(IDEAS[difficulty], rng, "roller")

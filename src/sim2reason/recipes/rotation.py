@@ -54,7 +54,18 @@ TIERS = {
 
 
 # a period hangs neither on how it begins nor on a lone mass
-@recipe("rotation", share=2, weights={"period": 0.5, "sum": 0.4, "state": 0.3, "time_to_event": 0.2, "optimum": 0.5})
+WEIGHTS = {
+    "sum": 0.4,
+    "state": 0.3,
+    "time_to_event": 0.2,
+    "period": 0.5,
+    "comparison": 0.3,
+    "threshold": 0.4,
+    "optimum": 0.1,
+}
+
+
+@recipe("rotation", share=2, weights=WEIGHTS)
 def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Up to four solid bodies fixed to a light arm: let go, or set turning."""
     tiers = TIERS[difficulty]

@@ -36,12 +36,12 @@ IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
         Idea(KIND, CENTRAL, 0.7),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.2, _apart),  # it needs integrating
-        Idea(PLANE, {**ROUGH, "angle": Range(10.0, 30.0)}, 1.5),
+        Idea(PLANE, {**ROUGH, "angle": Range(22.0, 38.0)}, 1.5),
     ),
     "medium": (
         Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.2, _apart),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.7),
-        Idea(PLANE, {**ROUGH, "angle": Range(10.0, 40.0)}, 1.5),
+        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 45.0)}, 1.5),
     ),
     "hard": (  # friction of the springs themselves
         Idea(
@@ -51,13 +51,22 @@ IDEAS = {
             _apart,
         ),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.5),
-        Idea(PLANE, {**ROUGH, "angle": Range(10.0, 60.0)}, 1.5),
+        Idea(PLANE, {**ROUGH, "angle": Range(20.0, 60.0)}, 1.5),
     ),
 }
 
 
 # where springs pull from several sides, what adds up on the way, and when it is there, takes an integration
-WEIGHTS = {"sum": 0.4, "comparison": 0.4, "start": 0.4, "time_to_event": 0.6, "optimum": 0.0}
+WEIGHTS = {
+    "start": 0.1,
+    "state": 0.5,
+    "event": 0.3,
+    "time_to_event": 0.8,
+    "sum": 0.1,
+    "comparison": 0.1,
+    "optimum": 0.0,
+    "symbolic.extremum": 0.3,
+}
 
 
 @recipe("springs", share=2, weights=WEIGHTS)
