@@ -10,6 +10,7 @@ from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.multipart.faults import naming_fault
 from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
 from sim2reason.solutions.parts import chosen, together
 from sim2reason.solutions.writing.asked_units import told_in
@@ -44,6 +45,7 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
         earlier.append((label, solutions[-1]))
     if fault := naming_fault(solutions):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in solutions]
+    solutions = quoting(solutions) if whole else solutions
     asked = (part.certified.question for part in found.parts)
     return [_in_units(request, found, *pair) for pair in zip(asked, solutions, strict=True)]
 

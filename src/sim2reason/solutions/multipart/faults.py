@@ -53,14 +53,16 @@ def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
 
 def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
     """Names that two parts introduce in the same words for the same value."""
-    known: dict[tuple[str, str], tuple[str, Solution, str]] = {}
+    known: dict[tuple[str, str, str], tuple[str, set[str]]] = {}
     for label, part in zip(LABELS, parts, strict=False):
+        own: dict[tuple[str, str, str], set[str]] = {}
         for name, words in meanings(part).items():
-            first, other, called = known.setdefault((split(name)[0], words), (label, part, name))
-            value, before = part.values.get(name), other.values.get(called)
-            alike = value is not None and before is not None and abs(value - before) <= SAME * abs(before)
-            if called != name and alike and other is not part:
-                yield f"{called} of part ({first}) is called {name} in part ({label})"
+            if name in part.values:
+                own.setdefault((split(name)[0], words, f"{part.values[name]:.9g}"), set()).add(name)
+        for key, names in own.items():
+            first, called = known.setdefault(key, (label, names))
+            if called.isdisjoint(names):
+                yield f"{min(called)} of part ({first}) is called {min(names)} in part ({label})"
 
 
 def _same(part: Solution, other: Solution, name: str) -> bool:

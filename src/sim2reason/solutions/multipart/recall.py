@@ -31,7 +31,8 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         return solution
     said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
-    first = [_givens(step, kept) for step in solution.steps if step.kind == "givens"]
+    symbols = {name for step in kept for name in step.symbols()}
+    first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name] for name in known if name in recalled}, solution)
     return replace(solution, steps=renumbered([*first, *told, *kept]))
 
@@ -98,13 +99,14 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
     return bool(taken) and taken <= {*known}
 
 
-def _givens(step: Step, kept: Sequence[Step]) -> Step:
-    """What the text gives, as far as the steps need it."""
-    used = {name for held in kept for name in held.symbols()}
+def given_for(step: Step, used: Collection[str]) -> Step:
+    """The givens of a text, as far as they are used."""
     said = re.findall(r"\$[^$]*\$", step.text)
     if len(said) != len(step.relations):
         return step
-    pairs = [(text, r) for text, r in zip(said, step.relations, strict=True) if used & {*r.left.symbols()}]
+    pairs = [
+        (text, r) for text, r in zip(said, step.relations, strict=True) if not {*r.left.symbols()}.isdisjoint(used)
+    ]
     lead, colon, _ = step.text.partition(": ")
     texts = [text for text, _ in pairs]
     return replace(step, text=f"{lead}{colon}{joined(texts)}." if texts else "", relations=tuple(r for _, r in pairs))
