@@ -13,6 +13,7 @@ from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
 from sim2reason.solutions.parts import chosen, together
+from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.asked_units import told_in
 
 UNCLEAR = "the names of its parts are not clear"
@@ -40,8 +41,9 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
     fixed = {given.symbol for part in found.parts for given in part.certified.setting.lexicon.givens.values()}
     named = consistent([part.solution for part in found.parts], fixed)
     solutions, earlier = list[Solution](), list[tuple[str, Solution]]()
-    for label, held in zip(LABELS, named, strict=False):
-        solutions.append(starting_from(held, earlier, whole=whole))
+    for label, held, part in zip(LABELS, named, found.parts, strict=False):
+        solution = starting_from(held, earlier, whole=whole)
+        solutions.append(solution if solution is held else verified(solution, part.certified.setting))
         earlier.append((label, solutions[-1]))
     if fault := naming_fault(solutions):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in solutions]

@@ -1,7 +1,7 @@
 """Equations of earlier parts quoted by their labels, not set up again, in the solution of all parts as one text."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
@@ -20,8 +20,8 @@ _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 def quoting(parts: Sequence[Solution]) -> list[Solution]:
     """The solutions of all parts, each with labels that no other equation has, and without what an earlier part said.
 
-    A solution in several phases keeps all its steps. An initial-value problem that an earlier part states is not stated
-    again.
+    Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
+    states is not stated again.
     """
     told = _Told()
     found = [told.added(label, part) for label, part in zip(LABELS, parts, strict=False)]
@@ -44,7 +44,8 @@ class _Told:
         """A part without what was said, which is said from then on."""
         names = self._relabelled(label, part.steps)
         steps = [_labelled(step, names) for step in part.steps]
-        kept = steps if part.phases else self._without([self._integrated(label, step) for step in steps], part.goal)
+        several = part.phases and any(step.integration is not None for step in steps)
+        kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
         for step in kept:
             self._sentences |= {step.text, *_SENTENCE.split(step.text), *_items(step.text)}
             for relation in step.relations:
@@ -61,9 +62,9 @@ class _Told:
             names[label] = self._labels[formula]
         return names
 
-    def _without(self, steps: Sequence[Step], goal: str) -> list[Step]:
+    def _without(self, steps: Sequence[Step], values: Container[str]) -> list[Step]:
         """Steps without what was said before; the equations among that on which they rest are quoted."""
-        dropped = [step for step in steps if self._is_said(step, goal)]
+        dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
         referred = {label for step in left for label in _referred(step.text)}
         left = [self._shorter(step, referred) for step in left]
@@ -83,10 +84,10 @@ class _Told:
             return step
         return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
 
-    def _is_said(self, step: Step, goal: str) -> bool:
-        if step.kind in ("givens", EARLIER) or goal in step.gives or any(r.role == "result" for r in step.relations):
-            return False
-        return bool(step.text) and step.text in self._sentences
+    def _is_said(self, step: Step, values: Container[str]) -> bool:
+        """Whether an earlier part has set up the same equations; what gives a result is left out by recalling it."""
+        results = any(name in values for name in step.gives)
+        return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
     def _shorter(self, step: Step, referred: set[str]) -> Step:
         """A step without the sentences that were said before, and without equations to which nothing refers."""
@@ -118,7 +119,9 @@ class _Told:
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
         by_label = {label: r for step in dropped for label, r in _equations(step)}
         needed = {need for step in left for need in step.needs}
+        names = spoken(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
         laws = [r for step in dropped if step.id in needed for r in step.relations if r not in by_label.values()]
+        laws = [relation for relation in laws if names.issuperset(relation.left.symbols())]
         for part in sorted({*self._parts.values()}):
             own = [label for label in labels if self._parts.get(label) == part]
             plain = [r for r in laws if self._parts.get(r.latex()) == part]

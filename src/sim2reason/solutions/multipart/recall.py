@@ -5,7 +5,8 @@ from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.multipart.quantities import SAME, unit_of
+from sim2reason.solutions.multipart.quantities import SAME, names_of, unit_of
+from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 
@@ -17,7 +18,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     """The solution with the results of earlier parts, by their labels, in place of the steps that lead to them.
 
     Names mean the same in all parts. With `whole`, all that the solutions of earlier parts find on their way counts,
-    too. It stays as it is where no step can be left out, and where its motion has several phases or is integrated.
+    too. It stays as it is where no step can be left out, and where its motion is integrated.
     """
     known: dict[str, str] = {}
     for name in _found(solution):
@@ -25,7 +26,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         if source is not None:
             known[name] = source
     kept = kept_steps(solution, known)
-    used = {name for step in kept for name in step.symbols()} & known.keys()
+    used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
     if not recalled or len(kept) == len(solution.steps):
         return solution
@@ -39,7 +40,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
 
 def kept_steps(solution: Solution, known: Collection[str]) -> list[Step]:
     """The steps that lead to the goal from names that are known; all where no step can be left out."""
-    if solution.answer is None or solution.phases or any(step.integration is not None for step in solution.steps):
+    if solution.answer is None or any(step.integration is not None for step in solution.steps):
         return [*solution.steps]
     kept = _needed(solution, known)
     return kept if len(kept) < sum(bool(step.gives) for step in solution.steps) else [*solution.steps]
@@ -94,8 +95,8 @@ def _needed(solution: Solution, known: Collection[str]) -> list[Step]:
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
-    """Whether all that a step takes from another is known: names alone, no equations by their labels."""
-    taken = {*needed.gives} & {*step.symbols()}
+    """Whether all that a step takes from another is known: names that stand in it or of which it speaks, no labels."""
+    taken = {*needed.gives} & {*step.symbols()} or {*needed.gives}
     return bool(taken) and taken <= {*known}
 
 
