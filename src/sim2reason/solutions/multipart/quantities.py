@@ -68,6 +68,11 @@ def meanings(solution: Solution) -> dict[str, str]:
     return found
 
 
+def introduced(text: str) -> list[str]:
+    """The names that a text introduces in words."""
+    return [match["name"] for match in _INTRODUCED.finditer(text)]
+
+
 def agree(name: str, one: str, other: str) -> bool:
     """Whether two introductions of a name, in words, can be those of one quantity.
 

@@ -5,7 +5,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
-from sim2reason.solutions.multipart.quantities import LABEL
+from sim2reason.solutions.multipart.quantities import LABEL, introduced, names_of
 from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
@@ -46,8 +46,10 @@ class _Told:
         steps = [_labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
+        used = {*names_of(kept)}
         for step in kept:
-            self._sentences |= {step.text, *_SENTENCE.split(step.text), *_items(step.text)}
+            said = [step.text, *_SENTENCE.split(step.text), *_items(step.text)]
+            self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}
             for relation in step.relations:
                 self._parts.setdefault(relation.latex(), label)
         return replace(part, steps=renumbered(kept))

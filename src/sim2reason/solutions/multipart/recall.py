@@ -1,11 +1,11 @@
 """Results of earlier parts in place of the steps that lead to them again."""
 
 import re
-from collections.abc import Collection, Container, Mapping, Sequence
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.multipart.quantities import SAME, names_of, unit_of
+from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
@@ -30,7 +30,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     recalled = used - {name for step in kept for name in step.gives}
     if not recalled or len(kept) == len(solution.steps):
         return solution
-    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
+    said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
     first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
@@ -79,6 +79,12 @@ def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str
     bases = {name.partition("_")[0] for step in kept for name in step.symbols()}
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if bases & {*_NAMED.findall(step.text)}]
+
+
+def _introduced(solution: Solution) -> Iterator[str]:
+    """The texts that introduce names which the solution uses."""
+    used = {*names_of(solution.steps)}
+    yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 
 def _needed(solution: Solution, known: Collection[str]) -> list[Step]:
