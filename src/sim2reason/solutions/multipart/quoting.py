@@ -101,7 +101,8 @@ class _Told:
         if not all(labels) or not self._sentences & {*sentences} or referred.isdisjoint(labels):
             return step
         kept = [s for s, label in zip(sentences, labels, strict=True) if label in referred and s not in self._sentences]
-        return replace(step, text=" ".join(kept))
+        text = " ".join(kept)
+        return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
         """What a sentence introduces that no earlier one has."""
