@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import chain
 
 from sim2reason.grading.tokens import canonical
-from sim2reason.solutions.multipart.quantities import Quantity, names_of, quantities
+from sim2reason.solutions.multipart.quantities import NamedQuantity, names_of, quantities
 from sim2reason.solutions.multipart.recall import kept_steps
 from sim2reason.solutions.multipart.renaming import renamed, spoken
 from sim2reason.solutions.solution import Solution
@@ -33,7 +33,7 @@ def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> li
 class _Naming:
     """The choice of names."""
 
-    def __init__(self, solutions: Sequence[Solution], found: Sequence[Quantity], fixed: Collection[str]) -> None:
+    def __init__(self, solutions: Sequence[Solution], found: Sequence[NamedQuantity], fixed: Collection[str]) -> None:
         self._found = found
         self._taken = {canonical(name) for name in fixed}
         self._used: list[frozenset[str]] = []
@@ -45,14 +45,14 @@ class _Naming:
             self._used.append(frozenset([*names_of(steps), solution.goal, *solution.stated]))
             self._spoken.append(spoken(" ".join(step.text for step in steps)))
 
-    def ordered(self) -> Iterator[Quantity]:
+    def ordered(self) -> Iterator[NamedQuantity]:
         """Those that the question states, those that the texts use, and those that they leave out."""
         texts = [q for q in self._found if any(name in self._used[part] for part, name in q.members.items())]
         groups = [q for q in texts if q.stated], [q for q in texts if not q.stated]
         yield from chain(*groups)
         yield from (q for q in self._found if q not in texts)
 
-    def named(self, quantity: Quantity) -> str:
+    def named(self, quantity: NamedQuantity) -> str:
         """Choose a name, which is taken from then on."""
         own = [*dict.fromkeys(quantity.members.values())]
         free = [name for name in own if self._is_free(name, quantity)]
@@ -61,7 +61,7 @@ class _Naming:
         self._taken.add(canonical(name))
         return name
 
-    def _is_free(self, name: str, quantity: Quantity) -> bool:
+    def _is_free(self, name: str, quantity: NamedQuantity) -> bool:
         """Whether nothing has a name yet, and no part speaks of anything else by it."""
         clash = any(
             name != old and name in self._spoken[part] and not self._is_own(part, name)
@@ -72,7 +72,7 @@ class _Naming:
     def _is_own(self, part: int, name: str) -> bool:
         return any(q.members.get(part) == name for q in self._found)
 
-    def _is_needed(self, name: str, quantity: Quantity) -> bool:
+    def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
         """Whether another quantity has a name in all its parts, in no fewer than this one."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})

@@ -16,7 +16,7 @@ _SAID = re.compile(r"be the [a-z]+ ")
 
 
 @dataclass
-class Quantity:
+class NamedQuantity:
     """What names in several parts stand for, by the number of the part."""
 
     members: dict[int, str]
@@ -28,7 +28,7 @@ class Quantity:
     formula: Tree | None = None
     places: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
-    def has(self, other: "Quantity") -> bool:
+    def has(self, other: "NamedQuantity") -> bool:
         """Whether another one has the same value and unit, as far as known, and is as well given or found."""
         if self.stated != other.stated or (None not in (self.unit, other.unit) and self.unit != other.unit):
             return False
@@ -37,9 +37,9 @@ class Quantity:
         return abs(self.value - other.value) <= SAME * abs(self.value)
 
 
-def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[Quantity]:
+def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
     """All quantities, in the order in which the parts speak of them; names in `fixed` mean the same everywhere."""
-    found: list[Quantity] = []
+    found: list[NamedQuantity] = []
     for part, solution in enumerate(solutions):
         own = [*_own(part, solution, {*fixed, *solution.constants})]
         place: dict[str, int] = {}
@@ -105,14 +105,14 @@ def names_of(steps: Sequence[Step]) -> Iterator[str]:
         yield from (name for name in step.gives if name in said)
 
 
-def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, Quantity]]:
+def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, NamedQuantity]]:
     """The names that a part has for quantities of its own, those that the question states first."""
     words, given = meanings(solution), {name for step in solution.steps for name in step.gives}
     for name in dict.fromkeys([*solution.stated, *names_of(solution.steps)]):
         if name not in fixed:
             value, stated = solution.values.get(name), name in solution.stated
             unit = unit_of(name, solution) if stated or name in given else None
-            yield name, Quantity({part: name}, split(name)[0], value, unit, stated, words.get(name, ""))
+            yield name, NamedQuantity({part: name}, split(name)[0], value, unit, stated, words.get(name, ""))
 
 
 def _formula(solution: Solution, name: str) -> Expression | None:
@@ -134,8 +134,8 @@ def _by_number(held: Tree, place: Mapping[str, int]) -> Tree:
 
 
 def _known(
-    found: Sequence[Quantity], part: int, name: str, held: Quantity, rest: Sequence[Quantity]
-) -> Quantity | None:
+    found: Sequence[NamedQuantity], part: int, name: str, held: NamedQuantity, rest: Sequence[NamedQuantity]
+) -> NamedQuantity | None:
     """The quantity of earlier parts for which a name stands, by its words, its formula, its name or its value alone."""
     alike = [q for q in found if part not in q.members and q.stem == held.stem and q.has(held)]
     alike = [q for q in alike if not (q.meaning and held.meaning) or q.meaning == held.meaning or _same(q, held, name)]
@@ -150,7 +150,7 @@ def _known(
     return alike[0] if by_value else None
 
 
-def _same(held: Quantity, other: Quantity, name: str) -> bool:
+def _same(held: NamedQuantity, other: NamedQuantity, name: str) -> bool:
     return name in held.members.values() and agree(name, held.meaning, other.meaning)
 
 
