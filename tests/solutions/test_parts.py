@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.parts import chosen, starting_from
+from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.parts import chosen
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 

@@ -8,8 +8,15 @@ from sim2reason.questions import Question
 from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.parts import chosen, starting_from, together
+from sim2reason.solutions.multipart.faults import naming_fault
+from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.quoting import quoting
+from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.parts import chosen, together
+from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.asked_units import told_in
+
+UNCLEAR = "the names of its parts are not clear"
 
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
@@ -28,14 +35,21 @@ def worked(request: Request, found: CertifiedQuestion) -> Solution:
 def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
     """The solution of each part, which starts from the answers to earlier ones.
 
-    With `whole` it starts from all that their solutions find, too, as whoever has read them can.
+    With `whole` it starts from all that their solutions find, too, as whoever has read them can. Names mean the same in
+    all parts; where they do not, none is shown.
     """
+    fixed = {given.symbol for part in found.parts for given in part.certified.setting.lexicon.givens.values()}
+    named = consistent([part.solution for part in found.parts], fixed)
     solutions, earlier = list[Solution](), list[tuple[str, Solution]]()
-    for label, part in zip(LABELS, found.parts, strict=False):
-        solution = starting_from(part.solution, earlier, whole=whole)
-        earlier.append((label, solution))
-        solutions.append(_in_units(request, found, part.certified.question, solution))
-    return solutions
+    for label, held, part in zip(LABELS, named, found.parts, strict=False):
+        solution = starting_from(held, earlier, whole=whole)
+        solutions.append(solution if solution is held else verified(solution, part.certified.setting))
+        earlier.append((label, solutions[-1]))
+    if fault := naming_fault(solutions):
+        return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in solutions]
+    solutions = quoting(solutions) if whole else solutions
+    asked = (part.certified.question for part in found.parts)
+    return [_in_units(request, found, *pair) for pair in zip(asked, solutions, strict=True)]
 
 
 def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:

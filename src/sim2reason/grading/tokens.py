@@ -6,7 +6,6 @@ the item's table can tell whether ``mgh`` is one name, three, or a word that nob
 
 import re
 from collections.abc import Collection
-from functools import lru_cache
 from typing import Final, NamedTuple
 
 from sim2reason.grading.alphabet import (
@@ -21,6 +20,7 @@ from sim2reason.grading.alphabet import (
     SPACES,
     VARIANTS,
 )
+from sim2reason.grading.letter_runs import Pieces, split
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = ["Token", "canonical", "tokenize"]
@@ -64,6 +64,7 @@ _CUT: Final = re.compile(
     r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
     r"|(?P<hedge>\+\s*+(?:/\s*+)?[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    rf"|(?P<primed>(?P<plain>[A-Za-z{''.join(GREEK)}]|\\(?:{'|'.join(GREEK_NAMES)}))(?P<primes>['′]{{1,3}}))"
     rf"|(?P<below>_\s*(?:\{{{_BELOW}\}}|\\[A-Za-z]+|[A-Za-z0-9*]))"
     r"|(?P<command>\\(?:[A-Za-z]+|[^A-Za-z]))|(?P<letters>[A-Za-z]+)"
     rf"|(?P<greek>[{''.join(GREEK)}])|(?P<sign>[{re.escape(''.join(SIGNS))}])"
@@ -72,17 +73,14 @@ _SUBSCRIPT: Final = re.compile(
     rf"\s*_\s*(?:\{{({_BELOW})\}}"
     r"|(\\(?:text|mathrm)\s*\{[A-Za-z0-9,\s]{1,20}\}|\\[A-Za-z]+)|([A-Za-z0-9]{1,12}))|([₀₁₂₃₄₅₆₇₈₉]{1,3}|[0-9]{1,3}(?![0-9.]))"
 )
-_SHORT: Final = 24  # letters: the runs whose names are kept; those of longer ones would fill the memory
 _NO_NAME: Final = re.compile(r"\\(?:text|mathrm|rm)(?![A-Za-z])|[\\{}\s]")
-
-
-Pieces = tuple[tuple[str, str], ...]
 
 
 class _Lexer:
     """Cuts one text; `symbols` None takes every letter for a symbol, as in a reference without a table."""
 
-    def __init__(self, text: str, symbols: Collection[str] | None) -> None:
+    def __init__(self, text: str, symbols: Collection[str] | None, *, primes: bool = False) -> None:
+        self.primes = primes
         self.text, self.symbols = text, None if symbols is None else frozenset(symbols)
         self.tokens: list[Token] = []
         self.upright: list[bool] = []
@@ -116,6 +114,8 @@ class _Lexer:
                 return self.number(match)
             case "letters" | "greek" | "name" | "named":
                 return self.letters(match["name"] or text, begin, finish, named=kind == "named")
+            case "primed":
+                return self.primed(match)
             case "command":
                 return self.command(text[1:], begin, finish)
             case "sign":
@@ -229,43 +229,29 @@ class _Lexer:
         return None
 
     def split(self, run: str) -> Pieces | None:
-        return (_split if len(run) <= _SHORT else _split.__wrapped__)(run, self.symbols)
+        return split(run, self.symbols)
+
+    def primed(self, match: re.Match[str]) -> int:
+        """Take a letter with primes as one name, if the table has it; else the primes have no meaning."""
+        plain = match["plain"].lstrip("\\")
+        subscript = _SUBSCRIPT.match(self.text, match.end()) if self.text[match.end() :].lstrip()[:1] == "_" else None
+        below = "" if subscript is None else "_" + _NO_NAME.sub("", subscript[1] or subscript[2] or subscript[3][:1])
+        name = VARIANTS.get(plain, GREEK.get(plain, plain)) + "'" * len(match["primes"]) + below
+        if not (self.primes if self.symbols is None else self.known(name)):
+            return self.letters(plain, match.start(), match.end("plain"))
+        finish = match.end() if subscript is None else subscript.end() - len((subscript[3] or "?")[1:])
+        self.add("symbol", name, match.start(), finish)
+        return finish
 
 
-@lru_cache(maxsize=4096)
-def _split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
-    """Names from left to right, each the longest possible; None if a letter belongs to none."""
-    pieces: list[tuple[str, str]] = []
-    at = 0
-    while at < len(run):
-        lengths = range(min(12, len(run) - at), 0, -1)
-        piece = next((found for n in lengths if (found := _meaning(run[at : at + n], symbols))), None)
-        if piece is None:
-            return None
-        pieces.append(piece)
-        at += len(piece[1])
-    return tuple(pieces)
-
-
-def _meaning(name: str, symbols: frozenset[str] | None) -> tuple[str, str] | None:
-    if symbols is not None and name in symbols:
-        return "symbol", name
-    if name in FUNCTIONS:
-        return "function", name
-    if name in {"pi", "e"}:
-        return "constant", name
-    if name == "sqrt":
-        return "root", name
-    is_symbol = symbols is None and (len(name) == 1 or name in GREEK_NAMES)
-    return ("symbol", name) if is_symbol else None
-
-
-def tokenize(text: str, symbols: Collection[str] | None) -> list[Token]:
+def tokenize(text: str, symbols: Collection[str] | None, *, primes: bool = False) -> list[Token]:
     """The tokens of `text`, with letters read by a table of canonical symbol names, or all as symbols if None.
+
+    A table says which names have primes; without one, `primes` allows them in all.
 
     Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
     """
-    tokens = _Lexer(text, symbols).run()
+    tokens = _Lexer(text, symbols, primes=primes).run()
     return [token._replace(kind=_HEDGING[token.text.lower()]) if _hedges(token) else token for token in tokens]
 
 
@@ -278,7 +264,7 @@ _HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "s
 
 def canonical(name: str) -> str:
     r"""The one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
-    tokens = tokenize(name, None)
+    tokens = tokenize(name, None, primes=True)
     plain = name.strip().lstrip("\\")
     if len(tokens) == 1 and tokens[0].kind in {"symbol", "constant"}:
         return tokens[0].text

@@ -60,6 +60,8 @@ class Power(Expression):
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
         held = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
         base = rf"\left({held.latex()}\right)" if isinstance(held, Power | Number | Call) else parenthesized(held, 2)
+        if isinstance(held, Symbol) and "'" in held.name:
+            base = f"{{{base}}}"  # TeX takes a prime for a superscript and refuses a second one
         return f"{base}^{{{self.exponent}}}"
 
     def symbols(self) -> Iterator[str]:

@@ -252,10 +252,10 @@ class FreeFlights(ABC):
         return f" along {label}{upward}" if several else ""
 
     def mark(self, body: str, k: int) -> str:
-        """The subscript of what a body has along a coordinate."""
+        """The subscript of what a body has along a coordinate, in the order of those that the text states."""
         mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
-        return ",".join(part for part in (mark, label if several else "") if part)
+        return ",".join(part for part in (label if several else "", mark) if part)
 
     def _whose(self, body: str, k: int) -> str:
         return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"

@@ -167,7 +167,7 @@ class Impacts(FreeFlights, ABC):
         body = impact.bodies[0]
         k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
         e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
-        step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
+        step, name = self.book.open("rebound"), self.book.after("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
         met = self.met(impact).replace(" hits ", " rebounds from ")
         if impact.number in self.times:  # the text has just said from what
@@ -181,7 +181,7 @@ class Impacts(FreeFlights, ABC):
         ways = self.ways(meeting)
         (one, (i, _)), (other, (j, _)) = ways.items()
         u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
-        names = [self.book.fresh("v", self.mark(body, k)) for body, (k, _) in ways.items()]
+        names = [self.book.after("v", self.mark(body, k)) for body, (k, _) in ways.items()]
         m, n = (self.mass(body) for body in (one, other))
         e, step = self.restitution(impact.meeting), self.book.open("impact")
         x, y = (Polynomial.of(name) for name in names)

@@ -95,7 +95,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         step.say("Both have the same acceleration, so their relative velocity is constant.")
     pair = "".join(flights.setting.mark(body) for body in impact.bodies)
     for label, apart, w in found:
-        x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{pair},{label}")
+        x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")
         said += [step.result(x, apart.expression(), METRES, law=True), step.result(v, w.expression(), SPEED, law=True)]
         X.append(x)
         u.append(v)
@@ -145,7 +145,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
             if label not in n:
                 found[number] = before
                 continue
-            step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
+            step, name = book.open("after"), book.after("v", flights.mark(body, number))
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
             formula = added(before.expression(), change)
             step.say(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")

@@ -259,7 +259,7 @@ def magnitude(
         if plain is not None:
             names.append(plain)
             continue
-        names.append(known.book.fresh(noun.base, f"{mark},{axis}" if mark else axis))
+        names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
         where = way if axes == AXES else f"along {axis}"
         sentences.append(f"{where} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
     whose = f"{noun.said} of {known.setting.called(body)}"

@@ -12,6 +12,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
 
 HALF = Number(0.5)
@@ -120,7 +121,8 @@ class Harmonic:
         load = self.motion.load(self._free)
         if not load:
             return ZERO
-        name = self.book.fresh(self.name.name.partition("_")[0], "0")
+        base, mark = split(self.name.name)
+        name = self.book.fresh(base, rf"\text{{eq}},{mark}" if mark.isdecimal() else "0")
         step = self.book.open("balance")
         law = step.law(self.stiffness * name, load.expression())
         step.say(f"The equilibrium is at ${name.name}$, where {law},")

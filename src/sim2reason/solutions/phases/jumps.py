@@ -18,7 +18,6 @@ from sim2reason.solutions.writing.unit_latex import IMPULSE
 
 AGREES = 1e-8  # relative: how well the velocities after an impact agree with those of the engine
 CONTINUOUS = 1e-9  # relative: a velocity that changes by less at an event is continuous
-AFTER = {"v": "u", r"\omega": r"\Omega"}  # letters of rates just after an event
 
 
 class Jump:
@@ -117,7 +116,7 @@ def _said(jump: Jump, impulses: Sequence[Symbol]) -> str:
 
 def _fresh(book: Book, rate: Symbol, value: float) -> Symbol:
     base, mark = split(rate.name)
-    name = book.fresh(AFTER[base], mark)
+    name = book.after(base, mark)
     book.know(name.name, value, book.units[rate.name])
     return name
 

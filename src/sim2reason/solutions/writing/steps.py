@@ -4,14 +4,13 @@ from collections.abc import Mapping
 from copy import copy
 
 from sim2reason.dsl.units import SI, UnitSystem
-from sim2reason.grading.tokens import canonical
 from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import Integration, Phase, Relation, Step, with_unit
+from sim2reason.solutions.writing.fresh_names import FreshNames
 from sim2reason.solutions.writing.labels import Labels
-from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
 
 STATE_DIGITS = 8  # of numbers on which an integration rests
@@ -21,7 +20,7 @@ class UnsolvedError(Exception):
     """A strategy found that it cannot answer after all; the message says why."""
 
 
-class Book:
+class Book(FreshNames):
     """Names with their values, and steps as they are written."""
 
     def __init__(
@@ -37,8 +36,9 @@ class Book:
         `called` makes it one in symbols: no number is written, and the question's own numbers are called as it has it,
         by the name that they would have. No result may need more than `most`.
         """
+        super().__init__(called)
         self.most = most
-        self._units, self._called = units, called
+        self._units = units
         self.asks_time = asks_time
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
@@ -53,7 +53,6 @@ class Book:
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
         self.labels = Labels()
-        self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
     def copy(self) -> "Book":
@@ -67,20 +66,6 @@ class Book:
     def saved(self) -> dict[str, object]:
         """Return all that is known and written: with `vars(book).update(…)` it is so again."""
         return {name: copy(value) for name, value in vars(self).items()}
-
-    def reserve(self, *names: str) -> None:
-        """Keep names from being given to something else."""
-        self._taken.update(map(canonical, names))
-
-    def fresh(self, base: str, mark: str = "") -> Symbol:
-        """A name that nothing has yet: the base with a subscript, and a number where that is taken."""
-        name = marked(base, mark)
-        number = 1
-        while canonical(name) in self._taken:
-            name = marked(base, ",".join(part for part in (mark, str(number)) if part))
-            number += 1
-        self._taken.add(canonical(name))
-        return Symbol((self._called or {}).get(name, name))
 
     @property
     def last(self) -> str:

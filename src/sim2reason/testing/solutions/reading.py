@@ -187,7 +187,7 @@ def _table(chains: list[str]) -> frozenset[str]:
     found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
     for side in (side for chain in chains for side in chain.split("=")):
         try:
-            found |= {token.text for token in tokenize(side, None) if token.kind == "symbol"}
+            found |= {token.text for token in tokenize(side, None, primes=True) if token.kind == "symbol"}
         except Refused:
             continue
     return frozenset(found)

@@ -1,0 +1,160 @@
+"""Which names in the solutions of several parts stand for one quantity."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.trees import Tree, tree
+from sim2reason.solutions.solution import Solution, Step
+from sim2reason.solutions.writing.subscripts import split
+
+SAME = 1e-9  # relative: two values that differ by less are those of one quantity
+LABEL = re.compile(r"\(\d+\)")
+_INTRODUCED = re.compile(r"\$(?P<name>[^$=]+)\$ (?P<words>(?:[^$;.]|\.(?=\d))+?)(?= and \$|, and |[;.]|$)")
+_SAID = re.compile(r"be the [a-z]+ ")
+
+
+@dataclass
+class NamedQuantity:
+    """What names in several parts stand for, by the number of the part."""
+
+    members: dict[int, str]
+    stem: str
+    value: float | None
+    unit: str | None  # None where the text says no value
+    stated: bool
+    meaning: str = ""
+    formula: Tree | None = None
+    places: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+
+    def has(self, other: "NamedQuantity") -> bool:
+        """Whether another one has the same value and unit, as far as known, and is as well given or found."""
+        if self.stated != other.stated or (None not in (self.unit, other.unit) and self.unit != other.unit):
+            return False
+        if self.value is None or other.value is None:
+            return self.value is other.value
+        return abs(self.value - other.value) <= SAME * abs(self.value)
+
+
+def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
+    """All quantities, in the order in which the parts speak of them; names in `fixed` mean the same everywhere."""
+    found: list[NamedQuantity] = []
+    for part, solution in enumerate(solutions):
+        own = [*_own(part, solution, {*fixed, *solution.constants})]
+        place: dict[str, int] = {}
+        for number, (name, quantity) in enumerate(own):
+            right = _formula(solution, name)
+            quantity.formula = None if right is None else _by_number(tree(right), place)
+            rest = [other for each, other in own if each != name]
+            known = _known(found, part, name, quantity, rest)
+            if known is None:
+                found.append(quantity)
+                known = quantity
+            known.members[part] = name
+            known.places.append((part, number))
+            known.meaning = known.meaning or quantity.meaning
+            place[name] = next(n for n, each in enumerate(found) if each is known)
+    return found
+
+
+def meanings(solution: Solution) -> dict[str, str]:
+    """What names stand for in words, where the text introduces them by a sentence of their own."""
+    found: dict[str, str] = {}
+    for step in solution.steps:
+        if step.kind == "names" or step.text.startswith("Let $"):
+            for match in _INTRODUCED.finditer(step.text):
+                found[match["name"]] = _SAID.sub("", match["words"].strip())
+    return found
+
+
+def introduced(text: str) -> list[str]:
+    """The names that a text introduces in words."""
+    return [match["name"] for match in _INTRODUCED.finditer(text)]
+
+
+def agree(name: str, one: str, other: str) -> bool:
+    """Whether two introductions of a name, in words, can be those of one quantity.
+
+    They are the same, or both speak of the body after which it is called: a_A *of blocks A and B*, and *of block A*.
+    """
+    body = split(name)[1]
+    if not one or not other or one == other:
+        return True
+    return len(body) == 1 and body.isupper() and all(re.search(rf"\b{body}\b", words) for words in (one, other))
+
+
+def unit_of(name: str, solution: Solution) -> str:
+    """The unit of a name, in LaTeX; empty where the text says none."""
+    if name == solution.goal:
+        return solution.unit
+    return next(
+        (r.unit for r in solution.relations if isinstance(r.left, Symbol) and r.left.name == name and r.unit), ""
+    )
+
+
+def names_of(steps: Sequence[Step]) -> Iterator[str]:
+    """Yield the names of quantities in steps, some more than once; labels of equations are none."""
+    for step in steps:
+        yield from step.symbols()
+        held = step.integration
+        if held is not None:
+            yield from (held.time, *held.unknowns, *(each.name for each in held.accumulated))
+            yield from (name for c in held.coordinates for name in (c.place, c.rate, c.acceleration))
+        said = {r.left.latex() for r in step.relations} | ({name for _, name in held.ends} if held else set[str]())
+        yield from (name for name in step.gives if name in said)
+
+
+def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, NamedQuantity]]:
+    """The names that a part has for quantities of its own, those that the question states first."""
+    words, given = meanings(solution), {name for step in solution.steps for name in step.gives}
+    for name in dict.fromkeys([*solution.stated, *names_of(solution.steps)]):
+        if name not in fixed:
+            value, stated = solution.values.get(name), name in solution.stated
+            unit = unit_of(name, solution) if stated or name in given else None
+            yield name, NamedQuantity({part: name}, split(name)[0], value, unit, stated, words.get(name, ""))
+
+
+def _formula(solution: Solution, name: str) -> Expression | None:
+    found = (
+        r.right
+        for step in solution.steps
+        if name in step.gives
+        for r in step.relations
+        if isinstance(r.left, Symbol) and r.left.name == name and r.role in ("law", "result")
+    )
+    return next(found, None)
+
+
+def _by_number(held: Tree, place: Mapping[str, int]) -> Tree:
+    """A formula with the numbers of quantities in place of their names."""
+    if isinstance(held, str):
+        return f"#{place[held]}" if held in place else held
+    return [held[0], *(_by_number(each, place) for each in held[1:])] if isinstance(held, list) else held
+
+
+def _known(
+    found: Sequence[NamedQuantity], part: int, name: str, held: NamedQuantity, rest: Sequence[NamedQuantity]
+) -> NamedQuantity | None:
+    """The quantity of earlier parts for which a name stands, by its words, its formula, its name or its value alone."""
+    alike = [q for q in found if part not in q.members and q.stem == held.stem and q.has(held)]
+    alike = [q for q in alike if not (q.meaning and held.meaning) or q.meaning == held.meaning or _same(q, held, name)]
+    by_words = [q for q in alike if held.meaning and q.meaning == held.meaning]
+    by_formula = [q for q in alike if held.formula is not None and q.formula == held.formula]
+    by_name = [q for q in alike if name in q.members.values()]
+    for group in (by_words, by_formula, by_name):
+        if group:
+            return group[0]
+    alone = len(alike) == 1 and not any(other.stem == held.stem and other.has(held) for other in rest)
+    by_value = alone and held.value is not None and all(_marks_agree(name, each) for each in alike[0].members.values())
+    return alike[0] if by_value else None
+
+
+def _same(held: NamedQuantity, other: NamedQuantity, name: str) -> bool:
+    return name in held.members.values() and agree(name, held.meaning, other.meaning)
+
+
+def _marks_agree(one: str, other: str) -> bool:
+    """Whether two names, by their subscripts, can be those of one body along one axis."""
+    marks = [{part for part in split(name)[1].split(",") if part.isalpha() and len(part) == 1} for name in (one, other)]
+    return not all(marks) or marks[0] == marks[1]

@@ -1,0 +1,165 @@
+"""Equations of earlier parts quoted by their labels, not set up again, in the solution of all parts as one text."""
+
+import re
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from sim2reason.grading.parts import LABELS
+from sim2reason.solutions.multipart.quantities import LABEL, introduced, names_of
+from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
+from sim2reason.solutions.multipart.renaming import spoken
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.solution import Relation, Solution, Step
+
+_DEFINED = re.compile(r"(\(\d+\))(?: [A-Z][^$()]*)? \$([^$]+)\$")
+_INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
+_SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
+_LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
+
+
+def quoting(parts: Sequence[Solution]) -> list[Solution]:
+    """The solutions of all parts, each with labels that no other equation has, and without what an earlier part said.
+
+    Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
+    states is not stated again.
+    """
+    told = _Told()
+    found = [told.added(label, part) for label, part in zip(LABELS, parts, strict=False)]
+    texts = "\n".join(step.text for part in found for step in part.steps)
+    labels = dict.fromkeys(label for label, _ in _DEFINED.findall(texts))
+    names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
+    return [replace(part, steps=tuple(_labelled(step, names) for step in part.steps)) for part in found]
+
+
+class _Told:
+    """What earlier parts have said: equations with their labels, and sentences."""
+
+    def __init__(self) -> None:
+        self._labels: dict[str, str] = {}  # of equations, in LaTeX
+        self._parts: dict[str, str] = {}  # in which part a label, or an equation without one, stands
+        self._sentences: set[str] = set()
+        self._problems: dict[str, str] = {}  # in which part an initial-value problem stands
+
+    def added(self, label: str, part: Solution) -> Solution:
+        """A part without what was said, which is said from then on."""
+        names = self._relabelled(label, part.steps)
+        steps = [_labelled(step, names) for step in part.steps]
+        several = part.phases and any(step.integration is not None for step in steps)
+        kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
+        used = {*names_of(kept)}
+        for step in kept:
+            said = [step.text, *_SENTENCE.split(step.text), *_items(step.text)]
+            self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}
+            for relation in step.relations:
+                self._parts.setdefault(relation.latex(), label)
+        return replace(part, steps=renumbered(kept))
+
+    def _relabelled(self, part: str, steps: Sequence[Step]) -> dict[str, str]:
+        """The labels of a part in the text of all: those of equations that were said before, else the next numbers."""
+        names: dict[str, str] = {}
+        for label, formula in (pair for step in steps for pair in _DEFINED.findall(step.text)):
+            if formula not in self._labels:
+                self._labels[formula] = f"({len(self._labels) + 1})"
+                self._parts[self._labels[formula]] = part
+            names[label] = self._labels[formula]
+        return names
+
+    def _without(self, steps: Sequence[Step], values: Container[str]) -> list[Step]:
+        """Steps without what was said before; the equations among that on which they rest are quoted."""
+        dropped = [step for step in steps if self._is_said(step, values)]
+        left = [step for step in steps if step not in dropped]
+        referred = {label for step in left for label in _referred(step.text)}
+        left = [self._shorter(step, referred) for step in left]
+        if dropped == [] and [step.text for step in left] == [step.text for step in steps]:
+            return [*steps]
+        quoted = [*self._quoted(dropped, left)]
+        rest = [step for step in left if step.kind != "givens"]
+        used = spoken(" ".join(step.text for step in (*quoted, *rest)))
+        given = [given_for(step, used) for step in left if step.kind == "givens"]
+        recalled = [step for step in rest if step.kind == EARLIER]
+        return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
+
+    def _integrated(self, part: str, step: Step) -> Step:
+        """A step of which only the ends are told, where an earlier part has integrated the same problem."""
+        match = _INTEGRATED.fullmatch(step.text) if step.integration is not None else None
+        if match is None or (first := self._problems.setdefault(match["problem"], part)) == part:
+            return step
+        return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
+
+    def _is_said(self, step: Step, values: Container[str]) -> bool:
+        """Whether an earlier part has set up the same equations; what gives a result is left out by recalling it."""
+        results = any(name in values for name in step.gives)
+        return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
+
+    def _shorter(self, step: Step, referred: set[str]) -> Step:
+        """A step without the sentences that were said before, and without equations to which nothing refers."""
+        sentences = _SENTENCE.split(step.text)
+        if step.kind == "names":
+            kept = [said for sentence in sentences if (said := self._new(sentence))]
+            return replace(step, text=" ".join(kept))
+        labels = [match[1] if (match := _DEFINED.match(sentence)) else "" for sentence in sentences]
+        if not all(labels) or not self._sentences & {*sentences} or referred.isdisjoint(labels):
+            return step
+        kept = [s for s, label in zip(sentences, labels, strict=True) if label in referred and s not in self._sentences]
+        text = " ".join(kept)
+        return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
+
+    def _new(self, sentence: str) -> str:
+        """What a sentence introduces that no earlier one has."""
+        match = _LIST.fullmatch(sentence)
+        if sentence in self._sentences or match is None:
+            return "" if sentence in self._sentences else sentence
+        items = match["items"].split("; ")
+        new = [item for item in items if item not in self._sentences]
+        if new == items:
+            return sentence
+        return f"{match['noun']}{'s' if len(new) > 1 else ''}: {'; '.join(new)}." if new else ""
+
+    def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
+        """One step for each earlier part whose equations the steps that are left rest on."""
+        text = " ".join(step.text for step in left)
+        defined = {label for label, _ in _DEFINED.findall(text)}
+        labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
+        by_label = {label: r for step in dropped for label, r in _equations(step)}
+        needed = {need for step in left for need in step.needs}
+        names = spoken(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
+        laws = [r for step in dropped if step.id in needed for r in step.relations if r not in by_label.values()]
+        laws = [relation for relation in laws if names.issuperset(relation.left.symbols())]
+        for part in sorted({*self._parts.values()}):
+            own = [label for label in labels if self._parts.get(label) == part]
+            plain = [r for r in laws if self._parts.get(r.latex()) == part]
+            if own or plain:
+                relations = (*(by_label[label] for label in own if label in by_label), *plain)
+                yield Step(-1, "equations", _said(part, own, plain), relations, tuple(own), ())
+
+
+def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
+    named = joined(sorted(labels, key=lambda label: int(label[1:-1]))) if labels else ""
+    numbered = f"equation{'s' if len(labels) > 1 else ''} {named}" if labels else ""
+    held = [each for each in (numbered, *(relation.latex() for relation in plain)) if each]
+    return f"As in part ({part}), {joined(held)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
+
+
+def _labelled(step: Step, names: Mapping[str, str]) -> Step:
+    """A step with other labels in its text, outside of formulas, and among what it gives."""
+    parts = step.text.split("$")
+    parts[::2] = [LABEL.sub(lambda match: names.get(match[0], match[0]), part) for part in parts[::2]]
+    return replace(step, text="$".join(parts), gives=tuple(names.get(name, name) for name in step.gives))
+
+
+def _referred(text: str) -> list[str]:
+    """The labels to which a text refers."""
+    begun = {match.start(1) for match in _DEFINED.finditer(text)}
+    return [match[0] for match in LABEL.finditer(text) if match.start() not in begun]
+
+
+def _items(text: str) -> list[str]:
+    """What the lists in a text introduce."""
+    matches = (_LIST.fullmatch(sentence) for sentence in _SENTENCE.split(text))
+    return [item for match in matches if match is not None for item in match["items"].split("; ")]
+
+
+def _equations(step: Step) -> Iterator[tuple[str, Relation]]:
+    """The equations of a step by their labels."""
+    by_formula = {relation.latex()[1:-1]: relation for relation in step.relations}
+    yield from ((label, by_formula[formula]) for label, formula in _DEFINED.findall(step.text) if formula in by_formula)

@@ -1,0 +1,133 @@
+"""Results of earlier parts in place of the steps that lead to them again."""
+
+import re
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
+from sim2reason.solutions.multipart.renaming import spoken
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
+
+EARLIER = "earlier part"
+_NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
+
+
+def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
+    """The solution with the results of earlier parts, by their labels, in place of the steps that lead to them.
+
+    Names mean the same in all parts. With `whole`, all that the solutions of earlier parts find on their way counts,
+    too. It stays as it is where no step can be left out, and where its motion is integrated.
+    """
+    known: dict[str, str] = {}
+    for name in _found(solution):
+        source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
+        if source is not None:
+            known[name] = source
+    kept = kept_steps(solution, known)
+    used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
+    recalled = used - {name for step in kept for name in step.gives}
+    if not recalled or len(kept) == len(solution.steps):
+        return solution
+    said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
+    kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
+    symbols = {name for step in kept for name in step.symbols()}
+    first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
+    told = _recalled({name: known[name] for name in known if name in recalled}, solution)
+    return replace(solution, steps=renumbered([*first, *told, *kept]))
+
+
+def kept_steps(solution: Solution, known: Collection[str]) -> list[Step]:
+    """The steps that lead to the goal from names that are known; all where no step can be left out."""
+    if solution.answer is None or any(step.integration is not None for step in solution.steps):
+        return [*solution.steps]
+    kept = _needed(solution, known)
+    return kept if len(kept) < sum(bool(step.gives) for step in solution.steps) else [*solution.steps]
+
+
+def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """Steps counted from zero, each with those of its needs that are left, and with recalled results it uses."""
+    place = {step.id: number for number, step in enumerate(steps) if step.id >= 0}
+    recalled = {name: number for number, step in enumerate(steps) if step.kind == EARLIER for name in step.gives}
+    found: list[Step] = []
+    for number, step in enumerate(steps):
+        needs = {place[need] for need in step.needs if need in place}
+        needs |= {recalled[name] for name in step.symbols() if name in recalled and step.kind != EARLIER}
+        found.append(replace(step, id=number, needs=tuple(sorted(needs))))
+    return tuple(found)
+
+
+def _found(solution: Solution) -> list[str]:
+    """The names that a solution finds on its way."""
+    given = {name for step in solution.steps for name in step.gives}
+    return [name for name in solution.values if name in given and name != solution.goal]
+
+
+def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bool:
+    """Whether another solution leads to a name of a solution, or finds it on its way, where `whole` counts that."""
+    if other.answer is None or name not in other.values:
+        return False
+    found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
+    value = solution.values[name]
+    same = abs(value - other.values[name]) <= SAME * abs(value) and unit_of(name, other) == unit_of(name, solution)
+    return found and same
+
+
+def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
+    """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
+    bases = {name.partition("_")[0] for step in kept for name in step.symbols()}
+    found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
+    return [step for step in found if bases & {*_NAMED.findall(step.text)}]
+
+
+def _introduced(solution: Solution) -> Iterator[str]:
+    """The texts that introduce names which the solution uses."""
+    used = {*names_of(solution.steps)}
+    yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
+
+
+def _needed(solution: Solution, known: Collection[str]) -> list[Step]:
+    """The steps that lead to the goal if some names are known."""
+    last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
+    waiting, kept = [last] if last is not None else [], dict[int, Step]()
+    while waiting:
+        step = waiting.pop()
+        if step.id in kept:
+            continue
+        kept[step.id] = step
+        waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
+    return [kept[number] for number in sorted(kept)]
+
+
+def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
+    """Whether all that a step takes from another is known: names that stand in it or of which it speaks, no labels."""
+    taken = {*needed.gives} & {*step.symbols()} or {*needed.gives}
+    return bool(taken) and taken <= {*known}
+
+
+def given_for(step: Step, used: Collection[str]) -> Step:
+    """The givens of a text, as far as they are used."""
+    said = re.findall(r"\$[^$]*\$", step.text)
+    if len(said) != len(step.relations):
+        return step
+    pairs = [
+        (text, r) for text, r in zip(said, step.relations, strict=True) if not {*r.left.symbols()}.isdisjoint(used)
+    ]
+    lead, colon, _ = step.text.partition(": ")
+    texts = [text for text, _ in pairs]
+    return replace(step, text=f"{lead}{colon}{joined(texts)}." if texts else "", relations=tuple(r for _, r in pairs))
+
+
+def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
+    """The results of earlier parts: a step for each part."""
+    steps: list[Step] = []
+    for label in sorted({*known.values()}):
+        names = [name for name in known if known[name] == label]
+        relations = [Relation(Symbol(n), Number(solution.values[n]), "given", unit_of(n, solution)) for n in names]
+        said = [
+            f"${r.left.latex()} = {with_unit(solution.values[n], r.unit)}$"
+            for n, r in zip(names, relations, strict=True)
+        ]
+        steps.append(Step(-1, EARLIER, f"From part ({label}), {joined(said)}.", tuple(relations), tuple(names), ()))
+    return steps

@@ -1,0 +1,160 @@
+"""Solutions whose names are exchanged for others, in their formulas as well as in their texts."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, cast
+
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.solution import Accumulated, Coordinate, Integration, Relation, Solution, Step
+from sim2reason.solutions.writing.subscripts import marked, split
+
+_BELOW = r"_(?:\\[A-Za-z]+|[A-Za-z0-9]|\{(?:[^{}]|\{[^{}]*\})*\})"
+_NAME = rf"(?:\\[A-Za-z]+|[A-Za-z])'*(?:{_BELOW})?"
+TOKEN = re.compile(
+    r"(?P<upright>\\(?:text|mathrm|operatorname)\{[^{}]*\})"
+    rf"|(?P<dots>\\dd?ot)\{{(?P<inside>{_NAME})\}}(?P<below>{_BELOW})?"
+    rf"|(?P<measure>d(?=\\vartheta))|(?P<name>{_NAME})"
+)
+"""What stands in a formula: words, names below dots, the d of an integral, and names."""
+
+Names = Mapping[str, str]
+
+
+def renamed(solution: Solution, names: Names) -> Solution:
+    """The solution with other names; those that `names` lacks stay."""
+    names = {old: new for old, new in names.items() if old != new}
+    if not names:
+        return solution
+
+    def of(name: str) -> str:
+        return names.get(name, name)
+
+    return replace(
+        solution,
+        steps=tuple(_step(step, names) for step in solution.steps),
+        values={of(name): value for name, value in solution.values.items()},
+        goal=of(solution.goal),
+        stated=tuple(map(of, solution.stated)),
+        constants={of(name): value for name, value in solution.constants.items()},
+        phases=tuple(replace(p, begins=in_text(p.begins, names), ends=in_text(p.ends, names)) for p in solution.phases),
+    )
+
+
+def in_formula(held: Expression, names: Names) -> Expression:
+    """A formula with other names."""
+    if isinstance(held, Symbol):
+        return Symbol(names.get(held.name, held.name))
+    if not is_dataclass(held):
+        return held
+    changed: dict[str, object] = {}
+    for field in fields(held):
+        value: object = getattr(held, field.name)
+        if isinstance(value, Expression | tuple):
+            changed[field.name] = _inside(cast("Expression | tuple[object, ...]", value), names)
+        elif isinstance(held, NumericRoot) and field.name == "name":
+            changed[field.name] = names.get(held.name, held.name)
+    return cast("Expression", replace(cast("Any", held), **changed))
+
+
+def in_relation(relation: Relation, names: Names) -> Relation:
+    """An equation with other names."""
+    return replace(relation, left=in_formula(relation.left, names), right=in_formula(relation.right, names))
+
+
+def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
+    """A text with other names in its formulas; those that are equations are written as these are."""
+    parts = text.split("$")
+    for number in range(1, len(parts), 2):
+        part = _in_latex(parts[number], names)
+        for relation in relations:
+            new = in_relation(relation, names)
+            for old_side, new_side in ((relation.left, new.left), (relation.right, new.right)):
+                part = part.replace(_in_latex(old_side.latex(), names), new_side.latex())
+        parts[number] = part
+    return "$".join(parts)
+
+
+def spoken(text: str) -> frozenset[str]:
+    """All names in the formulas of a text."""
+    found: set[str] = set()
+    for part in text.split("$")[1::2]:
+        for match in TOKEN.finditer(part):
+            if match["name"] or match["inside"]:
+                found.add(_plain(match["name"] or match["inside"] + (match["below"] or "")))
+    return frozenset(found)
+
+
+def _inside(value: "Expression | tuple[object, ...]", names: Names) -> object:
+    if isinstance(value, Expression):
+        return in_formula(value, names)
+    return tuple(
+        _inside(cast("Expression | tuple[object, ...]", held), names)
+        if isinstance(held, Expression | tuple)
+        else names.get(held, held)
+        if isinstance(held, str)
+        else held
+        for held in value
+    )
+
+
+def _step(step: Step, names: Names) -> Step:
+    held = step.integration
+    return replace(
+        step,
+        text=in_text(step.text, names, step.relations),
+        relations=tuple(in_relation(relation, names) for relation in step.relations),
+        gives=tuple(names.get(name, name) for name in step.gives),
+        integration=None if held is None else _integration(held, names),
+    )
+
+
+def _integration(held: Integration, names: Names) -> Integration:
+    """An initial-value problem with other names."""
+
+    def of(name: str) -> str:
+        return names.get(name, name)
+
+    return replace(
+        held,
+        time=of(held.time),
+        begin=in_formula(held.begin, names),
+        coordinates=tuple(
+            Coordinate(
+                of(c.place),
+                of(c.rate),
+                of(c.acceleration),
+                in_formula(c.initial_place, names),
+                in_formula(c.initial_rate, names),
+            )
+            for c in held.coordinates
+        ),
+        unknowns=tuple(map(of, held.unknowns)),
+        equations=tuple(in_relation(relation, names) for relation in held.equations),
+        until=replace(held.until, expression=in_formula(held.until.expression, names)),
+        ends=tuple((of(symbol), of(name)) for symbol, name in held.ends),
+        accumulated=tuple(
+            Accumulated(of(a.name), in_formula(a.rate, names), in_formula(a.initial, names)) for a in held.accumulated
+        ),
+    )
+
+
+def _in_latex(text: str, names: Names) -> str:
+    return TOKEN.sub(lambda match: _token(match, names), text)
+
+
+def _token(match: re.Match[str], names: Names) -> str:
+    said = match["name"] or (match["inside"] or "") + (match["below"] or "")
+    new = names.get(_plain(said)) if said else None
+    if new is None:
+        return match[0]
+    if match["name"]:
+        return new
+    base, mark = split(new)
+    return f"{match['dots']}{{{base}}}" + (f"_{{{mark}}}" if mark else "")
+
+
+def _plain(name: str) -> str:
+    base, mark = split(name)
+    return marked(base, mark)
