@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, replace
 from sim2reason.grading.parts import LABELS
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
+from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
@@ -87,12 +87,12 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         source = next((held for held in earlier if _is_told(name, solution, held[1], whole=whole)), None)
         if source is not None:
             known[name] = source
-    kept = _needed(solution, known)
+    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
+    kept = _needed(solution, known, said)
     used = {name for step in kept for name in _symbols(step)} & known.keys()
     given = {name for step in kept for name in step.gives}
     if not used - given or len(kept) >= sum(bool(step.gives) for step in solution.steps):
         return solution
-    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     first = [_givens(step, kept) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name][0] for name in known if name in used - given}, solution)
@@ -155,10 +155,11 @@ def _symbols(step: Step) -> set[str]:
     return {name for relation in step.relations for name in relation.symbols()}
 
 
-def _needed(solution: Solution, known: dict[str, tuple[str, Solution]]) -> list[Step]:
-    """The steps that lead to the goal if some names are known."""
+def _needed(solution: Solution, known: dict[str, tuple[str, Solution]], said: Container[str]) -> list[Step]:
+    """The steps that lead to the goal if some names are known, and those that verify assumptions, unless `said`."""
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
     waiting, kept = [last] if last is not None else [], dict[int, Step]()
+    waiting += [step for step in solution.steps if _verifies(step) and step.text not in said]
     while waiting:
         step = waiting.pop()
         if step.id in kept:
@@ -166,6 +167,11 @@ def _needed(solution: Solution, known: dict[str, tuple[str, Solution]]) -> list[
         kept[step.id] = step
         waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
     return [kept[number] for number in sorted(kept)]
+
+
+def _verifies(step: Step) -> bool:
+    """Whether a step only verifies what was assumed."""
+    return bool(step.relations) and all(relation.role in CHECKS for relation in step.relations)
 
 
 def _is_known(needed: Step, step: Step, known: dict[str, tuple[str, Solution]]) -> bool:
