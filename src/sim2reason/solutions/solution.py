@@ -13,7 +13,8 @@ from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-Role = Literal["given", "law", "derived", "result", "verified", "trial", "condition"]
+Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]
+CHECKS = frozenset({"verified", "exceeds"})  # roles of relations on which nothing rests
 WELL = 1e-9  # relative: how well every relation holds
 SAME = 1e-6  # relative: a solution that leads to another answer is none
 
@@ -22,7 +23,8 @@ SAME = 1e-6  # relative: a solution that leads to another answer is none
 class Relation:
     """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
 
-    What was assumed is `verified` by numbers on which nothing rests. An unknown found by `trial` has the value with
+    What was assumed is `verified` by numbers on which nothing rests, and by comparisons: the left side `exceeds` the
+    right one. An unknown found by `trial` has the value with
     which the `condition`, a result that the question gives, holds in the end.
 
     `unit` is that of a result, in LaTeX.
@@ -35,7 +37,7 @@ class Relation:
 
     def latex(self, value: float | None = None) -> str:
         """As it stands in the text, with dollars; of a result the value follows."""
-        text = f"{self.left.latex()} = {self.right.latex()}"
+        text = f"{self.left.latex()} {'>' if self.role == 'exceeds' else '='} {self.right.latex()}"
         if value is not None:
             number = with_unit(value, self.unit)
             bare = self.right.latex() == rounded(value) and self.unit != DEGREES
@@ -153,7 +155,7 @@ class Step:
         """What mathematics it takes; a check on which nothing rests takes none."""
         if self.integration is not None:
             return Need.INTEGRATION
-        held = (relation for relation in self.relations if relation.role != "verified")
+        held = (relation for relation in self.relations if relation.role not in CHECKS)
         return greatest(need_of(side) for relation in held for side in (relation.left, relation.right))
 
 

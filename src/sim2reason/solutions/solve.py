@@ -16,6 +16,7 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import in_rows
+from sim2reason.solutions.collisions.order import in_order
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
@@ -113,9 +114,16 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     try:
         goal = strategy.write(setting, book)
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
+        late = {*book.hidden, book.sought}
+        if not book.in_symbols:
+            book.hidden.clear()
+        for write in book.afterwards:
+            write()
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = book.steps if strategy.integrates else in_rows(merged(_needed(book.steps, goal)))
+    steps = (
+        book.steps if strategy.integrates else in_rows(merged(in_order(_needed(book.steps, goal), book.earliest, late)))
+    )
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     found = _found(strategy, setting, book, goal, steps)
     answer = found.said(book.values[goal])

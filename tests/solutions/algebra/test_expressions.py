@@ -108,3 +108,8 @@ def test_no_minus_sign_stands_below_a_fraction_or_under_a_square() -> None:
 
 def test_half_is_no_denominator() -> None:
     assert ((Symbol("x") - Symbol("y")) / Number(0.5)).latex() == r"2\,\left(x - y\right)"
+
+
+def test_a_number_with_a_power_of_ten_is_raised_in_parentheses() -> None:
+    small = Worked(M, 8.3673e-5)
+    assert Power(small, 2).latex() == r"\left(8.3673 \times 10^{-5}\right)^{2}"

@@ -22,7 +22,7 @@ def twice_thrown() -> Data:
     falling = relation("a", ["+", 0.0, ["*", -1.0, "g"]])
     fall = phase([coordinate("y", "v", "a", "h", 0.0)], [falling], "y", {"\\tau": "t_1", "v": "u"}, direction=-1)
     rise = phase([coordinate("y", "v", "a", 0.0, "w")], [falling], "v", {"\\tau": "t_2", "y": "H"}, begin="t_1")
-    both = step(relation("X", ["*", "t_2", "H"]))
+    both = step(relation("X", ["*", "t_2", "H"]), relation("h", "H", "exceeds"))
     rebound = step(relation("w", ["*", -1.0, "e", "u"])) | {"kind": "rebound"}
     return solution(
         {"h": 1.5, "g": 9.8, "e": 0.8}, "X", step(integration=fall), rebound, step(integration=rise, phase=1), both

@@ -37,8 +37,8 @@ class Worked(Expression):
 
     @property
     def rank(self) -> int:
-        """A negative one needs parentheses."""
-        return 2 if self.comes_to >= 0.0 else 0
+        """A negative one needs parentheses, one with a power of ten those of a product."""
+        return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 
 @dataclass(frozen=True, slots=True)

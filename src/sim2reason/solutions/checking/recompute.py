@@ -9,9 +9,10 @@ from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PhaseError, formulas, integrate
 from sim2reason.solutions.checking.recomputed import Recomputed
 from sim2reason.solutions.checking.relations import UNDEFINED, Relations
-from sim2reason.solutions.checking.trees import TreeError, check, symbols
+from sim2reason.solutions.checking.trees import TreeError, check, symbols, written
 from sim2reason.solutions.checking.trial import CONDITION, TRIAL, by_trial, sought
 
+COMPARED = "exceeds"  # the role of relations whose left side is the larger one
 STATED = "law", "derived", "result", "verified"  # the roles of relations that are equations
 STEPS = 1000  # of all integrations of a solution together
 MOST = 2000  # relations
@@ -47,6 +48,7 @@ class _Reading:
             raise TreeError("a given is no number")
         self._relations, self._steps = Relations(given), STEPS
         self._equations: list[Equation] = []
+        self._compared: list[Equation] = []
         self._given = frozenset(given)
         self._ends: set[str] = set()
         self._needed: list[str] = [str(data["goal"])]
@@ -60,6 +62,7 @@ class _Reading:
             self._read(step)
         known.solve_linear()
         faults = [*known.faults, *(f"{name} has no value" for name in known.unknown)]
+        faults += self._too_small()
         goal = self._needed[0]
         answer = known.values[goal] * float(self._data["scale"]) if goal in known.values else None
         faults += [] if answer is not None or goal in known.unknown else [f"no relation speaks of {goal}"]
@@ -75,8 +78,10 @@ class _Reading:
             left, right, role = held["left"], held["right"], str(held["role"])
             check(left)
             check(right)
-            if role not in (*STATED, TRIAL, CONDITION):
+            if role not in (*STATED, COMPARED, TRIAL, CONDITION):
                 raise TreeError(f"a relation has the role {role}")
+            if role == COMPARED:
+                self._compared.append(Equation.of(left, right, role))
             if role in STATED:
                 equation = Equation.of(left, right, role)
                 self._equations.append(equation)
@@ -103,6 +108,17 @@ class _Reading:
                 known.faults.append(f"{name} has two values")
             else:
                 known.assign(name, number)
+
+    def _too_small(self) -> list[str]:
+        """The comparisons whose left side isn't larger, in words."""
+        found: list[str] = []
+        for held in self._compared:
+            try:
+                larger = held.excess(self._relations.values) > 0.0
+            except UNDEFINED:
+                larger = False
+            found += [] if larger else [f"isn't larger: {written(held.left)} than {written(held.right)}"]
+        return found
 
     def _undetermined(self) -> Sequence[str]:
         """What does not follow from the laws."""

@@ -62,6 +62,10 @@ class FreeFlights(ABC):
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
         self._places: dict[tuple[int, int, str], Polynomial] = {}
         self.struck: dict[int, dict[int, Polynomial]] = {}
+        self.sums: dict[
+            Symbol, tuple[Symbol, Symbol]
+        ] = {}  # times since the start: when a flight began, how long it was
+        self.flown: set[tuple[str, int]] = set()  # flights of which the text says that they go on until the moment
         self.relative: dict[
             int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
         ] = {}  # of discs that meet
@@ -175,7 +179,7 @@ class FreeFlights(ABC):
         step, until = self.book.open(TIME), self.book.fresh("t")
         step.say(f"The time since the start is {step.result(until, added(begins, span), SECONDS, law=True)}.")
         step.close()
-        self._spans[begins.name, until.name] = span
+        self._spans[begins.name, until.name], self.sums[until] = span, (begins, span)
         return until
 
     def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
@@ -232,7 +236,8 @@ class FreeFlights(ABC):
         if formula == ZERO:
             return NIL
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
-        says = f"At ${time.name}$ the displacement of {self.setting.called(body)}{self._axis(k)} is"
+        whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.called(body)}"
+        says = f"At ${time.name}$ the displacement{whose} is"
         step.rest_on(time.name)
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()

@@ -3,12 +3,12 @@
 from abc import ABC, abstractmethod
 
 from sim2reason.dsl.mechanism import Meeting
+from sim2reason.questions.spoken import ORDINALS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
 from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
@@ -101,10 +101,15 @@ class Impacts(FreeFlights, ABC):
     def event(self, time: Symbol) -> str:
         """Return the impact that comes at a time, in words; *then* if none does."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
-        if impact is None:
-            return "then"
+        return "then" if impact is None else self.collision(impact)
+
+    def collision(self, impact: Impact) -> str:
+        """Return an impact in words."""
         who = self.setting.listed(list(impact.bodies))
-        return f"the collision of {who}" if len(impact.bodies) > 1 else f"the impact of {who} on {self._what(impact)}"
+        same = [held.number for held in self.impacts if held.meeting == impact.meeting]
+        which = f"{_ordinal(same.index(impact.number) + 1)} " if len(same) > 1 else ""
+        pair = len(impact.bodies) > 1
+        return f"the {which}collision of {who}" if pair else f"the {which}impact of {who} on {self._what(impact)}"
 
     def flying_on(self, body: str, number: int, time: Symbol) -> None:
         """Say that a body is still in the air at a time after it rebounded from the ground; nothing rests on it."""
@@ -119,9 +124,9 @@ class Impacts(FreeFlights, ABC):
         span = self.span(leg, time)
         if book.is_hidden(formula) or book.is_hidden(span):
             return
-        if book.value(formula) < book.value(span):
-            raise UnsolvedError("it lands before the moment")
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
+        step.exceeds(formula, span)
+        self.flown.add((body, number))
         book.observed[name.name] = book.value(formula)
         step.rest_on(span.name)
         told = step.verified(name, formula, SECONDS)
@@ -204,3 +209,8 @@ class Impacts(FreeFlights, ABC):
             step.say(f"So {step.result(name, ratio(above, whole), SPEED)}.")
             step.close()
         return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
+
+
+def _ordinal(number: int) -> str:
+    """First, second, ..., then 7th, 8th, ..."""
+    return ORDINALS[number - 1] if number <= len(ORDINALS) else f"{number}th"

@@ -6,9 +6,12 @@ from sim2reason.solutions.algebra.functions import Power, Root, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
+
+RESTITUTION = "Conservation of momentum and restitution along it"
+INELASTIC = "Conservation of momentum, and no relative velocity along it after the inelastic collision,"
 
 
 class Flights(Impacts):
@@ -60,7 +63,8 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
-    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}.")
+    later = f" after {flights.event(since)}" if since else ""
+    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{later}.")
     step.close()
     return flights.counted(since, t)
 
@@ -92,7 +96,8 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
             found.append((flights.mechanism.coordinates[i].label, apart, w))
     step, said = flights.book.open("relative"), list[str]()
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
-        step.say("Both have the same acceleration, so their relative velocity is constant.")
+        who = capital(flights.setting.listed(list(impact.bodies)))
+        step.say(f"{who} have the same acceleration, so their relative velocity is constant.")
     pair = "".join(flights.setting.mark(body) for body in impact.bodies)
     for label, apart, w in found:
         x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")
@@ -135,7 +140,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    said = "Conservation of momentum and restitution along it give the impulse"
+    said = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
     step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
     found: dict[int, Polynomial] = {}

@@ -26,7 +26,30 @@ class StruckBodies:
     @property
     def told(self) -> str:
         """It in words."""
-        return self.flights.met(self.impact)
+        return self.flights.collision(self.impact)
+
+    @property
+    def loses(self) -> str:
+        """Why kinetic energy is lost, as the beginning of a sentence."""
+        motion = "relative motion" if len(self.bodies) > 1 else "normal motion"
+        left = "keeps $e^2$ of its kinetic energy" if self.flights.restitution(self.impact.meeting) else "ends"
+        return f"The {motion}{self._way} {left}, so"
+
+    @property
+    def pushes(self) -> str:
+        """The laws that give the impulse, as the beginning of a sentence."""
+        e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
+        if not pair:
+            return "The impulse is the change of momentum, so"
+        if e:
+            return f"By conservation of momentum and restitution{self._way},"
+        return f"By conservation of momentum, as no relative velocity{self._way} is left,"
+
+    @property
+    def _way(self) -> str:
+        return (
+            " along the line of centres" if self.flights.mechanism.meetings[self.impact.meeting].normal is None else ""
+        )
 
     @property
     def lost(self) -> Expression:

@@ -62,7 +62,17 @@ class Struck(Protocol):
 
     @property
     def told(self) -> str:
-        """It in words, as a sentence without its point."""
+        """It in words: the collision of two bodies."""
+        ...
+
+    @property
+    def loses(self) -> str:
+        """Why kinetic energy is lost in it, as the beginning of a sentence."""
+        ...
+
+    @property
+    def pushes(self) -> str:
+        """The laws that give its impulse, as the beginning of a sentence."""
         ...
 
     @property

@@ -8,6 +8,7 @@ from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.goals import GOALS, Goal, Known, Struck, VectorName, finish
 from sim2reason.solutions.goals.sums import IMPULSES
+from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 LOSS = VectorName.of("energy lost in a collision")
@@ -43,18 +44,19 @@ class CollisionGoal(Goal):
         held = held if self.several else held[-1:]
         what = "the kinetic energy lost" if self.noun is LOSS else "the magnitude of the impulse"
         if len(held) == 1:
-            return finish(known, self._one(held[0]), self.noun, "", f"{what} is")
-        step = known.book.open("collisions")
-        step.say(f"These collisions occur: {'; '.join(struck.told[:1].lower() + struck.told[1:] for struck in held)}.")
-        step.close()
+            return finish(known, self._one(held[0]), self.noun, "", f"{self._law(held[0])} {what} is")
         whole: Expression = ZERO
         for number, struck in enumerate(held, start=1):
             formula = self._one(struck)
             step, name = known.book.open("sum"), known.book.fresh(self.noun.base, str(number))
-            step.say(f"{struck.told}: {what} is {step.result(name, formula, self.noun.unit, law=True)}.")
+            law = f"{self._law(struck)} {what}" if number == 1 else capital(what)
+            step.say(f"{law} in {struck.told} is {step.result(name, formula, self.noun.unit, law=True)}.")
             step.close()
             whole = added(whole, name)
         return finish(known, whole, self.noun, "", f"{what} in all is")
+
+    def _law(self, struck: Struck) -> str:
+        return struck.loses if self.noun is LOSS else struck.pushes
 
     def _one(self, struck: Struck) -> Expression:
         return struck.lost if self.noun is LOSS else struck.push

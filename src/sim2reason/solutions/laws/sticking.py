@@ -18,13 +18,13 @@ def verify_sticking(dynamics: Dynamics) -> None:
     """A step for each body that sticks where its law alone says which friction that takes; nothing rests on it."""
     mechanism, newton = dynamics.mechanism, dynamics.newton
     spoken = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
-    spoken |= {carrier for body in spoken for carrier in _carriers(dynamics, body)}
+    spoken |= {carrier for body in spoken for carrier in carriers(dynamics, body)}
     for number, side in newton.rough.items():
         face = mechanism.faces[number]
-        if side or isinf(face.friction) or not spoken & {face.subject, *_carriers(dynamics, face.subject)}:
+        if side or isinf(face.friction) or not spoken & {face.subject, *carriers(dynamics, face.subject)}:
             continue
         rows, _ = dynamics.laws([f"N{number}"])
-        friction, normal = (_alone(dynamics, rows, f"{kind}{number}") for kind in "fN")
+        friction, normal = (found_alone(dynamics, rows, f"{kind}{number}") for kind in "fN")
         if friction is not None and normal is not None:
             _tell(dynamics, number, friction, normal)
 
@@ -36,7 +36,7 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     if book.is_hidden(friction) or book.is_hidden(most) or book.value(friction) > LIMIT * book.value(most):
         return
     step = book.open("verify")
-    said = _told(book, step, dynamics.setting.mark(body), friction, most)
+    said = told_friction(book, step, dynamics.setting.mark(body), friction, most)
     who = capital(dynamics.setting.called(body))
     step.say(
         f"{who} does not slip: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
@@ -49,7 +49,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
     body = setting.mechanism.faces[face].subject
     step, who = book.open("verify"), capital(setting.called(body))
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
-    needed = _holding(newton, setting, face)
+    needed = holding(newton, setting, face)
     if needed is None:
         step.say(f"{said}.")
     else:
@@ -58,18 +58,18 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
         friction = friction if book.value(friction) >= 0.0 else -friction
         if book.value(friction) <= book.value(most):
             raise UnsolvedError("friction could hold what slips")
-        told = _told(book, step, setting.mark(body), friction, most)
+        told = told_friction(book, step, setting.mark(body), friction, most)
         grip = "roll without slipping" if newton.alone(face) is None else "stay at rest"
         step.say(f"To {grip} {setting.called(body)} would need the friction {told[0]}, more than {told[1]}.")
         step.say(f"{said}.")
     step.close()
 
 
-def _holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
+def holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
     """Return the friction for a lone body to stick (its load) or to roll (I/(I + m R²) of it); else None."""
     mechanism, subject = setting.mechanism, setting.mechanism.faces[face].subject
     ways = [mechanism.number[c.name] for c in mechanism.body[subject].coordinates if c.kind == "slide"]
-    if len(mechanism.bodies) > 1 or mechanism.lines or len(ways) != 1:
+    if len(mechanism.bodies) > 1 or mechanism.lines or mechanism.forces or len(ways) != 1:
         return None
     mass, (k,) = newton.mass(subject), ways
     load = mass * newton.gravity * newton.along(subject, k, (0.0, 0.0, -1.0))
@@ -80,7 +80,7 @@ def _holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
     return over(load * turning, mass + turning) if len(hinges) == 1 else None
 
 
-def _told(book: Book, step: Writing, mark: str, friction: Expression, most: Expression) -> list[str]:
+def told_friction(book: Book, step: Writing, mark: str, friction: Expression, most: Expression) -> list[str]:
     """Return the sentences for the friction that is needed and the greatest friction, under new names."""
     names = [book.fresh(base, mark) for base in ("f", r"f_{\text{max}}")]
     for name, held in zip(names, (friction, most), strict=True):
@@ -88,7 +88,7 @@ def _told(book: Book, step: Writing, mark: str, friction: Expression, most: Expr
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 
-def _alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
+def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
     """A force, from a law in which all else has a value by now; None if there is none."""
     named = dynamics.names.get(name)
     if named is not None and named.names() <= dynamics.book.values.keys():
@@ -101,7 +101,8 @@ def _alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
     return None
 
 
-def _carriers(dynamics: Dynamics, body: str) -> list[str]:
+def carriers(dynamics: Dynamics, body: str) -> list[str]:
+    """Return what carries a body, the nearest first."""
     found, step = list[str](), dynamics.mechanism.body[body].parent
     while step is not None:
         found.append(step)

@@ -9,6 +9,7 @@ from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.selection import needed
+from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
@@ -30,6 +31,7 @@ class WrittenDynamics(Dynamics):
         self.name(chosen, goals)
         DynamicsWriter(self, chosen, goals).write()
         verify_sticking(self)
+        verify_sliding(self)
         for name, held in self.names.items():
             for monomial, part in held.terms.items():
                 self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
@@ -83,7 +85,7 @@ class DynamicsWriter:
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
             step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
-        step.say(*self._resting())
+        step.say(*directions_of_friction(self.d, self.rows), *self._resting())
         step.close()
 
     def _resting(self) -> list[str]:

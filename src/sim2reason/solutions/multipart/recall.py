@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
+from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
@@ -25,12 +25,12 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
         if source is not None:
             known[name] = source
-    kept = kept_steps(solution, known)
+    said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
+    kept = kept_steps(solution, known, said)
     used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
     if not recalled or len(kept) == len(solution.steps):
         return solution
-    said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
     first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
@@ -38,11 +38,14 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     return replace(solution, steps=renumbered([*first, *told, *kept]))
 
 
-def kept_steps(solution: Solution, known: Collection[str]) -> list[Step]:
-    """The steps that lead to the goal from names that are known; all where no step can be left out."""
+def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
+    """The steps that lead to the goal from names that are known, and those that verify assumptions, unless `said`.
+
+    All where no step can be left out.
+    """
     if solution.answer is None or any(step.integration is not None for step in solution.steps):
         return [*solution.steps]
-    kept = _needed(solution, known)
+    kept = _needed(solution, known, said)
     return kept if len(kept) < sum(bool(step.gives) for step in solution.steps) else [*solution.steps]
 
 
@@ -87,10 +90,11 @@ def _introduced(solution: Solution) -> Iterator[str]:
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 
-def _needed(solution: Solution, known: Collection[str]) -> list[Step]:
-    """The steps that lead to the goal if some names are known."""
+def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
+    """The steps that lead to the goal if some names are known, and those that verify assumptions, unless `said`."""
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
     waiting, kept = [last] if last is not None else [], dict[int, Step]()
+    waiting += [step for step in solution.steps if _verifies(step) and step.text not in said]
     while waiting:
         step = waiting.pop()
         if step.id in kept:
@@ -98,6 +102,11 @@ def _needed(solution: Solution, known: Collection[str]) -> list[Step]:
         kept[step.id] = step
         waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
     return [kept[number] for number in sorted(kept)]
+
+
+def _verifies(step: Step) -> bool:
+    """Whether a step only verifies what was assumed."""
+    return bool(step.relations) and all(relation.role in CHECKS for relation in step.relations)
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:

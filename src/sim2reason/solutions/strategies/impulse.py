@@ -17,11 +17,13 @@ from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import Impact, Leg
 from sim2reason.solutions.collisions.oblique import Flights
+from sim2reason.solutions.collisions.order import Order
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
 from sim2reason.solutions.collisions.tops import at_top
 from sim2reason.solutions.goals import Stretch, Struck
@@ -83,7 +85,8 @@ class _Struck(Way):
 
     def write(self) -> str:
         """The time, or the goal."""
-        _ = self.flights
+        if not self.book.in_symbols and self.setting.most == Need.INTEGRATION:
+            self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
             step = self.book.open("moment")
             step.say("At the highest point of the path the vertical velocity is zero.")
@@ -91,6 +94,15 @@ class _Struck(Way):
         if self.target is None or self.goal is None:
             return self.time.name
         return self.goal.write(self.target, self).name
+
+    def _follow(self) -> None:
+        """Write all collisions before the moment in order, and in the end why no others come before them."""
+        ever = isinstance(self.query.moment, LastCollision)
+        until = self.time if isinstance(self.query.moment, AtTime) else None
+        order = Order(self.flights, inf if ever else self.setting.time)
+        order.follow()
+        until = None if ever else until or self.time
+        self.book.afterwards.append(lambda: order.tell(until))
 
     def force(self, kind: str, name: str) -> Symbol:
         """None."""

@@ -11,6 +11,8 @@ BEGIN = frozenset({"other value", "names"})
 """The kinds of steps that begin a second case or name new unknowns; what follows does not stand before them."""
 SENTENCE = re.compile(r"(?P<lead>((At|After the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
+SINGULAR_PLURAL = "the displacement is", "the displacements are"
+
 
 def merged(steps: Sequence[Step]) -> list[Step]:
     """Steps of one like sentence as one step where the first of them stands, which rests on all that the others do."""
@@ -47,7 +49,8 @@ def _said(group: Sequence[Step]) -> Step:
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
-    return together(group, f"{matches[0]['lead']} {joined([match['formulas'] for match in matches])}.")
+    lead = matches[0]["lead"].replace(*SINGULAR_PLURAL)
+    return together(group, f"{lead} {joined([match['formulas'] for match in matches])}.")
 
 
 def together(group: Sequence[Step], text: str) -> Step:

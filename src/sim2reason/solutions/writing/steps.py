@@ -1,6 +1,6 @@
 """A book in which each name has one value, and into which a worked solution is written step by step."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from copy import copy
 
 from sim2reason.dsl.units import SI, UnitSystem
@@ -8,7 +8,7 @@ from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
-from sim2reason.solutions.solution import Integration, Phase, Relation, Step, with_unit
+from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.fresh_names import FreshNames
 from sim2reason.solutions.writing.labels import Labels
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
@@ -51,6 +51,8 @@ class Book(FreshNames):
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
+        self.afterwards: list[Callable[[], None]] = []  # write arguments that may rest on what was found in the end
+        self.earliest: dict[int, int] = {}  # of a step that belongs further up: the number of one that it stands after
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
         self.labels = Labels()
         self._source: dict[str, int] = {}
@@ -164,7 +166,7 @@ class Book(FreshNames):
         """Keep a step."""
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
-        worked = (relation for relation in relations if relation.role in ("result", "verified"))
+        worked = (relation for relation in relations if relation.role in ("result", *CHECKS))
         names = {name for relation in worked for name in relation.symbols()} | {*rests}
         names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
@@ -225,6 +227,12 @@ class Writing:
         relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
         self.relations.append(relation)
         return relation.latex(None if self._book.is_hidden(formula) else self._book.value(formula))
+
+    def exceeds(self, left: Expression, right: Expression) -> None:
+        """Note that one formula is larger than another, which the sentence says; UnsolvedError if it isn't."""
+        if not self._book.value(left) > self._book.value(right):
+            raise UnsolvedError(f"{left.latex()} does not exceed {right.latex()}")
+        self.relations.append(Relation(left, right, "exceeds"))
 
     def integrate(self, integration: Integration) -> None:
         """State an initial-value problem; the values at its end are known to the book already."""

@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.collisions.long_chains import TIME
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.solution import WELL, Relation, Solution
+from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
 ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, as in a limiting case, where a = 0
@@ -52,8 +52,10 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
 
 
 def holds(relation: Relation, values: Mapping[str, float]) -> bool:
-    """Whether both sides agree, compared with the largest of their terms."""
+    """Whether both sides agree, compared with the largest of their terms; of a comparison, whether it is true."""
     left, right = relation.left.value(values), relation.right.value(values)
+    if relation.role == "exceeds":
+        return left.real > right.real
     size = max(_size(relation.left, values), _size(relation.right, values))
     return abs(left - right) <= WELL * size + ROUNDING
 
@@ -68,7 +70,7 @@ def undetermined(solution: Solution) -> list[str]:
 
     No phase may be integrated.
     """
-    relations = [r for r in solution.relations if r.role not in (*KNOWN, "verified")]
+    relations = [r for r in solution.relations if r.role not in (*KNOWN, *CHECKS)]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
     place = {name: number for number, name in enumerate(names)}
@@ -109,12 +111,13 @@ def _since_when(solution: Solution) -> list[str]:
     other move by their common momentum, whatever the friction was between them, but only from when they stick; and
     as free fall changes a velocity by as much before an impact as after it.
     """
-    verified = [relation for relation in solution.relations if relation.role == "verified"]
+    verified = [relation for relation in solution.relations if relation.role in CHECKS]
+    checked = {r.left.latex() for r in verified if r.role == "verified"}
     told = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
     flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
     times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
     times += [name for r in _formulas(solution) for name in r.left.symbols()]
-    return times + [name for relation in verified for name in relation.right.symbols()]
+    return times + [name for r in verified for name in r.symbols() if name not in checked]
 
 
 def _formulas(solution: Solution) -> list[Relation]:
@@ -128,7 +131,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
     values = dict(solution.values)
     known: set[str] = set()
     for number, relation in enumerate(solution.relations):
-        if not isinstance(relation.left, Symbol):
+        if not isinstance(relation.left, Symbol) or relation.role == "exceeds":
             continue
         name = relation.left.name
         if relation.role in KNOWN:
@@ -191,7 +194,7 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
     """The answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
     values: dict[str, float] = {}
     for relation in solution.relations:
-        if not isinstance(relation.left, Symbol):
+        if not isinstance(relation.left, Symbol) or relation.role == "exceeds":
             continue
         name = relation.left.name
         if relation.role == "given":

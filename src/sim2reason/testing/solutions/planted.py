@@ -5,8 +5,9 @@ equation is one. A phase is left out: of an integration everything at its end is
 phases all steps of one are missing. A jump is wrong: what a law says an event does is 0.9 times as large. A given is
 left out if a relation or a phase uses it. A sign is turned: that of one term of a sum, or of a product behind a minus.
 A number other than zero and exponents is 7 % larger. What nothing depends on is left as it is: a sign or number with
-which its relation holds as well (a term is zero), or a formula in a phase is the same (a square), and a relation for a
-name that is used nowhere else.
+which its relation holds as well (a term is zero), or a formula in a phase is the same (a square), a relation for a
+name that is used nowhere else, and a comparison, which many wrong numbers leave true: that is planted with its sides
+exchanged.
 """
 
 import json
@@ -17,6 +18,7 @@ from typing import Any
 
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
+from sim2reason.solutions.checking.recompute import COMPARED
 from sim2reason.solutions.checking.trees import Tree, compiled, symbols
 
 Data = dict[str, Any]
@@ -43,12 +45,13 @@ def _copy(data: Mapping[str, Any]) -> Data:
 
 
 def _idle(data: Data) -> list[Data]:
-    """The relations with a name on which nothing else rests, and those on which then nothing rests."""
-    relations = [relation for step in data["steps"] for relation in step["relations"]]
+    """The comparisons, the relations with a name on which nothing else rests, and those on which then nothing rests."""
+    every = [relation for step in data["steps"] for relation in step["relations"]]
+    relations = [relation for relation in every if relation["role"] != COMPARED]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
     fixed = {name for phase in _phases(data) for tree in formulas(phase) for name in symbols(tree)}
     fixed |= {str(data["goal"]), *data["givens"], *(name for phase in _phases(data) for _, name in phase["ends"])}
-    found: list[Data] = []
+    found = [relation for relation in every if relation["role"] == COMPARED]
     while True:
         count = Counter(name for relation in relations for name in names[id(relation)])
         more = [r for r in relations if any(count[name] == 1 for name in names[id(r)] - fixed)]
@@ -114,6 +117,15 @@ def _change_jump(data: Data, number: int | None, values: Mapping[str, float]) ->
     if number is not None:
         jumps[number]["right"] = ["*", WRONG, jumps[number]["right"]]
     return len(jumps)
+
+
+def _exchange_sides(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    del values
+    compared = [r for step in data["steps"] for r in step["relations"] if r["role"] == COMPARED]
+    if number is not None:
+        held = compared[number]
+        held["left"], held["right"] = held["right"], held["left"]
+    return len(compared)
 
 
 def _leave_out_given(data: Data, number: int | None, values: Mapping[str, float]) -> int:
@@ -242,4 +254,5 @@ KINDS: Mapping[str, Callable[[Data, int | None, Mapping[str, float]], int]] = {
     "a given left out": _leave_out_given,
     "a sign turned": _turn_sign,
     "a number changed": _change_number,
+    "a comparison turned round": _exchange_sides,
 }  # each plants the fault of a number, or with None only counts how many there are

@@ -17,7 +17,7 @@ from typing import Final
 from sim2reason.solutions.algebra.digits import rounded, simple_fraction
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
-from sim2reason.solutions.solution import Solution
+from sim2reason.solutions.solution import CHECKS, Solution
 
 __all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "given", "plain_number"]
 
@@ -44,7 +44,7 @@ def definitions(solution: Solution) -> Definitions:
         name = relation.left.latex()
         if (
             isinstance(relation.left, Symbol)
-            and relation.role != "given"
+            and relation.role not in ("given", *CHECKS)
             and name not in known
             and name in solution.values
             and all(symbol in known or symbol in found for symbol in relation.right.symbols())

@@ -1,0 +1,180 @@
+"""What was assumed of the direction of sliding is verified, and that strings between sliding bodies are taut."""
+
+from collections.abc import Sequence
+from math import isinf
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, told_friction
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
+
+SLOW = 1e-9  # m/s: nothing slips at the beginning
+
+
+def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
+    """Whether surfaces that slip have no relative velocity yet: only accelerations say which way they will slip."""
+    rates = dynamics.segment.v
+    slip = dynamics.mechanism.faces[face].slip
+    return abs(sum(float(rates[dynamics.mechanism.number[name]]) * radius for name, radius in slip)) < SLOW
+
+
+def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]:
+    """Return sentences about the directions of the friction forces in some laws."""
+    used = {name for row in rows for name in row.zero.names()}
+    ways: dict[str, list[str]] = {}
+    sticking: list[str] = []
+    for face, side in dynamics.newton.rough.items():
+        body = dynamics.mechanism.faces[face].subject
+        if side and f"N{face}" in used:
+            ways.setdefault(_way(dynamics, face, -side), []).append(body)
+        elif f"f{face}" in used:
+            (force,) = dynamics.names[f"f{face}"].names()
+            way = _way(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
+            sticking.append(f"Static friction ${force}$ acts on {dynamics.setting.called(body)} {way}.")
+    said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
+    return [*([f"Friction acts {joined(said)}."] if said else []), *sticking]
+
+
+def verify_sliding(dynamics: Dynamics) -> None:
+    """Write for each body that starts to slide in these laws why it does, and that way; nothing rests on it.
+
+    Where numbers are not known yet, that follows in the end; where all is in symbols, the text of the problem says it.
+    """
+    book = dynamics.book
+    if book.in_symbols:
+        return
+    if book.hidden:
+        book.afterwards.append(lambda: _tell(dynamics))
+    else:
+        _tell(dynamics)
+
+
+def _tell(dynamics: Dynamics) -> None:
+    spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
+    moved: dict[Expression, list[int]] = {}
+    for number, side in dynamics.newton.rough.items():
+        face = dynamics.mechanism.faces[number]
+        if not side or isinf(face.friction) or face.subject not in spoken or not rubs_at_rest(dynamics, number):
+            continue
+        needed = holding(dynamics.newton, dynamics.setting, number)
+        if needed is None and (relative := _relative(dynamics, number)) is not None:
+            moved.setdefault(relative, []).append(number)
+        elif needed is not None and not dynamics.segment.start:
+            _tell_not_held(dynamics, number, needed)
+    for relative, faces in moved.items():
+        _tell_accelerated(dynamics, relative, faces)
+    for place in _between_sliding(dynamics):
+        _tell_taut(dynamics, place)
+
+
+def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
+    """A lone body that would need more friction than there is."""
+    book, newton, body = dynamics.book, dynamics.newton, dynamics.mechanism.faces[face].subject
+    normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
+    most = multiplied(newton.coefficient(face).expression(), normal.expression())
+    needed = needed if book.value(needed) >= 0.0 else -needed
+    if book.value(needed) <= book.value(most):  # a limiting case
+        return
+    step, who = book.open("verify"), dynamics.setting.called(body)
+    step.exceeds(needed, most)
+    told = told_friction(book, step, dynamics.setting.mark(body), needed, most)
+    rolls = newton.alone(face) is None
+    grip = "roll without slipping" if rolls else "stay at rest"
+    slides = "slips" if rolls else f"slides {_way(dynamics, face, newton.rough[face])}"
+    step.say(f"To {grip}, {who} would need the friction {told[0]}, more than {told[1]}, so it {slides}.")
+    step.close()
+
+
+def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
+    """Bodies that are accelerated relative to what they lie on though friction acts against that."""
+    book, setting = dynamics.book, dynamics.setting
+    if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
+        return
+    bodies = [dynamics.mechanism.faces[face].subject for face in faces]
+    step, under = book.open("verify"), carriers(dynamics, bodies[0])
+    step.exceeds(relative, ZERO)
+    if isinstance(relative, Symbol):
+        told = f"the acceleration ${relative.latex()}$"
+    else:
+        name = book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
+        book.observed[name.name] = book.value(relative)
+        told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
+    on = f" on {setting.called(under[0])}" if under else ""
+    slide = "slides" if len(bodies) == 1 else "slide"
+    way = _way(dynamics, faces[0], dynamics.newton.rough[faces[0]])
+    step.say(f"Even against friction {told} is positive, so {setting.listed(bodies)} {slide} {way}{on}.")
+    step.close()
+
+
+def _way(dynamics: Dynamics, face: int, sense: int) -> str:
+    """Return the direction in which a body slides on a face if the surfaces slip in a sense, in words."""
+    m = dynamics.mechanism
+    pairs = [(m.number[name], radius) for name, radius in m.faces[face].slip]
+    k, radius = next((k, r) for k, r in pairs if m.coordinates[k].kind == "slide")
+    return dynamics.moving(k, sense if radius > 0.0 else -sense)
+
+
+def _relative(dynamics: Dynamics, face: int) -> Expression | None:
+    """Return the acceleration with which surfaces begin to slip, in the sense in which they do; None if not known."""
+    rows = _laws(dynamics)
+    whole: Expression = ZERO
+    for k, part in dynamics.newton.slip(face).items():
+        terms = [(k, 1.0)]
+        if k in dynamics.carried:
+            j, sign = dynamics.carried[k]
+            terms.append((j, -sign))
+        for n, factor in terms:
+            if n in dynamics.frozen:
+                continue
+            found = found_alone(dynamics, rows, f"q{n}")
+            if found is None:
+                return None
+            scaled = part.scaled(factor * dynamics.newton.rough[face])
+            whole = added(whole, multiplied(scaled.expression(), found) if scaled.number != 1.0 else found)
+    return whole
+
+
+def _laws(dynamics: Dynamics) -> list[Row]:
+    """Return all laws, with the normal forces that weights alone give put in."""
+    rows, _ = dynamics.laws([])
+    pressed: dict[str, Polynomial] = {}
+    for row in rows:
+        name = f"N{row.number}"
+        if row.kind == "normal" and not row.inertia:
+            pressed[name] = row.forces.without((name,)).scaled(-1.0)
+    return [Row(r.kind, r.number, r.forces.put(pressed), r.inertia) for r in rows if r.kind != "normal"]
+
+
+def _between_sliding(dynamics: Dynamics) -> list[int]:
+    """Return the taut strings between two bodies that both slide on faces."""
+    newton, m = dynamics.newton, dynamics.mechanism
+    sliding = {m.faces[number].subject for number, side in newton.rough.items() if side}
+    found: list[int] = []
+    for place, line in enumerate(newton.lines):
+        bodies = {m.site[site].body for site in (line.through[0], line.through[-1])}
+        if newton.segment.found.mode.acting[place] and len(bodies) == 2 and bodies <= sliding:
+            found.append(place)
+    return found
+
+
+def _tell_taut(dynamics: Dynamics, place: int) -> None:
+    book, name = dynamics.book, f"T{place}"
+    rows = _laws(dynamics)
+    tension = found_alone(dynamics, rows, name)
+    if tension is None or book.is_hidden(tension) or book.value(tension) <= 0.0:
+        return
+    line = dynamics.newton.lines[place]
+    bodies = [dynamics.mechanism.site[site].body or "" for site in (line.through[0], line.through[-1])]
+    step = book.open("verify")
+    step.exceeds(tension, ZERO)
+    if isinstance(tension, Symbol):
+        return
+    symbol = book.fresh("T", "".join(map(dynamics.setting.mark, bodies)))
+    book.observed[symbol.name] = book.value(tension)
+    told = step.verified(symbol, tension, NEWTONS)
+    who = joined([dynamics.setting.called(body) for body in bodies])
+    step.say(f"The string between {who} stays taut, as its tension {told} is positive.")
+    step.close()

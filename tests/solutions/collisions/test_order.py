@@ -1,0 +1,129 @@
+"""The order of collisions: each pair that might meet before the next collision is shown not to."""
+
+import re
+from math import hypot
+
+import pytest
+
+from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
+from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.last_collision import LastCollision
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+RADIUS = 0.1
+PUCKS = [f"table.pucks.{n}" for n in range(4)]
+
+
+def scene(*pucks: tuple[float, float, float, float], restitution: float = 0.5, mass: float = 1.0) -> Scene:
+    """Pucks A, B, ... by place and velocity."""
+    held = tuple(Puck(mass=mass, x=x, y=y, vx=vx, vy=vy) for x, y, vx, vy in pucks)
+    entity = TwoDCollisionPlane(table=Table(), radius=RADIUS, pucks=held, restitution=restitution)
+    return Scene(entities=(Named(name="table", entity=entity),))
+
+
+def solved(setting: Setting) -> Solution:
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer, 1e-6), found.text
+    assert not read(found.text).broken
+    return found
+
+
+def after(place: Scene, body: int, time: float) -> Solution:
+    return solved(asked(place, Query("state", Target("velocity", PUCKS[body]), AtTime(time))))
+
+
+A, B = (0.0, 0.02, 1.0, 0.06), (1.0, 0.05, -1.1, -0.04)  # nothing cancels
+SLOW, AHEAD = (1.0, 0.05, -0.02, 0.03), (1.6, 0.15, 0.02, 0.01)
+
+
+def test_a_bystander_that_passes_is_named_with_its_distance() -> None:
+    """C crosses the line of A and B, far off at that time; the distance is |r × u|/|u|."""
+    C = (0.3, -2.0, 0.01, 1.0)
+    found = after(scene(A, B, C), 0, 1.0)
+    x, y, u, v = (c - a for a, c in zip(A, C, strict=True))
+    apart = abs(x * v - y * u) / hypot(u, v)
+    assert found.values["b_{AC}"] == pytest.approx(apart, rel=1e-9)
+    assert "pass at a distance of" in found.text
+    assert "so the collision of pucks A and B comes first" in found.text
+    assert "so there is no further collision before $t$" in found.text
+
+
+def test_a_pair_that_would_meet_later_has_its_time() -> None:
+    """A alone would reach C after a time in which |r + u t| falls to twice the radius; B comes first."""
+    found = after(scene(A, B, (2.0, 0.0, 0.0, 0.0)), 1, 0.6)
+    x, y, u, v = 2.0 - A[0], -A[1], -A[2], -A[3]
+    time = found.values["t_{AC}"]
+    assert hypot(x + u * time, y + v * time) == pytest.approx(2.0 * RADIUS, rel=1e-9)
+    assert x * u + y * v + (u * u + v * v) * time < 0.0  # they still approach
+    assert "pucks A and C would meet only after" in found.text
+
+
+def test_pucks_that_move_apart_are_named() -> None:
+    """C flies off to the right of both."""
+    found = after(scene(A, B, (0.5, 3.0, 0.0, 1.0)), 0, 1.0)
+    assert "move apart, since $q_" in found.text
+
+
+def test_two_pucks_alone_need_no_argument() -> None:
+    found = after(scene(A, B), 0, 1.0)
+    assert all(relation.role != "exceeds" for relation in found.relations)
+
+
+def test_all_collisions_before_the_moment_are_told_in_order() -> None:
+    """A has its last velocity from B alone, but B's collision with C might send B back to it."""
+    chain = scene(A, SLOW, AHEAD)
+    found = after(chain, 0, 2.0)
+    assert found.text.index("Pucks A and B meet when") < found.text.index("Pucks B and C meet when")
+    assert re.search("After the collision of pucks B and C, [^.]*pucks A and B", found.text)
+
+
+def test_the_last_collision_is_the_last_for_all_times() -> None:
+    place = scene(A, SLOW, AHEAD)
+    query = StretchQuery("sum", None, LastCollision(), "energy lost in collisions", "")
+    found = solved(asked(place, query))
+    assert "so there is no further collision." in found.text
+    assert "These collisions occur" not in found.text
+
+
+def test_where_a_number_is_unknown_the_arguments_follow_its_value() -> None:
+    place = scene(A, SLOW, (1.2, -2.0, 0.01, 0.5))
+    query = Query("state", Target("velocity", PUCKS[0]), AtTime(1.5))
+    plain = asked(place, query)
+    path = next(held.path for held in place.parameters if held.path.endswith("restitution"))
+    stated = StatedResult(f"{plain.answer!r}", "m/s")
+    found = solved(Setting(place, plain.words, plain.symbols, plain.study, query, path, stated))
+    assert found.answer == pytest.approx(0.5, rel=1e-6)
+    assert found.text.index("With the given") < found.text.index("After the collision of pucks A and B, ")
+
+
+def test_a_comparison_that_is_false_is_refused() -> None:
+    found = after(scene(A, B, (0.3, -2.0, 0.01, 1.0)), 0, 1.0)
+    data = as_data(found)
+    assert not recompute(data).faults
+    for step in data["steps"]:
+        for relation in step["relations"]:
+            if relation["role"] == "exceeds":
+                relation["left"], relation["right"] = relation["right"], relation["left"]
+    assert any("isn't larger" in fault for fault in recompute(data).faults)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_the_law_that_gives_an_impulse_is_named(restitution: float) -> None:
+    met = Collided(f"{PUCKS[0]} & {PUCKS[1]}")
+    query = StretchQuery("sum", None, met, "impulse of a collision", f"{PUCKS[0]} & {PUCKS[1]}")
+    found = solved(asked(scene(A, B, restitution=restitution), query))
+    law = "restitution along the line of centres" if restitution else "no relative velocity along the line of centres"
+    assert law in found.text

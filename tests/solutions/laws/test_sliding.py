@@ -1,0 +1,93 @@
+"""Directions that are assumed: what starts to slide does so against friction, and strings between such bodies pull."""
+
+from math import cos, radians, sin
+
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.slab import Slab
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import Rough
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.testing.solutions.faults import faults
+from worked import asked
+
+G = 9.8
+
+
+def solved(setting: Setting) -> Solution:
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer, 1e-6), found.text
+    return found
+
+
+def scene(entity: Entity) -> Scene:
+    return Scene(entities=(Named(name="e", entity=entity),))
+
+
+def speed(place: Scene, body: int, time: float) -> Setting:
+    return asked(place, Query("state", Target("velocity", place.mechanism.bodies[body].name), AtTime(time)))
+
+
+def test_a_block_slides_as_friction_can_not_hold_it() -> None:
+    found = solved(speed(ramp(angle=40.0, friction=0.3), 0, 1.0))
+    assert found.values["f"] == pytest.approx(2.0 * G * sin(radians(40.0)))
+    assert found.values[r"f_{\text{max}}"] == pytest.approx(0.3 * 2.0 * G * cos(radians(40.0)))
+    assert "Friction acts on the block up the slope." in found.text
+    assert "To stay at rest, the block would need the friction" in found.text
+    assert any(relation.role == "exceeds" for relation in found.relations)
+
+
+def test_a_hoop_slips_as_rolling_would_need_more_friction() -> None:
+    """Rolling takes half of m g sin θ, see Kleppner and Kolenkow, example 6.16."""
+    slope = Incline(angle=31.0)
+    hoop = scene(RollingEntity(body=Hoop(mass=4.1, radius=0.11), plane=slope, grip=Rough(friction=0.18)))
+    found = solved(speed(hoop, 0, 1.3))
+    assert found.values["f"] == pytest.approx(0.5 * 4.1 * G * sin(radians(31.0)))
+    assert "To roll without slipping, the hoop would need the friction" in found.text
+    assert found.text.count("so it slips") == 1
+
+
+def test_a_launched_block_needs_no_argument() -> None:
+    found = solved(speed(ramp(angle=40.0, friction=0.3, speed=3.0), 0, 0.1))
+    assert "Friction acts on the block down the slope." in found.text
+    assert all(relation.role != "exceeds" for relation in found.relations)
+
+
+def test_a_slab_that_is_dragged_down_slides_as_its_acceleration_shows() -> None:
+    """Slab B is launched up slab A, which slides down; then B slides down on A, for A is accelerated less."""
+    stack = StackedMassPlane(
+        plane=Plane(angle=48.0, friction=0.2), lower=Slab(mass=6.5), upper=Slab(mass=7.6), friction=0.15, speed=3.6
+    )
+    found = solved(speed(scene(stack), 1, 0.8))
+    assert "Even against friction the relative acceleration" in found.text
+    assert "so board B slides down the slope on board A" in found.text
+    a = found.values[r"a_{\text{rel}}"]
+    below = G * sin(radians(48.0)) + G * cos(radians(48.0)) * (0.15 * 7.6 - 0.2 * 14.1) / 6.5
+    assert a == pytest.approx(G * (sin(radians(48.0)) - 0.15 * cos(radians(48.0))) - below)
+
+
+def test_an_unknown_coefficient_is_compared_when_it_is_known() -> None:
+    place = ramp(angle=40.0, friction=0.3)
+    plain = speed(place, 0, 1.0)
+    path = next(held.path for held in place.parameters if held.path.endswith("friction"))
+    stated = StatedResult(f"{plain.answer!r}", "m/s")
+    found = solved(Setting(place, plain.words, plain.symbols, plain.study, plain.query, path, stated))
+    assert found.text.index("With the given") < found.text.index("To stay at rest, the block would need")
+
+
+def test_a_false_assumption_is_refused() -> None:
+    """The comparison stands in the data."""
+    found = solved(speed(ramp(angle=40.0, friction=0.3), 0, 1.0))
+    (held,) = (relation for relation in found.relations if relation.role == "exceeds")
+    assert float(held.left.value(found.values).real) > float(held.right.value(found.values).real)
