@@ -1,7 +1,7 @@
 """Worked solutions of problems with several parts, later ones starting from earlier results, or with options."""
 
 import re
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 
 from sim2reason.grading.parts import LABELS
@@ -12,7 +12,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
 _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
-_NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
+_NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{[^{}$]*\}|\w))?)\$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,11 +88,13 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         if source is not None:
             known[name] = source
     kept = _needed(solution, known)
+    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
+    if len(kept) < sum(bool(step.gives) for step in solution.steps):
+        kept += _verifications(solution, kept, known, said)
     used = {name for step in kept for name in _symbols(step)} & known.keys()
     given = {name for step in kept for name in step.gives}
-    if not used - given or len(kept) >= sum(bool(step.gives) for step in solution.steps):
+    if not used - given or sum(bool(step.gives) for step in kept) >= sum(bool(step.gives) for step in solution.steps):
         return solution
-    said = {step.text for _, other in earlier for step in other.steps} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     first = [_givens(step, kept) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name][0] for name in known if name in used - given}, solution)
@@ -140,9 +142,23 @@ def _is_opposite(solution: Solution) -> bool:
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
-    bases = {name.partition("_")[0] for step in kept for name in _symbols(step)}
+    symbols = {name for step in kept for name in _symbols(step)}
+    symbols |= {name.partition("_")[0] for name in symbols}
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
-    return [step for step in found if bases & {*_NAMED.findall(step.text)}]
+    return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
+
+
+def _verifications(
+    solution: Solution, kept: Sequence[Step], known: Mapping[str, tuple[str, Solution]], said: Container[str]
+) -> list[Step]:
+    """Return the steps that verify what the kept steps assume, unless they are `said`."""
+    numbers, found = {step.id for step in kept}, list[Step]()
+    for step in solution.steps:
+        needs = [held for need in step.needs if (held := solution.steps[need]).gives]
+        apart = [held for held in needs if held.id not in numbers]
+        if step.kind == "verify" and step.text not in said and len(apart) < max(len(needs), 1):
+            found += [step] if all(_is_known(held, step, known) for held in apart) else []
+    return found
 
 
 def _unit(name: str, solution: Solution) -> str:
@@ -168,7 +184,7 @@ def _needed(solution: Solution, known: dict[str, tuple[str, Solution]]) -> list[
     return [kept[number] for number in sorted(kept)]
 
 
-def _is_known(needed: Step, step: Step, known: dict[str, tuple[str, Solution]]) -> bool:
+def _is_known(needed: Step, step: Step, known: Mapping[str, tuple[str, Solution]]) -> bool:
     """Whether all that a step takes from another is known: names alone, no equations by their labels."""
     taken = set(needed.gives) & _symbols(step)
     return bool(taken) and taken <= known.keys()
