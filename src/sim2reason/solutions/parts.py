@@ -12,7 +12,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
 _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
-_NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{[^{}$]*\}|\w))?)\$")
+_NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution
 from sim2reason.solutions.parts import starting_from
-from worked import asked, derived
+from worked import derived
 
 G, MASS, STIFFNESS, FRICTION, SPEED, TIME = 9.8, 1.8, 132.0, 0.32, 2.0, 0.58
 RATE, LIMIT = sqrt(STIFFNESS / MASS), FRICTION * MASS * G
