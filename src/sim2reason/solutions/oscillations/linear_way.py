@@ -94,6 +94,10 @@ class LinearWay(Way):
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
                 continue
             (i, part), *_ = parts.items()
+            body = self.mechanism.coordinates[k].body
+            if self._turns_by_itself(k) and self.moving([body]):
+                bound.append(f"{self.setting.called(body)} rolls without slipping")
+                continue
             size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
             bound.append(f"{self.who(k)} moves {size} {self.who(i)}")
         step.say(f"{capital(joined(bound))}." if bound else "")

@@ -124,7 +124,9 @@ class IntegratedPhases:
             self._announce(happens)
         if inner.steady and not self._adds_up:
             start = self._begin, self._places, self._rates
-            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or "the moment asked")
+            SteadyPhase(inner, start).write(
+                self.book, names, forces, until.expression, happens or "the moment asked about"
+            )
         elif not self._integrates:
             raise UnsolvedError("accelerations change during a phase")
         else:
@@ -136,7 +138,7 @@ class IntegratedPhases:
     def _announce(self, happens: str) -> None:
         """Write the heading of a phase."""
         phases, number = self.book.phases, self.book.phase
-        phases.append(Phase(phases[-1].ends if phases else "the start", happens or "the moment asked"))
+        phases.append(Phase(phases[-1].ends if phases else "the start", happens or "the moment asked about"))
         step = self.book.open("phase")
         step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()
