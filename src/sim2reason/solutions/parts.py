@@ -11,6 +11,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 
 SAME = 1e-9  # relative: two values that differ by less are those of one quantity
 EARLIER = "earlier part"
+SPOKEN = "verify", "extreme"  # kinds of steps that give no name, but the reason for one that does
 _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
@@ -151,12 +152,12 @@ def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str
 def _verifications(
     solution: Solution, kept: Sequence[Step], known: Mapping[str, tuple[str, Solution]], said: Container[str]
 ) -> list[Step]:
-    """Return the steps that verify what the kept steps assume, unless they are `said`."""
+    """Return the steps with the reasons for the kept steps, unless they are `said`."""
     numbers, found = {step.id for step in kept}, list[Step]()
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]
         apart = [held for held in needs if held.id not in numbers]
-        if step.kind == "verify" and step.text not in said and len(apart) < max(len(needs), 1):
+        if step.kind in SPOKEN and step.text not in said and len(apart) < max(len(needs), 1):
             found += [step] if all(_is_known(held, step, known) for held in apart) else []
     return found
 

@@ -22,23 +22,23 @@ class RestChecks:
 
     # ---- of what moves
 
-    def moves_on(self, motion: LinearMotion, number: int, said: str) -> None:
+    def moves_on(self, motion: LinearMotion, number: int, said: str) -> bool:
         """Write that friction does not hold the system where places are counted from; `said` is what it does then.
 
-        The place is the start or, if the `number` is not zero, that turning point.
+        The place is the start or, if the `number` is not zero, that turning point. Return whether numbers are known.
         """
-        self._compare(motion, number, "exceeds", f"so {said}", moves=True)
+        return self._compare(motion, number, "exceeds", f"so {said}", moves=True)
 
     def stays(self, motion: LinearMotion, number: int) -> None:
         """Write that friction holds the system at a turning point, from which places are counted."""
         self._compare(motion, number, "is less than", "so it stays at rest", moves=False)
 
-    def _compare(self, motion: LinearMotion, number: int, than: str, so: str, *, moves: bool) -> None:
+    def _compare(self, motion: LinearMotion, number: int, than: str, so: str, *, moves: bool) -> bool:
         book, (i,) = self._book, motion.free
         friction = motion.friction(i)
         pull, most = (self._size(held) for held in (motion.load(i) - friction, friction))
         if book.is_hidden(pull) or book.is_hidden(most):
-            return
+            return False
         if (book.value(pull) * LIMIT < book.value(most)) if moves else (book.value(pull) > LIMIT * book.value(most)):
             raise UnsolvedError("friction is not as strong as it should be")
         what = "The spring force"
@@ -53,8 +53,9 @@ class RestChecks:
             greatest = book.fresh("f", r"\text{max}")
             self._most, book.observed[greatest.name] = greatest.name, book.value(most)
             limit = f"the greatest static friction {step.verified(greatest, most, NEWTONS)}"
-        step.say(f"{what} here, {told}, {than} {limit}, {so}.")
+        step.say(f"{what} {'here' if number else 'at the start'}, {told}, {than} {limit}, {so}.")
         step.close()
+        return True
 
     def _size(self, held: Polynomial) -> Expression:
         formula = held.factored()

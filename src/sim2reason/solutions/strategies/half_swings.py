@@ -19,7 +19,7 @@ from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.to_and_fro import Travelled
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -122,8 +122,11 @@ class _Swinging(Oscillating):
             self._checks.moves_on(motion, number, "it moves back")
         elif not held.first:
             (i,) = motion.free
-            way = self.towards(i, forward=motion.load(i).value(motion.givens) > 0.0)
-            self._checks.moves_on(motion, number, f"{self.who(i)} starts to move {way}")
+            forward = motion.load(i).value(motion.givens) > 0.0
+            said = f"{self.who(i)} starts to move {self.towards(i, forward=forward)}"
+            if not self._checks.moves_on(motion, number, said):
+                turned = "" if forward else ", so its velocity is negative"
+                self._say(f"{capital(said)}{turned}.")
         step = self.book.open("names")
         step.say(
             f"From there until it turns back again, the friction force is constant; let ${held.name.name}$ be the "
@@ -131,6 +134,11 @@ class _Swinging(Oscillating):
             if number
             else "Until it first turns back, the friction force is constant."
         )
+        step.close()
+
+    def _say(self, sentence: str) -> None:
+        step = self.book.open("names")
+        step.say(sentence)
         step.close()
 
     def _turn(self, held: Harmonic, span: float) -> None:
