@@ -88,7 +88,7 @@ class EnergyWay(SingleWay):
     def _name(self) -> Symbol:
         name, motion = self.book.fresh("x"), self.motion
         self.introduce({self._i: name})
-        if self._slides and not self.first(self._i):
+        if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
             way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
             RestChecks(self.setting, self.book).moves_on(motion, 0, f"{self.who(self._i)} starts to move {way}")
         return name
