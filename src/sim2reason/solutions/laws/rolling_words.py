@@ -101,7 +101,6 @@ def constant_words(dynamics: Dynamics, k: int) -> str:
     """Return why a rate does not change any more: of what has begun to roll, that this needs no friction."""
     newton = dynamics.newton
     rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
-    if dynamics.mechanism.coordinates[k].kind == "hinge":
-        return "From then on the speed of the rim relative to the centre is constant"
+    turns = dynamics.mechanism.coordinates[k].kind == "hinge"
     why = "From then on it rolls, which on level ground needs no friction, so" if rolls else "From then on"
-    return f"{why} the velocity is constant"
+    return f"{why} the {'speed of the rim relative to the centre' if turns else 'velocity'} is constant"

@@ -125,7 +125,7 @@ class _Swinging(Oscillating):
             forward = motion.load(i).value(motion.givens) > 0.0
             said = f"{self.who(i)} starts to move {self.towards(i, forward=forward)}"
             if not self._checks.moves_on(motion, number, said):
-                turned = "" if forward else ", so its velocity is negative"
+                turned = "" if forward else ", so its velocity is negative at first"
                 self._say(f"{capital(said)}{turned}.")
         step = self.book.open("names")
         step.say(
