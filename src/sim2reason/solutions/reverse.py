@@ -16,6 +16,7 @@ from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, 
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import SECONDS
 
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
@@ -147,18 +148,27 @@ class Inversion:
         number = f"The other root, ${with_unit(others[0], book.units[name])}$,"
         if name == self.unknown:
             step.say(f"{number} is negative.")
-        elif self._is_proportional(name):
+        elif self._would_be_negative(name, others[0]):
             step.say(f"{number} would take a negative ${self.unknown}$.")
 
-    def _is_proportional(self, name: str) -> bool:
-        """Return whether a name is a multiple of the unknown."""
+    def _tell_too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
+        """Say that another root is no time of a stage that ends before a stated instant."""
+        book = self.book
+        stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
+        late = [held for held in stated if book.values[name] < book.values[held] < min(others, default=0.0)]
+        if len(others) == 1 and late:
+            step.say(f"The other root, ${with_unit(others[0], SECONDS)}$, is later than ${late[0]}$.")
+
+    def _would_be_negative(self, name: str, value: float) -> bool:
+        """Return whether a name on which the unknown hangs linearly has a value only where the unknown is negative."""
         chain = Chain(tuple((held, self._formula(held)) for held in (*self._leading(name), name)))
         at, known = self.book.values, self.book.values[self.unknown]
         try:
-            seen = [chain.value({**at, self.unknown: factor * known}) / factor for factor in (1.0, 2.0, 3.0)]
+            one, two, three = (float(chain.value({**at, self.unknown: n * known}).real) for n in (1.0, 2.0, 3.0))
         except (ValueError, ArithmeticError):  # it has no value for twice the number
             return False
-        return all(abs(value - seen[0]) <= 1e-9 * abs(seen[0]) for value in seen)
+        straight = two != one and abs(three - 2.0 * two + one) <= 1e-9 * max(abs(one), abs(two))
+        return straight and (value - one) / (two - one) < -1.0
 
     def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
         """Tell the values of names that have been written without one, roots and values of special functions."""
@@ -199,5 +209,6 @@ class Inversion:
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
         if not isinstance(found, NumericRoot):
             self._drop(step, name, others)
+            self._tell_too_late(step, name, others)
         self._tell_implied(step, names)
         step.close()

@@ -94,6 +94,8 @@ class Expression:
         """Its negative, term by term."""
         if isinstance(self, Sum):
             return Sum(tuple(-term for term in self.terms))
+        if isinstance(self, Quotient) and self.negative:
+            return Quotient(-self.above, self.below)
         return multiplied(Number(-1.0), self)
 
 

@@ -249,3 +249,10 @@ def _less(monomial: Monomial, shared: Monomial) -> Monomial:
     for atom, power in shared:
         powers[atom] -= power
     return tuple((atom, power) for atom, power in powers.items() if power)
+
+
+def balance(forces: Polynomial) -> tuple[Expression, Expression]:
+    """Return the positive terms of a sum that vanishes, and the others with opposite signs."""
+    positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
+    negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
+    return positive.expression(), negative.expression()

@@ -130,6 +130,19 @@ class KeplerOrbit:
         formula = self.axis * (ONE + e if far else ONE - e)
         return self.book.told("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
 
+    def tell_approach(self, *, far: bool) -> None:
+        """Write why it comes to an apsis within half a turn: it moves towards it; nothing where that is not so."""
+        if self.dot == ZERO or self.book.is_hidden(self.dot) or (self._at(self.dot) > 0.0) != far:
+            return
+        step, (x, y), (u, v) = self.book.open("extreme"), self.place, self.rate
+        sign, moves = (">", "recedes") if far else ("<", "approaches")
+        product = (x * u + y * v).latex()
+        step.say(
+            f"At first {self.setting.called(self.body)} {moves}, as ${product} {sign} 0$, so within half a turn it"
+        )
+        step.say(f"comes to the {'greatest' if far else 'least'} distance.")
+        step.close()
+
     # ---- how far it has come
 
     def to_time(self, time: Expression) -> Symbol:

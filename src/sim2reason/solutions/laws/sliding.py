@@ -28,6 +28,8 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
     sticking: list[str] = []
     for face, side in dynamics.newton.rough.items():
         body = dynamics.mechanism.faces[face].subject
+        if side and dynamics.newton.alone(face) is None:  # of what is round it is told with the point of contact
+            continue
         if side and f"N{face}" in used:
             ways.setdefault(_way(dynamics, face, -side), []).append(body)
         elif f"f{face}" in used:

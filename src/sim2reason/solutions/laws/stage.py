@@ -15,8 +15,10 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Power, Root, squares
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
+from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, rim_speed_words
+from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -24,18 +26,6 @@ from sim2reason.solutions.writing.subscripts import subscript
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 HALF = Number(0.5)
-
-
-@dataclass(frozen=True, slots=True)
-class End:
-    """What ends a stage: a known time, a distance that a coordinate has moved since it began, or its coming to rest."""
-
-    time: Symbol | None = None
-    coordinate: int = -1
-    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
-    what: str = ""  # in words
-    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
-    turned: int | None = None  # the face on which the body slips the other way from then on
 
 
 @dataclass
@@ -150,7 +140,8 @@ class Stage:
         time = self.time
         step, name = self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
-        step.say(f"From then on the velocity is constant: {step.result(name, formula, METRES, law=True)}.")
+        told = step.result(name, formula, METRES, law=True)
+        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
         step.close()
         return Polynomial.of(name)
 
@@ -161,7 +152,8 @@ class Stage:
             raise UnsolvedError("nothing ends a motion at constant velocity")
         step, name = self.book.open("time"), self.book.fresh("t")
         formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
-        step.say(f"From then on the velocity is constant, so {step.result(name, formula, SECONDS, law=True)}.")
+        told = step.result(name, formula, SECONDS, law=True)
+        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
         step.close()
         return name
 
@@ -202,8 +194,9 @@ class Stage:
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.open("time"), self.book.fresh("t")
-        law = step.law((begun + gained * Polynomial.of(name)).expression(), ZERO)
-        formula = ratio(-begun.expression(), gained.expression())
+        law = step.law(*balance(begun + gained * Polynomial.of(name)))
+        swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # so that both parts are positive
+        formula = ratio(begun.scaled(swapped).expression(), gained.scaled(-swapped).expression())
         step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
@@ -253,7 +246,8 @@ class Stage:
         time = self.time
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
         formula = added(begun, multiplied(a, time))
-        step.say(f"{self._when('At that time')}, {step.result(name, formula, SPEED, law=True)}.")
+        told = step.result(name, formula, SPEED, law=True)
+        step.say(f"{self._when('At that time')}, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
         step.close()
         return Polynomial.of(name)
 
@@ -291,7 +285,8 @@ class Stage:
         else:
             time = self.time
             step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
-            step.say(f"{self._when('In the same time')}, {step.result(name, _path(begun, a, time), METRES, law=True)}.")
+            told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
+            step.say(f"{self._when('In the same time')}, {what}{told}.")
         step.close()
         return Polynomial.of(name)
 

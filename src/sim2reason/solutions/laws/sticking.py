@@ -3,8 +3,9 @@
 from math import isinf
 
 from sim2reason.solutions.algebra.elimination import solved
-from sim2reason.solutions.algebra.expressions import Expression, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
 from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.setting import Setting, capital
@@ -29,6 +30,12 @@ def verify_sticking(dynamics: Dynamics) -> None:
             _tell(dynamics, number, friction, normal)
 
 
+def _limit(newton: Newton, face: int) -> Expression:
+    """Return µN, where weights alone press on the face."""
+    normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
+    return multiplied(newton.coefficient(face).expression(), normal.expression())
+
+
 def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
@@ -36,7 +43,8 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     if book.is_hidden(friction) or book.is_hidden(most) or book.value(friction) > LIMIT * book.value(most):
         return
     step = book.open("verify")
-    said = told_friction(book, step, dynamics.setting.mark(body), friction, most)
+    named = dynamics.names.get(f"f{number}", NIL).names() - book.values.keys()
+    said = told_friction(book, step, dynamics.setting.mark(body), friction, most, *map(Symbol, named))
     who = capital(dynamics.setting.called(body))
     step.say(
         f"{who} does not slip: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
@@ -53,8 +61,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
     if needed is None:
         step.say(f"{said}.")
     else:
-        normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
-        friction, most = needed, multiplied(newton.coefficient(face).expression(), normal.expression())
+        friction, most = needed, _limit(newton, face)
         friction = friction if book.value(friction) >= 0.0 else -friction
         if book.value(friction) <= book.value(most):
             raise UnsolvedError("friction could hold what slips")
@@ -80,9 +87,11 @@ def holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
     return over(load * turning, mass + turning) if len(hinges) == 1 else None
 
 
-def told_friction(book: Book, step: Writing, mark: str, friction: Expression, most: Expression) -> list[str]:
-    """Return the sentences for the friction that is needed and the greatest friction, under new names."""
-    names = [book.fresh(base, mark) for base in ("f", r"f_{\text{max}}")]
+def told_friction(
+    book: Book, step: Writing, mark: str, friction: Expression, most: Expression, named: Symbol | None = None
+) -> list[str]:
+    """Return the formulas of the friction that is needed, unless it is `named` already a new name, and the greatest."""
+    names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
     for name, held in zip(names, (friction, most), strict=True):
         book.observed[name.name] = book.value(held)
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]

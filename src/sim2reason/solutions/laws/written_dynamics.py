@@ -4,10 +4,18 @@ from collections.abc import Iterable, Sequence
 
 from sim2reason.solutions.algebra.elimination import Elimination, Equation, solved
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, divided, total
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divided, total
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.rolling_words import (
+    inertia_words,
+    only_turning,
+    rolling_bodies,
+    rolling_words,
+    slipping_words,
+    turning_noun,
+)
 from sim2reason.solutions.laws.selection import needed
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
@@ -75,17 +83,17 @@ class DynamicsWriter:
     # ---- what things are called
 
     def _introduce(self) -> None:
-        step = self._open("names")
-        said = [f"${shared.symbol.name}$ {self._whose(shared)}" for shared in self.d.shared]
+        step, noun = self._open("names"), self.d.measure.noun
+        said = [f"${shared.symbol.name}${self._what(shared)}" for shared in self.d.shared]
         if len(said) == 1:
-            noun = f"$ be the {self.d.measure.noun} of"
-            step.say(f"Let {said[0].replace('$ of', noun, 1)}.")
+            name, _, what = said[0].partition("$ of ")
+            step.say(f"Let {name}$ be the {noun} of {what}." if what else f"Let {name.replace(',', ' be', 1)}.")
         elif said:
-            step.say(f"{capital(self.d.measure.noun)}s: {'; '.join(said)}.")
+            step.say(f"{capital(noun)}s: {'; '.join(said)}.")
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
             step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
-        step.say(*directions_of_friction(self.d, self.rows), *self._resting())
+        step.say(*map(self._rolling, self.d.shared), *directions_of_friction(self.d, self.rows), *self._resting())
         step.close()
 
     def _resting(self) -> list[str]:
@@ -103,6 +111,15 @@ class DynamicsWriter:
     def _line(self, name: str) -> str:
         return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]
 
+    def _what(self, shared: Shared) -> str:
+        """Return what a rate is, after its name: of whom, or, where something only turns, which product."""
+        alone = only_turning(self.d, shared)
+        return f", {turning_noun(self.d, alone)}" if alone else f" {self._whose(shared)}"
+
+    def _rolling(self, shared: Shared) -> str:
+        bodies = rolling_bodies(self.d, shared) if not only_turning(self.d, shared) else []
+        return " ".join(rolling_words(self.d, body, shared.symbol.name) for body in bodies)
+
     def _whose(self, shared: "Shared") -> str:
         """Of block A downward and of block B up the slope."""
         ways: dict[str, list[str]] = {}
@@ -110,7 +127,7 @@ class DynamicsWriter:
         for k, sense in shared.sense.items():
             coordinate = self.d.mechanism.coordinates[k]
             if coordinate.kind == "hinge":
-                turning.append(coordinate.body)
+                turning += [] if self.d.newton.moved(coordinate.body) else [coordinate.body]
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
             way = self.d.moving(k, sense)
@@ -167,8 +184,11 @@ class DynamicsWriter:
             name = f"N{row.number}"
             symbol = _name_of(self.names[name])
             pressed = (row.inertia - row.forces.without((name,))).put(self.names)
+            round_one = self.d.newton.rough.get(row.number) and self.d.newton.alone(row.number) is None
             if symbol not in self.goals and not pressed.names() & self.d.units.keys():
                 self.inline[symbol] = pressed
+                if round_one:
+                    step.say(slipping_words(self.d, row.number, pressed))
                 continue
             self.pressed[symbol] = pressed
             body = self.d.setting.called(self.d.mechanism.faces[row.number].subject)
@@ -200,7 +220,7 @@ class DynamicsWriter:
         step = self._open("newton")
         for group, equation in zip(groups, equations, strict=True):
             if not equation.inertia and not self._mass(group):
-                left, right = _balance(equation.forces)
+                left, right = balance(equation.forces)
                 who = capital(self.d.setting.called(self._body(group[0].number)))
                 step.say(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
                 continue
@@ -242,7 +262,7 @@ class DynamicsWriter:
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
-            return f"torque on {self.d.setting.called(own[0])}, divided by its radius"
+            return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}, divided by its radius"
         said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
         riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
@@ -273,12 +293,6 @@ class DynamicsWriter:
             found[name] = zero.without((name,)).scaled(-1.0 / before)
             found = {n: p.put({name: found[name]}) for n, p in found.items()}
         return found
-
-
-def _balance(forces: Polynomial) -> tuple[Expression, Expression]:
-    positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
-    negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
-    return positive.expression(), negative.expression()
 
 
 def _name_of(held: Polynomial) -> str:

@@ -11,7 +11,8 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
-_NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
+SPOKEN = "verify", "extreme"  # kinds of steps that give no name, but the reason for one that does
+_NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
 def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
@@ -79,9 +80,10 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
-    bases = {name.partition("_")[0] for step in kept for name in step.symbols()}
+    symbols = {name for step in kept for name in step.symbols()}
+    symbols |= {name.partition("_")[0] for name in symbols}
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
-    return [step for step in found if bases & {*_NAMED.findall(step.text)}]
+    return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
@@ -91,22 +93,34 @@ def _introduced(solution: Solution) -> Iterator[str]:
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """The steps that lead to the goal if some names are known, and those that verify assumptions, unless `said`."""
+    """The steps that lead to the goal if some names are known, and the reasons for them, unless `said`."""
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
     waiting, kept = [last] if last is not None else [], dict[int, Step]()
-    waiting += [step for step in solution.steps if _verifies(step) and step.text not in said]
     while waiting:
         step = waiting.pop()
         if step.id in kept:
             continue
         kept[step.id] = step
         waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
+    if len(kept) < sum(bool(step.gives) for step in solution.steps):
+        kept |= {step.id: step for step in _reasons(solution, kept, known, said)}
     return [kept[number] for number in sorted(kept)]
 
 
-def _verifies(step: Step) -> bool:
-    """Whether a step only verifies what was assumed."""
-    return bool(step.relations) and all(relation.role in CHECKS for relation in step.relations)
+def _reasons(
+    solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]
+) -> Iterator[Step]:
+    """The steps that give no name but the reason for a kept step, unless they are `said`."""
+    for step in solution.steps:
+        needs = [held for need in step.needs if (held := solution.steps[need]).gives]
+        apart = [held for held in needs if held.id not in kept]
+        if _is_reason(step) and step.text not in said and len(apart) < max(len(needs), 1):
+            yield from [step] if all(_is_known(held, step, known) for held in apart) else []
+
+
+def _is_reason(step: Step) -> bool:
+    """Whether a step only verifies what was assumed, or says why something is greatest or least."""
+    return step.kind in SPOKEN or (bool(step.relations) and all(r.role in CHECKS for r in step.relations))
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:

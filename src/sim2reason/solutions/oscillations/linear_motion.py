@@ -144,7 +144,7 @@ class LinearMotion:
         """Forces and inertia along each free coordinate: Newton's laws times the ratios, so that tensions cancel."""
         bound, found = self._bound(), list[tuple[Polynomial, Polynomial]]()
         laws = {k: self.laws.newton(k) for k in self.ratios if self.ratios[k]}
-        normal = {f"N{face}": self._normal(face) for face, side in self.laws.rough.items() if side}
+        normal = {f"N{face}": self.normal(face) for face, side in self.laws.rough.items() if side}
         for i in self.free:
             parts = [(row, self.ratio(k, i)) for k, row in laws.items() if self.ratio(k, i)]
             forces = total(row.forces.put(normal).scaled(part) for row, part in parts)
@@ -154,8 +154,8 @@ class LinearMotion:
             found.append((forces, inertia))
         return found
 
-    def _normal(self, face: int) -> Polynomial:
-        """What a face presses with, where weight alone says it."""
+    def normal(self, face: int) -> Polynomial:
+        """Return the normal force on a face; UnsolvedError unless it is constant."""
         row = self.laws.normal(face)
         found = row.inertia - row.forces.without((f"N{face}",))
         if any(name[0] in "qTSN" and name[1:].isdigit() for name in found.names()):
@@ -199,6 +199,15 @@ class LinearMotion:
     def steady(self, i: int) -> Polynomial:
         """The forces along a free coordinate but those of springs."""
         return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
+
+    def friction(self, i: int) -> Polynomial:
+        """Return the part of `steady` that is kinetic friction."""
+        found = NIL
+        for face, side in self.laws.rough.items():
+            along = total(part.scaled(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
+            if side and along:
+                found = found + (self.laws.friction(face) * along).put({f"N{face}": self.normal(face)})
+        return found
 
     def load(self, i: int) -> Polynomial:
         """Q: all forces along a free coordinate where places are counted from, by default at the start."""

@@ -94,8 +94,12 @@ class LinearWay(Way):
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
                 continue
             (i, part), *_ = parts.items()
+            body = self.mechanism.coordinates[k].body
+            if self._turns_by_itself(k) and self.moving([body]):
+                bound.append(f"{self.setting.called(body)} rolls without slipping")
+                continue
             size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
-            bound.append(f"{self._who(k)} moves {size} {self._who(i)}")
+            bound.append(f"{self.who(k)} moves {size} {self.who(i)}")
         step.say(f"{capital(joined(bound))}." if bound else "")
         step.close()
 
@@ -107,7 +111,7 @@ class LinearWay(Way):
         said: list[str] = []
         for (way, _), held in ways.items():
             who = [self.mechanism.coordinates[i].body for i in held]
-            called = self.setting.listed(who) if len(held) > 1 else self._who(held[0])
+            called = self.setting.listed(who) if len(held) > 1 else self.who(held[0])
             noun = "displacements" if len(held) > 1 else "displacement"
             said.append(f"{joined([f'${names[i].name}$' for i in held])} be the {noun} of {called} {way}")
         return said
@@ -117,17 +121,19 @@ class LinearWay(Way):
         own = self.mechanism.coordinates[k]
         return own.kind == "hinge" and not self.moving([own.body]).count(k)
 
-    def _who(self, k: int) -> str:
+    def who(self, k: int) -> str:
+        """Return what moves with a coordinate, in words."""
         called = self.setting.called(self.mechanism.coordinates[k].body)
         return f"the rim of {called}" if self._turns_by_itself(k) else called
 
-    def towards(self, k: int) -> str:
-        """The direction of a coordinate, in words."""
+    def towards(self, k: int, *, forward: bool = True) -> str:
+        """The direction of a coordinate, or the opposite one, in words."""
         held = self.mechanism.coordinates[k]
         if held.kind == "hinge":
-            return "anticlockwise" if held.axis[2] > STILL else "round its axis"
-        parent = self.mechanism.body[held.body].parent
-        return self.setting.towards(held.axis, on=parent)
+            turning = "anticlockwise" if forward else "clockwise"
+            return turning if held.axis[2] > STILL else "round its axis"
+        parent, (x, y, z) = self.mechanism.body[held.body].parent, held.axis
+        return self.setting.towards(held.axis if forward else (-x, -y, -z), on=parent)
 
     # ---- bodies on a ring
 

@@ -36,6 +36,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, l
 
 NOTHING = 1e-12  # in SI units: the rounding of zero
 WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
+ASKED = "the moment asked about"
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
 )
@@ -124,7 +125,7 @@ class IntegratedPhases:
             self._announce(happens)
         if inner.steady and not self._adds_up:
             start = self._begin, self._places, self._rates
-            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or "the moment asked")
+            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or ASKED)
         elif not self._integrates:
             raise UnsolvedError("accelerations change during a phase")
         else:
@@ -136,7 +137,7 @@ class IntegratedPhases:
     def _announce(self, happens: str) -> None:
         """Write the heading of a phase."""
         phases, number = self.book.phases, self.book.phase
-        phases.append(Phase(phases[-1].ends if phases else "the start", happens or "the moment asked"))
+        phases.append(Phase(phases[-1].ends if phases else "the start", happens or ASKED))
         step = self.book.open("phase")
         step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()

@@ -9,6 +9,7 @@ from sim2reason.solutions.algebra.inverse import put, solved_for
 from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.phases.pruning import LAWS, STATE, laws_text, state_text
+from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
@@ -77,10 +78,21 @@ class SteadyPhase:
             found = NumericRoot(formula, span.name, near)
         step = book.open("duration")
         law = step.law(formula, ZERO)
-        step.say(f"They remain so for a time ${span.name}$, until {said}: {law},")
+        step.say(f"{self._how()} for a time ${span.name}$, until {said}: {law},")
         step.say(f"so that {step.result(span, found, SECONDS)}.")
         step.close()
         return span
+
+    def _how(self) -> str:
+        """Return how the phase goes on, in words: at constant velocities, where nothing accelerates in it."""
+        inner = self._inner
+        if not all(inner.is_still(k) for k in range(len(inner.mechanism.coordinates))):
+            return "The phase lasts"
+        rolls = [face for face, side in inner.rough.items() if side == 0 and len(inner.mechanism.faces[face].slip) > 1]
+        if not rolls:
+            return "All velocities remain constant"
+        who = capital(inner.setting.called(inner.mechanism.faces[rolls[0]].subject))
+        return f"{who} now rolls, which on level ground needs no friction, so all velocities remain constant"
 
     def _place(self, k: int, names: Names, span: Symbol) -> Expression:
         gained = added(multiplied(self._rates[k], span), self._bent(k, names, multiplied(HALF, Power(span, 2))))

@@ -7,6 +7,7 @@ from typing import ClassVar
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
@@ -15,6 +16,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way, unasked
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
+from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
@@ -129,11 +131,14 @@ class _Turning(SwingAngle):
         arm, g, rate = self.arm, self.gravity, self.launch
         if rate == ZERO:
             return -self.first  # as far on the other side
-        name, step = self.book.fresh(r"\phi"), self.book.open("energy")
+        name, step = self.book.fresh(r"\phi", r"\text{max}"), self.book.open("energy")
         inertia, moment = arm.inertia, arm.moment
         law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
         formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
-        step.say(f"{arm.noun()} turns back where all its kinetic energy has become potential energy: {law}, so")
+        highest = " at its highest point," if isinstance(self.setting.query.moment, HighestPoint) else ""
+        step.say(
+            f"{arm.noun()} turns back{highest} where all its kinetic energy has become potential energy: {law}, so"
+        )
         step.say(f"{step.result(name, formula, DEGREES)}.")
         step.close()
         return -name if self.extreme or self.now < 0.0 else name
@@ -173,7 +178,7 @@ class _Turning(SwingAngle):
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
-        said = "The torque of gravity divided by the moment of inertia is the angular acceleration"
+        said = "The torque of gravity divided by the moment of inertia is, in magnitude, the angular acceleration"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     # ---- quantities
@@ -185,9 +190,19 @@ class _Turning(SwingAngle):
         rises = self.now * self.turning * self.book.value(self.piece.place) >= 0.0
         return (speed if rises else -speed) * self.sine
 
+    def said(self, quantity: str) -> str:
+        """Return what is said before the formula of a quantity; of an acceleration, which components are left."""
+        if self.vertical or quantity not in BOTH:
+            return super().said(quantity)
+        return of_components(quantity, *self._components, begins=not self.still)
+
+    @property
+    def _components(self) -> tuple[Expression, Expression]:
+        """The centripetal and the tangential acceleration of the centre of mass."""
+        return self.size * squares([self.rate]), self.size * self.angular_acceleration
+
     def _acceleration(self) -> Expression:
-        inward = self.size * squares([self.rate])
-        along = self.size * self.angular_acceleration
+        inward, along = self._components
         if self.vertical:
             sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
             falls = sign * (1.0 if self.falls else -1.0)
@@ -258,8 +273,8 @@ class _Turning(SwingAngle):
 
     WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "The speed is the angular speed times the radius:"),
-        "acceleration": ("_acceleration", "From the centripetal and tangential components, the acceleration is"),
-        "net force": ("_force", "By Newton's second law, with centripetal and tangential acceleration,"),
+        "acceleration": ("_acceleration", BOTH["acceleration"]),
+        "net force": ("_force", BOTH["net force"]),
         "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy of the rotation about the axle is"),
         "translational kinetic energy": ("_moving", "The kinetic energy of the motion of the centre of mass is"),
@@ -272,7 +287,7 @@ class _Turning(SwingAngle):
         "angular acceleration": ("_growth", ""),
         "deflection": ("_deflection", ""),
         "angle turned": ("_between", "The angle turned through is"),
-        "total angle": ("_swept", "The sum of the angles between turning points is"),
+        "total angle": ("_swept", "In all, it turns through"),
         "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
         "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
         "displacement": ("_chord", "The displacement is the chord"),

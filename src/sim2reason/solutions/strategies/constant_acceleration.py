@@ -18,7 +18,8 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.stage import End, Stage
+from sim2reason.solutions.laws.stage import Stage
+from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.stage_part import StagePart
 from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import STILL, Way

@@ -23,7 +23,8 @@ from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
-from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
+from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.single_way import SingleWay
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
@@ -85,9 +86,17 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _name(self) -> Symbol:
-        name = self.book.fresh("x")
+        name, motion = self.book.fresh("x"), self.motion
         self.introduce({self._i: name})
+        if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
+            way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
+            RestChecks(self.setting, self.book).moves_on(motion, 0, f"{self.who(self._i)} starts to move {way}")
         return name
+
+    @property
+    def _slides(self) -> bool:
+        """Whether kinetic friction acts, against the way in which it begins to move."""
+        return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._i))
 
     def write(self) -> Symbol:
         """The time, or the goal."""
@@ -194,6 +203,8 @@ class EnergyWay(SingleWay):
             raise UnsolvedError("it begins in balance")
         step = self.book.open("balance")
         law = step.law(stiffness.expression() * self.name, load.expression())
+        if self._slides and len(self.setting.motion.segments) > 1:
+            step.say("Friction makes each swing smaller than the one before, so it is fastest in the first.")
         step.say(f"Its kinetic energy is greatest where the net force is zero: {law},")
         step.say(f"so {step.result(self.name, over(load, stiffness), METRES)}.")
         step.close()
@@ -221,8 +232,7 @@ class EnergyWay(SingleWay):
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
         root = Root(squares([self._first]) + inner)
-        rate = f"the rate ${name.name}$ of ${self.name.name}$"
-        step.say(f"By the work-energy theorem, with {rate}: {law},")
+        step.say(f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}$: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name

@@ -4,17 +4,22 @@ See Lapidus, Motion of a harmonic oscillator with sliding friction, American Jou
 """
 
 from collections.abc import Sequence
+from math import pi
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.halted import Halted
+from sim2reason.questions.moments.moved import Moved
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
+from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.to_and_fro import Travelled
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -47,6 +52,8 @@ class HalfSwings(Strategy):
 class _Swinging(Oscillating):
     """The last swing; those before it leave where and when it begins."""
 
+    _half: Symbol | None = None  # the time of half an oscillation, once it is written
+
     @cached_property
     def _segments(self) -> list[Segment]:
         return [s for s in self.setting.motion.segments if s.start < self.setting.time * (1.0 - 1e-9) or s.start == 0.0]
@@ -56,10 +63,31 @@ class _Swinging(Oscillating):
         """The last one."""
         return self._segments[-1]
 
+    @cached_property
+    def _checks(self) -> RestChecks:
+        return RestChecks(self.setting, self.book)
+
+    def write(self) -> Symbol:
+        """Verify what is assumed of friction, as far as numbers are known, before the moment."""
+        moment, held = self.query.moment, self.harmonic
+        self._verify_others(held)
+        if isinstance(moment, Halted):
+            there = self.whole_place
+            self._checks.stays(self._motion(self.segment, there), len(self._segments))
+        if isinstance(moment, Moved) and len(self._segments) == 1 and not held.turns(self.since_begun):
+            self._turns_beyond(held)
+        return super().write()
+
+    # ---- swing by swing
+
+    def _motion(self, segment: Segment, begin: Expression) -> LinearMotion:
+        """Return the equations of one swing, with places counted from `begin`."""
+        at = self.book.value(begin) if begin != ZERO else 0.0
+        return LinearMotion(self.setting, segment, self.linear.free).counted_from(begin, at)
+
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
         """One swing, from `begin` on."""
-        at = self.book.value(self.begin) if self.begin != ZERO else 0.0
-        motion = LinearMotion(self.setting, segment, self.linear.free).counted_from(self.begin, at)
+        motion = self._motion(segment, self.begin)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
         if motion.damped or not any(motion.laws.rough.values()):
@@ -75,15 +103,8 @@ class _Swinging(Oscillating):
         before: Harmonic | None = None
         for number, segment in enumerate(self._segments):
             name = self.book.fresh("s", str(number + 1)) if number else self.whole_name
-            step = self.book.open("names")
-            step.say(
-                f"From there until it turns back again, the friction force is constant; let ${name.name}$ be the "
-                "displacement from this turning point."
-                if number
-                else "Until it first turns back, the friction force is constant."
-            )
-            step.close()
             held = self._swing(segment, name, before)
+            self._begins(held, number)
             if segment is self._segments[-1]:
                 return held
             span = self._segments[number + 1].start - segment.start
@@ -93,51 +114,159 @@ class _Swinging(Oscillating):
             before = held
         raise UnsolvedError("it never moves")
 
+    def _begins(self, held: Harmonic, number: int) -> None:
+        """Write why a swing begins, and that friction is constant until it ends."""
+        motion = held.motion
+        assert isinstance(motion, LinearMotion)
+        if number:
+            self._checks.moves_on(motion, number, "it moves back")
+        elif not held.first:
+            (i,) = motion.free
+            forward = motion.load(i).value(motion.givens) > 0.0
+            said = f"{self.who(i)} starts to move {self.towards(i, forward=forward)}"
+            if not self._checks.moves_on(motion, number, said):
+                turned = "" if forward else ", so its velocity is negative at first"
+                self._say(f"{capital(said)}{turned}.")
+        step = self.book.open("names")
+        step.say(
+            f"From there until it turns back again, the friction force is constant; let ${held.name.name}$ be the "
+            "displacement from this turning point."
+            if number
+            else "Until it first turns back, the friction force is constant."
+        )
+        step.close()
+
+    def _say(self, sentence: str) -> None:
+        step = self.book.open("names")
+        step.say(sentence)
+        step.close()
+
     def _turn(self, held: Harmonic, span: float) -> None:
-        """Where and when the next swing begins."""
-        first = self.begin == ZERO
-        name = self.book.fresh("x") if first else held.name
-        said = "It first turns back at" if first else "It turns back at"
-        there = self.book.told("turning", said, name, held.turning(span), METRES)
-        if first:
-            self.begin = there
-        else:
-            said = "Its displacement from the start is then"
-            self.begin = self.book.told("turning", said, self.book.fresh("x"), self.begin + there, METRES)
-        self._places.append(self.begin)
+        """Write where the next swing begins, and before that when, if a time is asked for or given."""
+        first, book = self.begin == ZERO, self.book
         self._times.append((held, span))
+        timed = self.query.target is None or isinstance(self.query.moment, AtTime)
+        if timed:
+            _ = self._begun
+        said = "The turning point is at" if timed else "It first turns back at"
+        said, name = (said, book.fresh("x", "1")) if first else ("It turns back at", held.name)
+        there = book.told("turning", said, name, held.turning(span), METRES)
+        if not first:
+            said, name = "Its displacement from the start is then", book.fresh("x", str(len(self._places)))
+            there = book.told("turning", said, name, self.begin + there, METRES)
+        self.begin = there
+        self._places.append(there)
         self.started += span
 
     @cached_property
     def _places(self) -> list[Expression]:
         return [ZERO]
 
+    # ---- times
+
     @cached_property
     def _times(self) -> list[tuple[Harmonic, float]]:
         return []
 
     @cached_property
+    def _lasting(self) -> list[Symbol]:
+        """The times that swings take, as far as they are written."""
+        return []
+
+    @property
     def _begun(self) -> Expression:
-        """When the last swing begins."""
-        found: Expression = ZERO
-        for held, span in self._times:
-            formula = held.angle_of_turning(span) / held.rate
-            found = found + self.book.told(
-                "time", "This half oscillation takes", self.book.fresh("t"), formula, SECONDS
-            )
+        """How long the swings in `_times` take together; each time is written when it is first needed."""
+        for held, span in self._times[len(self._lasting) :]:
+            self._lasting.append(self._lasts(held, span))
+        return total(map(Polynomial.of, self._lasting)).expression()
+
+    def _time_name(self) -> Symbol:
+        return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
+
+    def _lasts(self, held: Harmonic, span: float) -> Symbol:
+        """Write how long a swing takes; from rest to rest each takes as long as any other."""
+        whole = held.begun == ZERO
+        if whole and self._half is not None:
+            return self._half
+        said = "From turning point to turning point is half an oscillation:"
+        if not self._lasting:
+            said = "It first turns back after half an oscillation," if whole else "It first turns back after"
+        formula = held.angle_of_turning(span) / held.rate
+        found = self.book.told("time", said, self._time_name(), formula, SECONDS)
+        self._half = found if whole else None
         return found
 
     def since(self, time: Symbol) -> Symbol:
         """Less what the swings before take."""
-        if self._begun == ZERO:
-            return time
-        return self.book.told("time", "The remaining time is", self.book.fresh("t"), time - self._begun, SECONDS)
+        left = time
+        if self._times:
+            said = "The remaining time is"
+            left = self.book.told("time", said, self._time_name(), time - self._begun, SECONDS)
+        self._turns_later(left)
+        return left
+
+    def time_since(self) -> Symbol:
+        """Write how long the last swing has lasted at the moment."""
+        held = self.harmonic
+        if held.turns(self.since_begun):
+            return self._lasts(held, self.since_begun)
+        return super().time_since()
+
+    def time_name(self) -> Symbol:
+        """Return a symbol for that: `t` where it is the time since the start."""
+        return self._time_name() if self._times else self.book.fresh("t")
 
     def until(self, time: Symbol) -> Symbol:
         """And what the swings before take."""
-        if self._begun == ZERO:
+        if not self._times:
             return time
-        return self.book.told("time", "The total time is", self.book.fresh("t"), self._begun + time, SECONDS)
+        whole = total(map(Polynomial.of, (*self._lasting, time))).expression()
+        return self.book.told("time", "The total time is", self.book.fresh("t"), whole, SECONDS)
+
+    # ---- what is verified
+
+    def _ends_after(self, held: Harmonic) -> float:
+        """Return how long after its beginning a swing turns back, s."""
+        return min(time for time in held.instants(2.0 * pi / held.numbers[0]) if held.turns(time))
+
+    def _turns_later(self, left: Symbol) -> None:
+        """Write that the last swing takes longer than the time that is left."""
+        held, book = self.harmonic, self.book
+        formula, again = held.angle_of_turning(self._ends_after(held)) / held.rate, " again" if self._times else ""
+        if book.is_hidden(formula) or book.is_hidden(left):
+            return
+        step = book.open("verify")
+        if self._half is not None:
+            step.rest_on(self._half.name)
+            step.say(f"As ${left.name} < {self._half.name}$, it does not turn back{again} within this time.")
+        else:
+            name = book.fresh("t", r"\text{turn}")
+            book.observed[name.name] = book.value(formula)
+            told = step.verified(name, formula, SECONDS)
+            step.say(f"It would turn back{again} only after {told}, which is longer than ${left.name}$.")
+        step.close()
+
+    def _turns_beyond(self, held: Harmonic) -> None:
+        """Write that it turns back farther away than where it is at the moment."""
+        formula = held.turning(self._ends_after(held))
+        if self.book.is_hidden(formula):
+            return
+        step, name = self.book.open("verify"), self.book.fresh("x", "1")
+        self.book.observed[name.name] = self.book.value(formula)
+        step.say(f"It first turns back farther away, at {step.verified(name, formula, METRES)}.")
+        step.close()
+
+    def _verify_others(self, held: Harmonic) -> None:
+        """Write that bodies at rest stay so while this one moves between the places where it turns back."""
+        motion = held.motion
+        assert isinstance(motion, LinearMotion)
+        if not self._checks.resting(motion):
+            return
+        span, places = self._ends_after(held), [*self._places]
+        if len(places) == 1:
+            said, name = "It first turns back at", self.book.fresh("x", "1")
+            places.append(self.book.told("turning", said, name, held.turning(span), METRES))
+        self._checks.others_rest(motion, places, self.book.value(self.begin) + held.where(span)[0])
 
     @property
     def stretches(self) -> Sequence[Stretch]:

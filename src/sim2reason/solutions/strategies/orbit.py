@@ -179,6 +179,14 @@ class _OnOrbit(Way):
         if query.functional == "greatest displacement":
             return orbit.farthest()
         which, far = FUNCTIONALS[query.functional]
+        if isinstance(query.moment, Orbited) and query.moment.degrees < ALL_ROUND:
+            orbit.tell_approach(far=far)
+        if which == "speed":
+            step, where = self.book.open("extreme"), "greatest" if far else "least"
+            step.say(
+                f"By conservation of energy, the speed is {query.functional.partition(' ')[0]} at the {where} distance."
+            )
+            step.close()
         at = AtAnomaly(orbit, lambda: orbit.to_apsis(far=far), lambda: orbit.apsis(far=far))
         found: Symbol = getattr(at, which)
         return found

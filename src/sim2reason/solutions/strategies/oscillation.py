@@ -128,12 +128,12 @@ class Oscillating(SingleWay):
         moment, held = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
             return held.rate * self.since(self._given_time)
-        if held.turns(self._since):
-            return held.angle_of_turning(self._since)
-        return held.angle_of(self._place, self._since)
+        if held.turns(self.since_begun):
+            return held.angle_of_turning(self.since_begun)
+        return held.angle_of(self._place, self.since_begun)
 
     @property
-    def _since(self) -> float:
+    def since_begun(self) -> float:
         """The time since it began from where places are counted, s."""
         return self._when - self.started
 
@@ -159,13 +159,21 @@ class Oscillating(SingleWay):
     @cached_property
     def _time(self) -> Symbol:
         """When the moment comes."""
+        return self.until(self.time_since())
+
+    def time_since(self) -> Symbol:
+        """Write when the moment comes, after it began from where places are counted."""
         held, angle, place = self.harmonic, self._angle, self._place
-        rate, turns = held.rate, held.turns(self._since)
-        step, time = self.book.open("time"), self.book.fresh("t")
+        rate, turns = held.rate, held.turns(self.since_begun)
+        step, time = self.book.open("time"), self.time_name()
         motion = (rate * time, angle) if turns else (place, held.displacement(time))
         step.say(f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
         step.close()
-        return self.until(time)
+        return time
+
+    def time_name(self) -> Symbol:
+        """Return a symbol for that time."""
+        return self.book.fresh("t")
 
     def _reached(self, *, turns: bool) -> str:
         """Begin a sentence with what happens at the moment."""
@@ -194,9 +202,9 @@ class Oscillating(SingleWay):
             if isinstance(moment, Moved):
                 whole = self.moved_to(moment)
                 return whole - self.begin
-        if held.turns(self._since):
-            return self.book.told("place", "It turns back at", held.name, held.turning(self._since), METRES)
-        if abs(held.where(self._since)[0] - held.numbers[1]) > 1e-6 * held.size:
+        if held.turns(self.since_begun):
+            return self.book.told("place", "It turns back at", held.name, held.turning(self.since_begun), METRES)
+        if abs(held.where(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.size:
             raise UnsolvedError("the moment is no mark of an oscillation")
         return held.rest
 
@@ -215,7 +223,7 @@ class Oscillating(SingleWay):
     def _speed(self) -> Expression:
         """How fast the free coordinate changes."""
         held = self.harmonic
-        if not self._timed and held.turns(self._since):
+        if not self._timed and held.turns(self.since_begun):
             return ZERO
         step, name = self.book.open("speed"), self.book.fresh("v")
         if self._timed:
@@ -226,7 +234,7 @@ class Oscillating(SingleWay):
                 formula = formula + held.first.expression() * Call("cos", self._angle)
             step.say(f"Its velocity is then {step.result(name, formula, SPEED, law=True)}.")
         else:
-            sign = 1.0 if held.where(self._since)[1] > 0.0 else -1.0
+            sign = 1.0 if held.where(self.since_begun)[1] > 0.0 else -1.0
             place, rest = self._place, held.rest
             apart = place - rest
             if place == rest:

@@ -89,6 +89,7 @@ class _Slack:
     def last(self) -> Instant:
         """Write all phases before the one of the moment; the place and velocity at which that one begins."""
         held, flies = self.chain.start, self.chain.slack_at_once
+        self.chain.tell_axes()
         self._phase("the start of the motion", flies=flies)
         for event in self._passed:
             if (event.kind == "taut") != flies:

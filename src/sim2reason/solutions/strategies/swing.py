@@ -9,6 +9,7 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way, unasked
+from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.state import SwingState
 from sim2reason.solutions.swings.total_angle import swept
@@ -64,10 +65,19 @@ class _Angular(SwingState):
         bend = multiplied(self.mass, ratio(self.squared, self.length))
         return added(weight, bend)
 
+    def said(self, quantity: str) -> str:
+        """Return what is said before the formula of a quantity; of an acceleration, which components are left."""
+        if self.vertical or quantity not in BOTH:
+            return super().said(quantity)
+        return of_components(quantity, *self._components, begins=not self.still)
+
+    @property
+    def _components(self) -> tuple[Expression, Expression]:
+        """Return v²/ℓ towards the point about which it swings, and g sin φ along the arc."""
+        return ratio(self.squared, self.length), multiplied(self.gravity, self.sine)
+
     def _acceleration(self) -> Expression:
-        """Towards the point about which it swings v²/ℓ, along the arc g sin φ."""
-        inward = ratio(self.squared, self.length)
-        along = multiplied(self.gravity, self.sine)
+        inward, along = self._components
         if self.vertical:
             return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
         if ZERO in (inward, along):
@@ -108,8 +118,8 @@ class _Angular(SwingState):
         "momentum": ("_momentum", "Its momentum is"),
         "tension": ("_pull", "By Newton's second law along the string,"),
         "rod force": ("_pull", "By Newton's second law along the rod,"),
-        "acceleration": ("_acceleration", "From the centripetal and tangential components, the acceleration is"),
-        "net force": ("_force", "By Newton's second law, with centripetal and tangential acceleration,"),
+        "acceleration": ("_acceleration", BOTH["acceleration"]),
+        "net force": ("_force", BOTH["net force"]),
         "angular velocity": ("_spin", "The angular velocity is the speed over the radius,"),
         "angular acceleration": (
             "_spin_up",
@@ -117,7 +127,7 @@ class _Angular(SwingState):
         ),
         "deflection": ("_deflection", ""),
         "angle turned": ("_between", "The angle turned through is"),
-        "total angle": ("_swept", "The sum of the angles between turning points is"),
+        "total angle": ("_swept", "In all, it turns through"),
         "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
         "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
         "height": ("_height", "The height gained is"),

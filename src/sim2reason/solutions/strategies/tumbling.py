@@ -16,6 +16,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import quantity_of
+from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -239,6 +240,8 @@ class _Tumbling:
             formula = -formula
         if isinstance(formula, Symbol):
             return formula
+        if quantity in BOTH:
+            said = of_components(quantity, self.radius * squares([self.spin]), self.radius * self.growth, begins=True)
         return self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
 
     def _velocity(self) -> Expression:
@@ -286,8 +289,8 @@ class _Tumbling:
         "momentum": ("_momentum", "The momentum is"),
         "angular velocity": ("_turning", "The angular velocity is"),
         "angular acceleration": ("_growing", "The angular acceleration is"),
-        "acceleration": ("_acceleration", "From the centripetal and tangential components, the acceleration is"),
-        "net force": ("_force", "By Newton's second law, with centripetal and tangential acceleration,"),
+        "acceleration": ("_acceleration", BOTH["acceleration"]),
+        "net force": ("_force", BOTH["net force"]),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
         "translational kinetic energy": ("_moving_energy", "The kinetic energy of the motion of the centre of mass is"),
         "rotational kinetic energy": ("_turning_energy", "The kinetic energy of the rotation about the axis is"),

@@ -41,11 +41,11 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
     "greatest displacement": ("displacement", "slowest"),
 }
 PLACES = frozenset({"deflection", "height", "displacement"})  # what says by itself where it is greatest
-SLOW = 1e-5  # of its greatest speed: none
-STRAIGHT = 1e-6  # rad
+SLOW, STRAIGHT = 1e-5, 1e-6  # of its greatest speed: none; rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "The angular frequency of small oscillations is"
+PASSED = "Having passed the lowest point, it has turned through"
 Way = tuple[str, str]  # the method that gives a formula, and what is said before it
 
 
@@ -67,11 +67,8 @@ def unasked(setting: Setting, quantities: Collection[str]) -> str:
             return ""
     if not isinstance(query.moment, MOMENTS):
         return "only integration gives the time"
-    return (
-        ""
-        if query.target is None or quantity_of(setting) in quantities
-        else f"no way to the quantity {quantity_of(setting)}"
-    )
+    known = query.target is None or quantity_of(setting) in quantities
+    return "" if known else f"no way to the quantity {quantity_of(setting)}"
 
 
 class SwingAngle(ABC):
@@ -100,9 +97,9 @@ class SwingAngle(ABC):
     def extreme(self) -> str:
         """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
         query = self.setting.query
-        found = EXTREMES.get(query.functional) if isinstance(query, StretchQuery) else None
-        if found is None:
+        if not isinstance(query, StretchQuery) or query.functional not in EXTREMES:
             return ""
+        found = EXTREMES[query.functional]
         turns = found[0] == "acceleration" and is_slow_at_greatest(self.setting, self.setting.query.subject)
         return "slowest" if turns else found[1]
 
@@ -260,14 +257,19 @@ class SwingAngle(ABC):
         sense = target.sense if target is not None else None
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
-        (kind, why), unit = self.WAYS[quantity], self.setting.unit
+        unit = self.setting.unit
         self._tell_where(quantity)
-        formula: Expression = getattr(self, kind)()
+        formula: Expression = getattr(self, self.WAYS[quantity][0])()
         if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        return self.book.told("answer", why or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
+        return self.book.told("answer", self.said(quantity) or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
+
+    def said(self, quantity: str) -> str:
+        """Return what is said before the formula of a quantity."""
+        passed = quantity == "angle turned" and self.first != ZERO and self.angle.negative
+        return PASSED if passed else self.WAYS[quantity][1]
 
     def _tell_where(self, quantity: str) -> None:
         """Say where the quantity is extreme, unless the question is about that place itself."""
@@ -275,11 +277,11 @@ class SwingAngle(ABC):
         if not self.extreme or not isinstance(query, StretchQuery) or quantity in PLACES:
             return
         superlative, _, noun = query.functional.partition(" ")
-        lowest = "at the lowest point" if self.one_point else "where the centre of mass is lowest"
-        highest = "at the highest point" if self.one_point else "where the centre of mass is highest"
+        at = "at the {} point" if self.one_point else "where the centre of mass is {}"
+        lowest, highest = at.format("lowest"), at.format("highest")
         still = highest if self.goes_round else "at the turning points"
-        step = self.book.open("extreme")
-        step.say(f"The {noun} is {superlative} {lowest if self.extreme == 'fastest' else still}.")
+        where, step = lowest if self.extreme == "fastest" else still, self.book.open("extreme")
+        step.say(f"The {noun} is {superlative} {where}.")
         step.close()
 
     @property

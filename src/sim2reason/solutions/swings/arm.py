@@ -176,7 +176,8 @@ class Arm:
             found += [found[0] * along + found[1] * across] if len(found) >= 2 else []
         for formula in found:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
-                said = f"The moment of inertia of {self.setting.called(body)} about its centre of mass is"
+                line = "the line through its centre of mass parallel to the axle"
+                said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
                 return self.book.told("table", said, name, mass * formula, INERTIA)
         raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
@@ -191,8 +192,8 @@ class Arm:
             piece = self.piece(body)
             total = total + piece.inertia + piece.mass * _squared(piece.place)
         said = "By the parallel-axis theorem, the moment of inertia about the axle is"
-        if len(self.bodies) == 1 and self.piece(self.bodies[0]).inertia != ZERO:  # the text has just told its own
-            said = "By the parallel-axis theorem, the moment of inertia about the axle is"
+        if all(self.piece(body).inertia == ZERO for body in self.bodies):
+            said = "The moment of inertia about the axle is"
         return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
 
     @cached_property
@@ -204,8 +205,17 @@ class Arm:
             total = total + piece.mass * piece.place
         if len(parts) == 1:
             return total
-        said = "The sum of the masses times their distances from the axle along the arm is"
-        return self.book.told("moment", said, self.book.fresh("S"), total, MOMENT)
+        said, name = "The sum of the masses times their distances from the axle is", self.book.fresh("S")
+        if all(self.book.value(piece.place) > 0.0 for piece in parts):
+            return self.book.told("moment", said, name, total, MOMENT)
+        step, first = self.book.open("moment"), self.setting.called(self.bodies[0])
+        counted = f"distances on the side of {first} being counted as positive,"
+        step.say(f"{said[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
+        if self.book.in_symbols or not self.book.is_hidden(total):
+            sign, side = ("> 0", "this") if self.book.value(name) > 0.0 else ("< 0", "the opposite")
+            step.say(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
+        step.close()
+        return name
 
     def noun(self) -> str:
         """What turns, with a capital."""

@@ -1,5 +1,7 @@
 """Where a swing on a carriage is, at the moment that is asked about, and what of it never changes."""
 
+from math import pi
+
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
@@ -38,6 +40,8 @@ class CarriageAngle(SwingAngle):
 
     # ---- what SwingAngle asks
 
+    _far: Symbol | None = None  # how far the carriage has come, where that is given
+
     @property
     def goes_round(self) -> bool:
         """From rest it does not."""
@@ -70,12 +74,24 @@ class CarriageAngle(SwingAngle):
 
     def _at_extreme(self) -> Expression:
         if abs(self.now) < NEAR:
+            self._tell_pull()
             self._say(f"{self.swings} hangs straight down")
             return ZERO
         if not self.still:
             raise UnsolvedError("the greatest value is taken somewhere on the way")
         self._say(f"{self.swings} turns back")
         return self._turned()
+
+    def _tell_pull(self) -> None:
+        """Write why the carriage is fastest where the arm hangs straight down, if it begins below its axle."""
+        if self.setting.query.subject not in self.carriage.moving_along or self.driving_force != ZERO:
+            return
+        step = self.book.open("extreme")
+        if self.began < 0.5 * pi:
+            step.say(
+                f"Until {self.swings} hangs straight down, it pulls {self.carriage.noun()} one way, then the other."
+            )
+        step.close()
 
     @property
     def swings(self) -> str:
@@ -123,8 +139,12 @@ class CarriageAngle(SwingAngle):
         step = self.book.open("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
         law = step.law(self.carriage.total_mass * far, gone)
+        step.say(f"Let ${name.name}$ be the angle of {self.swings} then, positive on the side on which it begins.")
+        if self.began < 0.5 * pi:
+            step.say(f"It rises no higher than at the start, so $|{name.name}| < 90^\\circ$.")
         said = "No external force acts along the rail, so the common centre of mass does not move along it:"
         step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
+        self._far = far
         step.close()
         if abs(self.book.values[name.name] - self.now) > STRAIGHT:
             raise UnsolvedError("the arm is above its axle")

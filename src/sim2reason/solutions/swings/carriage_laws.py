@@ -101,9 +101,12 @@ class CarriageLaws(CarriageAngle):
         if self.begins:
             return ZERO
         self.unloaded()
+        if self.angle != ZERO and self._far is not None:
+            return self._far
         over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
         formula = self.moment * over / self.carriage.total_mass
-        said = "The common centre of mass does not move along the rail, so the displacement of the carriage is"
+        said = "The common centre of mass does not move along the rail, so the displacement of "
+        said += f"{self.carriage.noun()} is"
         return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes

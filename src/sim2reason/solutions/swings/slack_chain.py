@@ -94,6 +94,14 @@ class SlackChain:
         vx, vy = held.launch * cosine * forward, -(held.launch * sine)
         return Instant(ell * sine * begins, -(ell * cosine), vx, vy, held.launch)
 
+    def tell_axes(self) -> None:
+        """Write from where and which way places are counted."""
+        side = "it begins" if self.slack_at_once else "the string goes slack"
+        step = self.book.open("names")
+        step.say(f"Let $x$ and $y$ be counted from the fixed point, $x$ horizontally to the side on which {side}, $y$")
+        step.say("upward.")
+        step.close()
+
     # ---- on the circle
 
     def goes_slack(self, start: Instant, time: float) -> Instant:
@@ -108,6 +116,8 @@ class SlackChain:
         step.say(f"and the weight alone provides the centripetal force: {law}. Conservation of energy: {energy}.")
         height = ratio(square + TWO * g * start.y, THREE * g)
         step.say(f"Together, {step.result(y, height, METRES)} and {step.result(v, Root(g * y), SPEED)}.")
+        if not book.is_hidden(y):
+            step.say(f"As $0 < {y.latex()} < {ell.latex()}$, {self.who} gets there.")
         step.close()
         x = book.fresh("x", r"\text{s}")
         said = "Its horizontal distance from the fixed point is"
@@ -127,18 +137,19 @@ class SlackChain:
     def is_taut_again(self, held: Instant) -> tuple[Symbol, Instant]:
         """Write for how long the bob flies until the string is taut again, and its place and velocity just before."""
         book, ell, g = self.book, self.length, self.gravity
-        step, t = book.open("taut"), book.fresh("t")
+        step, t = book.open("taut"), book.fresh("t", r"\text{f}")
         across = held.x + held.vx * t
         up = held.y + held.vy * t - HALF * g * Power(t, 2)
         law = step.law(Power(across, 2) + Power(up, 2), Power(ell, 2))
-        step.say(f"{capital(self.who)} now moves as a projectile. The string is taut again when {law}.")
+        step.say(f"{capital(self.who)} now moves as a projectile. After a time ${t.latex()}$ the string is taut again:")
+        step.say(f"{law}.")
         if held == self.start:
             formula = TWO * (held.vy + Root(g * held.y - squares([held.vx]))) / g
             why = "Since the velocity at first is perpendicular to the string, a quadratic equation is left"
         else:
             formula = FOUR * held.vy / g
             square = f"${g.latex()} {held.y.latex()}$"
-            why = f"Since the velocity at first is perpendicular to the string, with the square {square},"
+            why = f"Since the velocity at first is perpendicular to the string and its square is {square},"
             why += f" only the terms in ${t.latex()}^3$ and ${t.latex()}^4$ are left"
         step.say(f"{why}: {step.result(t, formula, SECONDS)}.")
         step.close()

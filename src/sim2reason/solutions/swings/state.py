@@ -86,7 +86,7 @@ class SwingState(SwingAngle):
 
     def _turned(self) -> Expression:
         """Where it turns back: all energy is of height."""
-        name = self.book.fresh(r"\phi")
+        name = self.book.fresh(r"\phi", r"\text{max}")
         step = self.book.open("energy")
         m, g, ell, v = self.mass, self.gravity, self.length, self.launch
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))

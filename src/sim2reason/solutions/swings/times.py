@@ -50,6 +50,9 @@ class SwingTime:
             square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
         step.say(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
         step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
+        if not self.book.is_hidden(name):
+            over = self.book.values[name.name] > 1.0
+            step.say(f"As ${k} {'> 1$, it goes round' if over else '< 1$, it swings to and fro'}.")
         step.close()
         return name
 
@@ -79,7 +82,7 @@ class SwingTime:
     def _integral(self, angle: Symbol) -> Symbol:
         """F(θ)."""
         said, formula = f"The integral up to ${angle.latex()}$ is", IncompleteElliptic(angle, self._elliptic_modulus)
-        return self._special(said, self.book.fresh("F"), formula, "")
+        return self._special(said, self.book.fresh("u"), formula, "")
 
     def _amplitude(self, integral: Symbol) -> Symbol:
         """The angle θ up to which the integral has a value."""
@@ -172,15 +175,35 @@ class SwingTime:
     def angle(self, time: Symbol) -> Symbol:
         """Write the angle at a time."""
         _ = self.modulus
-        grown = self.pace * time
-        name = self.book.fresh("F", "t")
-        whole = self.begins.expression() + grown if self.begins else grown
-        said = "At that time the integral is"
+        begins, grown, name = self.begins.expression(), self.pace * time, self.book.fresh("u", "t")
+        inward = self.way < 0.0 and not self.rounds and self.rate != ZERO
+        said = f"At first the integral is ${begins.latex()}${', as it moves inwards' if inward else ''}; it"
+        said = f"{said if self.begins else 'The integral'} grows at the rate ${self.pace.latex()}$, up to"
+        whole = begins + grown if self.begins else grown
         theta = self._amplitude(self.book.told("elliptic", said, name, whole, ""))
+        self._tell_turns(name)
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)
         else:
             formula = TWO * Call("arcsin", self.modulus * Call("sin", theta))
             formula = formula if self.side > 0.0 else -formula
         said = "The angle with the vertical is then"
-        return self.book.told("angle", said, self.book.fresh(r"\varphi"), formula, DEGREES)
+        return self.book.told("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
+
+    def _tell_turns(self, integral: Symbol) -> None:
+        """Write how often it has turned back by the time at which the integral has a value."""
+        if self.rounds or self.book.is_hidden(integral):
+            return
+        quarter, begun = self.book.value(self.complete), self.book.value(self.begins.expression())
+        turns = [n for n in range(1, 2 * int(self.book.value(integral) / quarter) + 4, 2) if n * quarter > begun + NEAR]
+        before = sum(n * quarter < self.book.value(integral) for n in turns)
+        step, name = self.book.open("verify"), self.book.fresh("u", r"\text{turn}")
+        formula = Number(float(turns[before])) * self.complete
+        self.book.observed[name.name] = self.book.value(formula)
+        often = {0: "not at all", 1: "once", 2: "twice"}.get(before, f"{before} times")
+        told, k = step.verified(name, formula, ""), self.complete.latex()
+        step.say(
+            f"It turns back where the integral is ${k}$, $3 {k}$, $5 {k}$ and so on, next at {told}: until then it"
+        )
+        step.say(f"has turned back {often} since the start.")
+        step.close()

@@ -8,10 +8,12 @@ import numpy as np
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.setting import joined
 from sim2reason.solutions.swings.angle import SwingAngle
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 SAMPLES = 48  # of a period of small swings, at least
+TWICE = 2
 SLOW = 1e-7  # of the fastest: the end of what comes to rest there
 
 Seen = Callable[[float], tuple[float, float]]
@@ -32,11 +34,31 @@ def swept(swing: SwingAngle, seen: Seen) -> Expression:
     if not turns:
         return swing.between
     way = float(kept[0])
+    _tell_way(swing, turns, way)
     reach, found = Polynomial.of(swing.reach), _place(swing.first).scaled(-way)
     found = found + reach.scaled(2.0 * turns - 1.0)
     if not swing.still:
         found = found + reach - _place(swing.angle).scaled(way if turns % 2 else -way)
     return found.factored()
+
+
+def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
+    """Write from where to where it goes between turning points, and where it ends if that is none."""
+    inward, ends = way < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
+    reach, through = f"${swing.reach.latex()}$", " through the lowest point"
+    begins = f"${swing.first.latex()}$" if swing.first != ZERO else "the lowest point"
+    said = [f"From {begins} it swings{through if inward else ''} to {reach}{' on the other side' if inward else ''}"]
+    if turns > 1:
+        often = "once" if turns == TWICE else f"{turns - 1} times"
+        said.append(f"{often} from one turning point to the other")
+    if not swing.still:
+        side = way if turns % 2 else -way
+        crosses = ends != ZERO and side * swing.book.value(ends) < 0.0
+        size = f"${(-ends if ends.negative else ends).latex()}$" if ends != ZERO else "the lowest point"
+        said.append(f"back{through if crosses else ''} to {size}")
+    step = swing.book.open("names")
+    step.say(f"{joined(said)}.")
+    step.close()
 
 
 def _round(swing: SwingAngle, end: float) -> Expression:

@@ -1,0 +1,96 @@
+"""What is said of bodies that turn about their own axes: how they turn as they move, slip, and are held by friction."""
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.laws.common_rates import Shared
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.lexicon import UnreadError
+
+
+def radius_of(setting: Setting, body: str) -> str:
+    """Return the radius with which a body touches the ground, in words; a thick-walled pipe has two."""
+    return "outer radius" if getattr(setting.scene.bodies.get(body), "bore", None) else "radius"
+
+
+def rolling_bodies(dynamics: Dynamics, shared: Shared) -> list[str]:
+    """Return the bodies that turn at a shared rate and whose centres move.
+
+    The rate is that of the rim relative to the centre, the radius times the rate of turning, and not that of the rim.
+    """
+    bodies = (dynamics.mechanism.coordinates[k] for k in shared.sense)
+    return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moved(held.body)]
+
+
+def only_turning(dynamics: Dynamics, shared: Shared) -> str:
+    """Return the body of which a shared rate is the turning alone, as of one that slips; empty if there is none."""
+    rolling = rolling_bodies(dynamics, shared)
+    return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
+
+
+def turning_noun(dynamics: Dynamics, body: str) -> str:
+    """Return the name of a rate that is the turning of a body alone, in words."""
+    rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
+    return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)} times {rate}"
+
+
+def rolling_words(dynamics: Dynamics, body: str, name: str) -> str:
+    """Return the sentence that a body rolls without slipping, and how it turns, `name` being the rate of its centre."""
+    rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
+    who, radius = capital(dynamics.setting.called(body)), radius_of(dynamics.setting, body)
+    return f"{who} rolls without slipping, so its {radius} times {rate} is ${name}$, too."
+
+
+def inertia_words(dynamics: Dynamics, k: int) -> str:
+    """Return the moment of inertia of what turns with a hinge, as an aside; empty where it is no simple formula."""
+    newton = dynamics.newton
+    try:
+        radius, inertia = newton.lexicon.read(newton.scale[k]), newton.turning(k, k)
+    except UnreadError:
+        return ""
+    if radius.symbol is None:
+        return ""
+    return f", whose moment of inertia is ${(inertia * radius * radius).expression().latex()}$"
+
+
+def friction_way(dynamics: Dynamics, face: int, force: Polynomial) -> str:
+    """Return the direction of a friction force on its body, in words; `force` is that along the slip."""
+    for k, part in dynamics.newton.slip(face).items():
+        if dynamics.mechanism.coordinates[k].kind == "slide":
+            return dynamics.moving(k, -1 if (force * part).expression().negative else 1)
+    return ""
+
+
+def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
+    """Return the sentence that a round body slips where it touches, with the friction on it, by the normal force."""
+    newton = dynamics.newton
+    size, side = newton.coefficient(face) * normal, float(newton.rough[face])
+    ways = [friction_way(dynamics, face, size.scaled(sign)) for sign in (side, -side)]
+    if not all(ways):
+        return ""
+    who = capital(dynamics.setting.called(dynamics.mechanism.faces[face].subject))
+    friction = f"the friction ${size.expression().latex()}$ acts on it {ways[1]}"
+    return f"{who} slips {ways[0]} at the point of contact, so {friction}."
+
+
+def rim_speed_words(dynamics: Dynamics, shared: Shared, begun: Expression) -> str:
+    """Return what is said before the velocity of what only turns; empty for other rates."""
+    body = only_turning(dynamics, shared)
+    first = f", at first ${begun.latex()}$," if begun != ZERO else ""
+    who = dynamics.setting.called(body) if body else ""
+    return f"the speed of the rim of {who} relative to its centre{first} is " if body else ""
+
+
+def arc_words(dynamics: Dynamics, shared: Shared) -> str:
+    """Return what is said before how far something only turns; empty for other rates."""
+    body = only_turning(dynamics, shared)
+    return f"the rim of {dynamics.setting.called(body)} has turned through the arc " if body else ""
+
+
+def constant_words(dynamics: Dynamics, k: int) -> str:
+    """Return why a rate does not change any more: of what has begun to roll, that this needs no friction."""
+    newton = dynamics.newton
+    rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
+    turns = dynamics.mechanism.coordinates[k].kind == "hinge"
+    why = "From then on it rolls, which on level ground needs no friction, so" if rolls else "From then on"
+    return f"{why} the {'speed of the rim relative to the centre' if turns else 'velocity'} is constant"

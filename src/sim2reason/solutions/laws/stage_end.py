@@ -1,0 +1,19 @@
+"""What ends a stage of a motion at constant accelerations."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """What ends a stage: a known time, a distance that a coordinate has moved since it began, or its coming to rest."""
+
+    time: Symbol | None = None
+    coordinate: int = -1
+    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    what: str = ""  # in words
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
+    turned: int | None = None  # the face on which the body slips the other way from then on

@@ -1,0 +1,90 @@
+"""What a solution says of a rolling body: its rim does not have its acceleration, and friction has a direction."""
+
+from math import cos, radians, sin
+
+import pytest
+
+from plain_scenes import drawn_shell
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.pipe import Pipe
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import Rolling, Rough, Spinning, Start
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.testing.solutions.faults import faults
+from worked import asked, derived
+
+G, MASS, RADIUS = 9.8, 2.0, 0.1
+
+
+def pipe(angle: float, friction: float, start: Start | None = None) -> Scene:
+    held = RollingEntity(
+        body=Pipe(mass=MASS, radius=RADIUS), plane=Incline(angle=angle), grip=Rough(friction=friction), start=start
+    )
+    return Scene(entities=(Named(name="lane", entity=held),))
+
+
+def body(scene: Scene) -> str:
+    return next(held.name for held in scene.mechanism.bodies if held.mass)
+
+
+def turned(scene: Scene, quantity: str, time: float) -> Solution:
+    return derived(scene, Query("state", Target(quantity, body(scene)), AtTime(time)))
+
+
+def test_a_rolling_body_turns_with_the_acceleration_of_its_centre() -> None:
+    scene = drawn_shell()
+    shell = next(held.name for held in scene.mechanism.bodies if any(held.inertia))
+    found = derived(scene, Query("start", Target("acceleration", shell), AtStart()))
+    assert "of the rim" not in found.text
+    assert "rolls without slipping, so its radius times its angular acceleration is $a$, too." in found.text
+    assert "Static friction $f" in found.text
+    assert r"whose moment of inertia is $\tfrac{2}{3} m" in found.text
+
+
+def test_what_slips_on_a_slope_is_shown_to() -> None:
+    """Rolling takes half of m g sin θ of a thin pipe; what is left of the torque is µ m g cos θ R."""
+    angle, friction, time = 31.0, 0.18, 1.3
+    found = turned(pipe(angle, friction), "angular velocity", time)
+    slope = radians(angle)
+    assert found.answer == pytest.approx(friction * G * cos(slope) * time / RADIUS)
+    needed, most = (held for held in found.relations if held.role == "verified")
+    assert needed.right.value(found.values) == pytest.approx(0.5 * MASS * G * sin(slope))
+    assert most.right.value(found.values) == pytest.approx(friction * MASS * G * cos(slope))
+    assert "slips down the slope at the point of contact" in found.text
+    assert "acts on it up the slope" in found.text
+    assert "the speed of the rim of the" in found.text
+
+
+def test_the_speed_of_a_rim_at_first_is_told() -> None:
+    """Set rolling up a slope that is too steep, the point of contact slips down at once."""
+    scene = pipe(45.0, 0.1, Rolling(speed=3.0, way="up the slope"))
+    found = turned(scene, "angular velocity", 0.2)
+    assert found.answer == pytest.approx((3.0 - 0.1 * G * cos(radians(45.0)) * 0.2) / RADIUS)
+    assert "relative to its centre, at first $v$, is" in found.text
+
+
+def test_slipping_ends_when_the_speed_of_the_centre_is_that_of_the_rim() -> None:
+    """A t = R ω₀ − µ g t of a thin pipe; from then on no friction is needed."""
+    spin, friction = 8.0, 0.4
+    scene = pipe(0.0, friction, Spinning(spin=spin, way="to the right"))
+    found = turned(scene, "displacement", 0.8)
+    time = spin * RADIUS / (2.0 * friction * G)
+    assert found.answer == pytest.approx(0.5 * friction * G * time**2 + friction * G * time * (0.8 - time))
+    assert r"begins to roll without slipping when $a t = " in found.text
+    assert "on level ground needs no friction, so the velocity is constant" in found.text
+
+
+def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_before() -> None:
+    """What has begun to roll on level ground has no acceleration any more."""
+    scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
+    setting = asked(scene, Query("state", Target("angle rolled", body(scene)), AtTime(0.8)))
+    found = by(STRATEGIES["phase by phase"], setting)
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    assert "They remain" not in found.text
+    assert "now rolls, which on level ground needs no friction" in found.text

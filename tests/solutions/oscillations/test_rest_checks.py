@@ -1,0 +1,109 @@
+"""Springs and friction: each swing is timed as what it is, and rest at turning points is shown, not assumed."""
+
+from math import atan, pi, sqrt
+
+import pytest
+
+from plain_scenes import row
+from sim2reason.dsl.scene import Scene
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.halted import Halted
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions import Solution
+from sim2reason.solutions.parts import starting_from
+from worked import derived
+
+G, MASS, STIFFNESS, FRICTION, SPEED, TIME = 9.8, 1.8, 132.0, 0.32, 2.0, 0.58
+RATE, LIMIT = sqrt(STIFFNESS / MASS), FRICTION * MASS * G
+
+
+def struck(**start: float) -> Scene:
+    return row((MASS,), (STIFFNESS,), "right", friction=FRICTION, **start)  # type: ignore[arg-type]
+
+
+def cart(scene: Scene, number: int = 0) -> str:
+    return [body.name for body in scene.mechanism.bodies if body.mass][number]
+
+
+def verified(found: Solution) -> dict[str, float]:
+    """What comes to what, of all that is verified by numbers."""
+    relations = (relation for relation in found.relations if relation.role == "verified")
+    return {held.left.latex(): float(held.right.value(found.values).real) for held in relations}
+
+
+def turning_points() -> tuple[float, float]:
+    """Where what is struck from rest, on a relaxed spring, turns back: about ∓µmg/k each time."""
+    shift = LIMIT / STIFFNESS
+    first = sqrt(shift**2 + (SPEED / RATE) ** 2) - shift
+    return first, 2.0 * shift - first
+
+
+def test_only_the_time_between_turning_points_is_half_an_oscillation() -> None:
+    """The first stage begins with a speed: it takes arctan(v ω/µg)/ω, less than π/2ω."""
+    scene = struck(speed=SPEED)
+    found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
+    early, late = ("It first turns back after $t_1", "From turning point to turning point is half an oscillation: $t_2")
+    assert found.text.index(early) < found.text.index("From there until") < found.text.index(late)
+    assert "This half oscillation" not in found.text
+    assert found.values["t_1"] == pytest.approx(atan(SPEED * RATE / (FRICTION * G)) / RATE, rel=1e-9)
+    assert found.values["t_2"] == pytest.approx(pi / RATE, rel=1e-9)
+    assert "As $t_3 < t_2$" in found.text
+
+
+def test_what_begins_at_rest_takes_half_an_oscillation_from_the_start() -> None:
+    scene = struck(strain=0.2)
+    found = derived(scene, Query("time_to_event", None, Halted(cart(scene))))
+    assert found.text.count(r"\frac{\pi}{\omega}") == 1
+    assert found.answer == pytest.approx(2.0 * pi / RATE, rel=1e-8)
+
+
+def test_at_each_turning_point_the_spring_is_stronger_than_friction() -> None:
+    scene = struck(speed=SPEED)
+    found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
+    first, second = turning_points()
+    assert verified(found)["F_1"] == pytest.approx(STIFFNESS * first, rel=1e-9)
+    assert verified(found)["F_2"] == pytest.approx(-STIFFNESS * second, rel=1e-9)
+    assert verified(found)[r"f_{\text{max}}"] == pytest.approx(LIMIT, rel=1e-9)
+
+
+def test_what_comes_to_rest_for_good_is_held_by_friction() -> None:
+    scene = struck(strain=0.2)
+    found = derived(scene, Query("event", Target("displacement", cart(scene)), Halted(cart(scene))))
+    held = verified(found)
+    *moving, last = (held[name] for name in sorted(held) if name.startswith("F"))
+    assert all(pull > LIMIT for pull in moving)
+    assert last < LIMIT
+    assert "is less than $f_{\\text{max}}$, so it stays at rest" in found.text
+    assert "starts to move to the right" in found.text
+
+
+def test_a_body_that_never_moves_is_shown_to_stay() -> None:
+    """Spring 1 pulls cart A most where cart B is farthest away, and friction on A is stronger even then."""
+    scene = row((4.7, 3.3), (156.0, 72.0), "right", speed=1.5, friction=0.53)
+    moving = cart(scene, 1)
+    found = derived(scene, Query("event", Target("displacement", moving), Halted(moving)))
+    rate, shift = sqrt(228.0 / 3.3), 0.53 * 3.3 * G / 228.0
+    farthest = sqrt(shift**2 + (1.5 / rate) ** 2) - shift
+    assert verified(found)["f_A"] == pytest.approx(156.0 * farthest, rel=1e-9)
+    assert verified(found)[r"f_{\text{max},A}"] == pytest.approx(0.53 * 4.7 * G, rel=1e-9)
+    assert "stays at rest: the friction required" in found.text
+
+
+def test_a_distance_is_moved_before_the_first_turning_point() -> None:
+    """From rest it goes on to 2 (s − µmg/k)."""
+    scene = struck(strain=0.1)
+    found = derived(scene, Query("time_to_event", None, Moved(cart(scene), 0.05)))
+    assert verified(found)["x_1"] == pytest.approx(2.0 * (0.1 - LIMIT / STIFFNESS), rel=1e-9)
+
+
+def test_a_later_part_says_what_it_counts_from() -> None:
+    """In the part after the first turning point a displacement from there is introduced before it is used."""
+    scene = struck(speed=SPEED)
+    first = derived(scene, Query("time_to_event", None, Stopped(cart(scene))))
+    later = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
+    text = starting_from(later, [("a", first)], whole=True).text
+    assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
+    assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")
+    assert "so it moves back" in text

@@ -1,0 +1,92 @@
+"""An arm on an axle: which components its acceleration has, on which side its centre of mass is, which way it goes."""
+
+from math import acos, cos, degrees, radians, sin
+
+import pytest
+
+from sim2reason.bodies.ball import FixedBall
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.pieces import OTHER, SAME, AxialPiece, BallPiece
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from worked import derived
+
+G, ANGLE, RADIUS, HOOP, NEAR, FAR = 9.8, 47.0, 0.17, 9.0, 0.2, 0.4
+PIECE = "arm.pieces.0"
+
+
+def arm(ball: float, *, together: bool = False, rate: float | None = None) -> Scene:
+    """A hoop, and a ball farther out on the other side of the axle; `together` on the same one."""
+    hoop = AxialPiece(distance=NEAR, body=Hoop(mass=HOOP, radius=RADIUS), axis="along the arm")
+    weight = BallPiece(distance=FAR, side=SAME if together else OTHER, body=FixedBall(mass=ball))
+    entity = RotationEntity(pieces=(hoop, weight), angle=ANGLE, rate=rate)
+    return Scene(entities=(Named(name="arm", entity=entity),))
+
+
+def body(scene: Scene) -> str:
+    return next(held.name for held in scene.mechanism.bodies if held.mass == HOOP)
+
+
+def about_axle(ball: float, *, together: bool = False) -> tuple[float, float]:
+    """Σ m r, and the moment of inertia, that of the hoop being one about a diameter."""
+    moment = HOOP * NEAR + (ball if together else -ball) * FAR
+    return moment, HOOP * (0.5 * RADIUS**2 + NEAR**2) + ball * FAR**2
+
+
+@pytest.mark.parametrize("ball", [2.0, 8.0])
+def test_just_after_release_there_is_only_a_tangential_acceleration(ball: float) -> None:
+    """a = d |S| g sin θ/I, and nothing turns yet, so nothing is centripetal."""
+    scene = arm(ball)
+    found = derived(scene, Query("start", Target("acceleration", body(scene)), AtStart()))
+    moment, inertia = about_axle(ball)
+    assert found.answer == pytest.approx(NEAR * abs(moment) * G * sin(radians(ANGLE)) / inertia)
+    assert "Just after release the angular velocity is zero, so the acceleration is only tangential:" in found.text
+    assert "centripetal" not in found.text
+    assert f"As $S {'<' if moment < 0.0 else '>'} 0$, the centre of mass is on" in found.text
+
+
+def test_at_the_lowest_point_there_is_only_a_centripetal_acceleration() -> None:
+    scene = arm(2.0)
+    found = derived(scene, Query("event", Target("acceleration", body(scene)), LowestPoint(body(scene))))
+    moment, inertia = about_axle(2.0)
+    assert found.answer == pytest.approx(NEAR * 2.0 * moment * G * (1.0 - cos(radians(ANGLE))) / inertia)
+    assert "so the acceleration is only centripetal" in found.text
+
+
+def test_where_all_is_on_one_side_no_sign_is_spoken_of() -> None:
+    scene = arm(2.0, together=True)
+    found = derived(scene, Query("start", Target("acceleration", body(scene)), AtStart()))
+    moment, inertia = about_axle(2.0, together=True)
+    assert found.answer == pytest.approx(NEAR * moment * G * sin(radians(ANGLE)) / inertia)
+    assert "counted as positive" not in found.text
+
+
+def test_the_way_of_an_arm_is_told_from_turning_point_to_turning_point() -> None:
+    """Sent down from θ it turns back at φ on the other side, with no more than one turn in half a second."""
+    scene, rate = arm(2.0, rate=3.0), 3.0
+    moment, inertia = about_axle(2.0)
+    reach = acos(cos(radians(ANGLE)) - inertia * rate**2 / (2.0 * moment * G))
+    whole = StretchQuery("sum", None, Stopped(body(scene)), "total angle", "arm.arm")
+    found = derived(scene, whole)
+    assert found.answer == pytest.approx(ANGLE + degrees(reach))
+    assert r"From $\theta$ it swings through the lowest point to $\phi_{\text{max}}$ on the other side." in found.text
+    later = StretchQuery("sum", None, AtTime(0.8), "total angle", "arm.arm")
+    text = derived(scene, later).text
+    assert r"$\phi_{\text{max}}$ on the other side and back" in text
+    assert "As $k < 1$, it swings to and fro" in text
+    assert "it has turned back once since the start" in text
+
+
+def test_a_function_and_its_value_have_names_of_their_own() -> None:
+    """F is the elliptic integral, φ the angle that changes: their values are u, and φ at the time."""
+    found = derived(arm(2.0, rate=3.0), Query("state", Target("deflection", "arm.arm"), AtTime(0.8)))
+    assert "F" not in {name.partition("_")[0] for name in found.values}
+    assert r"\varphi" not in found.values
+    assert r"\phi_t" in found.values

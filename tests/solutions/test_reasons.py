@@ -1,0 +1,120 @@
+"""A root, a sign or an extreme value is taken with its reason: energy, direction, or what another one would mean."""
+
+from math import cos, radians, sqrt
+
+import pytest
+
+from joined_entities import pivot, scene
+from plain_scenes import row
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.carriage import Carriage
+from sim2reason.bodies.hanger import Cord, LightRod
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.star import Planet, Star
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.light_rod_pendulum import LightRodPendulum
+from sim2reason.entities.parts.rolling import Rough, Spinning
+from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.entities.solar_system import SolarSystem
+from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.testing.solutions.faults import faults
+from worked import asked, derived
+
+G, LENGTH, MASS, FAST = 9.8, 0.8, 0.5, 5.5
+CART, BALL = "cart.carriage", "it.bob"
+STAR_AND_PLANET = "system.planets.0 & system.star"
+
+
+def only(name: str, entity: object) -> Scene:
+    return Scene(entities=(Named(name=name, entity=entity),))  # type: ignore[arg-type]
+
+
+def swinging(angle: float = 50.0) -> Scene:
+    """A ball on a rod on a carriage."""
+    rod = LightRodPendulum(bob=Ball(mass=1.4), rod=LightRod(length=0.9), angle=angle)
+    return scene({"cart": SliderMass(carriage=Carriage(mass=3.2)), "it": rod}, pivot("cart.pivot", "it.base"))
+
+
+def reverse(made: Scene, query: Query, path: str, digits: str, unit: str) -> Solution:
+    """With one number unknown and the result given."""
+    plain = asked(made, query)
+    unknown = next(p.path for p in made.parameters if p.path.endswith(path))
+    stated = StatedResult(digits, unit)
+    setting = Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown, stated)
+    found = solve(setting)
+    assert setting.answer is not None
+    assert not faults(found, setting.answer, 1e-6), found.text
+    return found
+
+
+def test_a_string_goes_slack_at_a_height_that_is_reached() -> None:
+    """y = (v² − 2gℓ)/3g lies between 0 and ℓ where 2gℓ < v² < 5gℓ; the flight has a time of its own."""
+    pendulum = Pendulum(bob=Ball(mass=MASS), hanger=Cord(length=LENGTH), angle=0.0, speed=FAST)
+    query = Query("event", Target("momentum", "pendulum.bob"), WentTaut("pendulum.hanger"))
+    found = derived(only("pendulum", pendulum), query)
+    assert found.values[r"y_{\text{s}}"] == pytest.approx((FAST**2 - 2.0 * G * LENGTH) / (3.0 * G))
+    assert r"As $0 < y_{\text{s}} < \ell$, the" in found.text
+    assert "Let $x$ and $y$ be counted from the fixed point" in found.text
+    assert "with the square" not in found.text
+    assert "t" not in found.values
+
+
+def test_a_carriage_is_fastest_where_the_rod_stops_pulling_it_one_way() -> None:
+    query = StretchQuery("extremum", None, Stopped(CART), "greatest speed", CART)
+    found = derived(swinging(), query)
+    fall = 2.0 * 0.9 * G * (1.0 - cos(radians(50.0)))
+    assert found.answer == pytest.approx(1.4 * sqrt(fall / (4.6 * 3.2)))
+    assert "Until the rod hangs straight down, it pulls the" in found.text
+
+
+def test_an_angle_is_the_arcsine_as_the_rod_rises_no_higher_than_at_first() -> None:
+    found = derived(swinging(), Query("event", Target("displacement", BALL), Moved(CART, 0.1)))
+    assert r"It rises no higher than at the start, so $|\phi| < 90^\circ$." in found.text
+    assert "so the displacement of the" not in found.text  # it is the given distance
+
+
+def test_with_friction_the_first_swing_is_the_fastest() -> None:
+    """About µmg/k before the natural length: ω (s − µmg/k)."""
+    made, rate, shift = row((2.0,), (50.0,), "left", strain=0.3, friction=0.1), 5.0, 0.1 * 2.0 * G / 50.0
+    query = StretchQuery("extremum", None, AtTime(1.5), "greatest speed", "row.carts.0")
+    found = derived(made, query)
+    assert found.answer == pytest.approx(rate * (0.3 - shift))
+    assert ("Friction makes each swing smaller" in found.text) == (found.strategy == "energy")
+    assert found.strategy == "energy"
+    assert "starts to move to the left" in found.text
+
+
+def test_a_planet_that_approaches_comes_nearest_within_half_a_turn() -> None:
+    sky = SolarSystem(star=Star(mass=1.0), planets=(Planet(x=0.64, y=-0.27, vx=2.16, vy=6.76),))
+    half = Orbited(STAR_AND_PLANET, 180)
+    near = derived(only("system", sky), StretchQuery("extremum", None, half, "least distance", STAR_AND_PLANET))
+    assert "the planet approaches, as $x v_x + y v_y < 0$" in near.text
+    fast = derived(only("system", sky), StretchQuery("extremum", None, half, "greatest speed", "system.planets.0"))
+    assert "the speed is greatest at the least distance" in fast.text
+
+
+def test_another_root_may_be_later_than_the_end() -> None:
+    """Spinning on the spot at ω, it rolls from t = Rω/2µg on: s = ½µg t (2T − t) holds for two times t, one after T."""
+    radius, friction, spin, end = 0.15, 0.46, 8.6, 0.68
+    hoop = RollingEntity(
+        body=Hoop(mass=2.0, radius=radius), plane=Incline(angle=0.0), grip=Rough(friction=friction),
+        start=Spinning(spin=spin, way="to the right"),
+    )  # fmt: skip
+    made = only("lane", hoop)
+    body = next(held.name for held in made.mechanism.bodies if held.mass)
+    time = radius * spin / (2.0 * friction * G)
+    far = 0.5 * friction * G * time * (2.0 * end - time)
+    found = reverse(made, Query("state", Target("displacement", body), AtTime(end)), "radius", f"{far!r}", "m")
+    assert f"The other root, ${2.0 * end - time:.4f}" in found.text
+    assert r"\ \text{s}$, is later than $t" in found.text
