@@ -31,10 +31,13 @@ FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
 class ModeLaws:
     """The modes of a linear motion by Newton's laws, and the frequencies for which those hold."""
 
-    def __init__(self, book: Book, motion: LinearMotion, first: Sequence[Polynomial], names: Sequence[Symbol]) -> None:
-        """Take the rates of the free coordinates at the start, and their names.
+    def __init__(
+        self, book: Book, motion: LinearMotion, first: Sequence[Polynomial], names: Sequence[Symbol], *, loaded: bool
+    ) -> None:
+        """Take the rates of the free coordinates at the start, and their names, and write the equations of motion.
 
-        Raise UnsolvedError where forces drive it away.
+        They are `loaded` with constant forces, unless the coordinates count from equilibrium. Raise UnsolvedError
+        where forces drive it away.
         """
         self.book, self.motion, self.first, self.names = book, motion, list(first), list(names)
         self.size = len(motion.free)
