@@ -78,7 +78,7 @@ class PotentialEnergyGoal(Goal):
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName.of("potential energy"), known.setting.mark(body)
-        size = modulus(formula, known.book)
+        size = modulus(formula, known.book, of_either_sign=True)
         what = f"the magnitude of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 
