@@ -82,7 +82,9 @@ class Burning(Way):
             return self.first
         thrust = self.rate_of_burning * self.exhaust
         said = "It stays on the ground until the thrust equals its weight, at the mass"
-        return self.book.told("wait", said, self.book.fresh("m", "1"), thrust / self.gravity.expression(), KILOGRAMS)
+        return self.book.told(
+            "wait", said, self.book.fresh("m", r"\text{lift}"), thrust / self.gravity.expression(), KILOGRAMS
+        )
 
     def _risen(self, time: Expression) -> Expression:
         """For how long it has risen by a time."""
@@ -92,8 +94,16 @@ class Burning(Way):
     def _wait(self) -> Symbol:
         formula = (self.first - self.full) / self.rate_of_burning
         return self.book.told(
-            "wait", "Its mass has fallen to this value after", self.book.fresh("t", "1"), formula, SECONDS
+            "wait", "Its mass has fallen to this value after", self.book.fresh("t", r"\text{lift}"), formula, SECONDS
         )
+
+    @cached_property
+    def rising(self) -> Symbol:
+        """For how long it rises with its engine on."""
+        if not self.waits:
+            return self.burned
+        said, formula = "From then on its fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        return self.book.told("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
     def burned(self) -> Symbol:
