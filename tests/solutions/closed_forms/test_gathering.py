@@ -100,7 +100,7 @@ def test_gathered_and_tidied_formulas_keep_their_value(held: Expression) -> None
 
 def test_signs_leave_sums_of_negative_terms() -> None:
     held = Product((Quotient(-A - B, C), Sum((-A, -B)), D))
-    assert tidied(held).latex() == r"\frac{m_A + m_B}{m_C} \left(m_A + m_B\right) m_D"
+    assert tidied(held).latex() == r"\frac{\left(m_A + m_B\right) m_D \left(m_A + m_B\right)}{m_C}"
     assert tidied(Quotient(-A - B, C)).latex() == r"-\frac{m_A + m_B}{m_C}"
     assert tidied(Quotient(A, Quotient(B, C))).latex() == r"\frac{m_A m_C}{m_B}"
     assert tidied(Power(A * Root(B + C), 2)).latex() == r"m_A^{2} \left(m_B + m_C\right)"

@@ -10,8 +10,8 @@ SYMBOL = re.compile(r"[A-Za-z](?:_\{[^{}]*\}|_[A-Za-z0-9])?(?![a-z])")
 LABELLED = re.compile(r"(?<!\S)(\(\d+\)) (?:[^$()]*: )?\$([^$]*=[^$]*)\$")
 FROM = re.compile(r"From ((?:\(\d+\)(?:, | and )?)+),? \$([^$=]*) = ")
 
-HUNG = """Crate A (3.7 kg) rests on a rough, fixed plane inclined at 51° to the horizontal. The coefficient of friction \
-(static and kinetic) on this plane is 0.19. Crate B (7.6 kg) is tied by a light string to the axle of a light \
+HUNG = """Crate A (3.7 kg) rests on a rough, fixed plane inclined at 51° to the horizontal. The coefficient of \
+friction (static and kinetic) on this plane is 0.19. Crate B (7.6 kg) is tied by a light string to the axle of a light \
 movable pulley P. Another light string is tied to crate A; it runs up the slope, passes over a light fixed \
 pulley Q, goes straight down, under P and straight up again and ends at a fixed hook. All bodies are held at \
 rest with all strings taut, and let go together. The pulleys are frictionless, and no body reaches a pulley. \

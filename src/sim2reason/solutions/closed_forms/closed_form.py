@@ -73,22 +73,26 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     """
     if solution.answer is None:
         raise ClosedFormError(solution.reason)
-    definitions = dict(solution.constants) | {
-        relation.left.latex(): relation.right
-        for step in solution.steps
-        for relation in step.relations
-        if relation.left.latex() in step.gives and relation.role in ("result", "law")
-    }
     renamed = dict(zip(solution.stated, own, strict=False))
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
-    found = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    found = Substitution(definitions(solution), {name: renamed.get(name, name) for name in given}).named(solution.goal)
     if (bare := _without_bars(found)) != found:
         at = {renamed.get(name, name): solution.values[name] for name in given}
         found = -bare if _negative(bare, at) else bare
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found
+
+
+def definitions(solution: Solution) -> dict[str, Expression]:
+    """The formula of each name to which a solution gives a value."""
+    return dict(solution.constants) | {
+        relation.left.latex(): relation.right
+        for step in solution.steps
+        for relation in step.relations
+        if relation.left.latex() in step.gives and relation.role in ("result", "law")
+    }
 
 
 def _without_bars(held: Expression) -> Expression:

@@ -101,7 +101,8 @@ class _Burning(Burning):
         law = step.law(given, g * risen)
         formula = given / g + self._wait if self.waits else given / g
         velocity = (given - g * risen).latex()
-        step.say(f"After burnout, by the rocket equation with gravity, its velocity at ${name.latex()}$ is ${velocity}$.")
+        said = "After burnout, by the rocket equation with gravity, its velocity at"
+        step.say(f"{said} ${name.latex()}$ is ${velocity}$.")
         step.say(f"It comes to rest when {law},")
         step.say(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
@@ -117,9 +118,8 @@ class _Burning(Burning):
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
         who = self.setting.called(self.burn.body)
-        step.say(
-            f"By integration, {who} has covered the distance ${distance.latex()}$ when {law}; the numerical solution is {step.result(name, root, SECONDS)}."
-        )
+        step.say(f"By integration, {who} has covered the distance ${distance.latex()}$ when {law};")
+        step.say(f"the numerical solution is {step.result(name, root, SECONDS)}.")
         step.close()
         return name
 
