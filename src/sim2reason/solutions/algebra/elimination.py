@@ -186,7 +186,7 @@ class Elimination:
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        how = "Ordered" if self.book.hidden else "In numbers"
+        how = "In order of the unknowns" if self.book.hidden else "In numbers"
         step.say(f"{how}: {'; '.join(said)}.")
         step.close()
         self._reduce(numeric, list(names))
@@ -201,7 +201,9 @@ class Elimination:
             ordered.append(SymbolicEquation(self.book.labels.next(), left, equation.zero.without(names)))
             step.rest_on(_key(equation))
             step.label(ordered[-1].label)
-        step.say(f"Ordered: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}.")
+        step.say(
+            f"In order of the unknowns: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}."
+        )
         step.close()
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 
