@@ -14,6 +14,7 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Product,
     Quotient,
+    Sum,
     Symbol,
     multiplied,
     ratio,
@@ -52,6 +53,11 @@ class ClosedForm:
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
         """What is squared under a root stands before it, between bars, or with the sign that it has at a point."""
         found = tidied(_out_of_roots(self.expression, at))
+        return ClosedForm(found, found.latex(), self.symbols)
+
+    def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
+        """Reverse pairs of sums among its factors that are negative at all points, so that both are positive."""
+        found = _with_positive_factors(self.expression, points)
         return ClosedForm(found, found.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:
@@ -162,6 +168,24 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
         else:
             outer = multiplied(outer, -factor if any(negative) else factor)
     return outer if inner == ONE else multiplied(outer, Absolute(inner))
+
+
+def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
+    sides = [list(side.factors) if isinstance(side, Product) else [side] for side in (above, below)]
+    negative = [(side, n) for side in sides for n, factor in enumerate(side) if _is_reversible(factor, points)]
+    if not negative or (len(negative) % 2 == 1) != held.negative:
+        return held
+    for side, n in negative:
+        side[n] = -side[n]
+    sign = Number(-1.0) if len(negative) % 2 else ONE
+    return ratio(reduce(multiplied, sides[0], sign), reduce(multiplied, sides[1], ONE))
+
+
+def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
+    """Whether a factor is a difference that is negative at all points."""
+    mixed = isinstance(factor, Sum) and len({term.negative for term in factor.terms}) > 1
+    return mixed and all(_negative(factor, at) for at in points)
 
 
 def _negative(held: Expression, at: Mapping[str, float]) -> bool:

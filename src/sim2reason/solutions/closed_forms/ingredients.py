@@ -1,9 +1,9 @@
 """The last algebra of an answer in symbols: what its formula is made of, in terms of what is given."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.expressions import Expression, Quotient, Sum, Symbol
 from sim2reason.solutions.closed_forms.closed_form import ClosedFormError, Substitution, definitions, shortened
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step
@@ -31,19 +31,27 @@ def with_ingredients(solution: Solution) -> Solution:
 
 def _told(goal: str, formulas: Mapping[str, Expression], given: set[str]) -> Iterator[Relation]:
     """The quantities in the formula of the goal that are not told in terms of what is given, as they come to be."""
-    names = _parts(goal, formulas, given)
+    whole, names = goal, _parts(goal, formulas, given)
     while len(names) == 1 and (deeper := _parts(names[0], formulas, given)):
-        names = deeper
+        whole, names = names[0], deeper
     put_in = Substitution(formulas, {name: name for name in given})
-    for name in names:
-        if all(other in given or not set(formulas[other].symbols()) for other in formulas[name].symbols()):
+    for part in _summands(formulas[whole], names) or [Symbol(name) for name in names]:
+        known = [other for name in part.symbols() for other in formulas[name].symbols()]
+        if isinstance(part, Symbol) and all(name in given or not set(formulas[name].symbols()) for name in known):
             continue
         try:
-            found = shortened(put_in.named(name))
+            found = shortened(put_in.of(part))
         except ClosedFormError:
             continue
         if len(found.latex) <= LONG:
-            yield Relation(Symbol(name), found.expression, "derived")
+            yield Relation(part, found.expression, "derived")
+
+
+def _summands(formula: Expression, names: Sequence[str]) -> list[Expression]:
+    """The sum below a fraction, if all quantities that are to be told stand there and nothing else does."""
+    below = formula.below if isinstance(formula, Quotient) else formula
+    alone = isinstance(below, Sum) and isinstance(formula, Quotient) and [*below.symbols()] == [*names]
+    return [below] if alone else []
 
 
 def _parts(name: str, formulas: Mapping[str, Expression], given: set[str]) -> list[str]:

@@ -55,11 +55,11 @@ def _over_one(held: Expression) -> Expression:
     alone = len(symbolic) < 2 and not isinstance(held, Quotient)
     if alone or not any(isinstance(factor, Quotient) for factor in symbolic):
         return held
-    above, below = [f for f in factors if not isinstance(f, Quotient)], list[Expression]()
-    for fraction in symbolic:
-        if isinstance(fraction, Quotient):
-            above += _factors(fraction.above)
-            below += _factors(fraction.below)
+    above, below = list[Expression](), list[Expression]()
+    for factor in factors:
+        above += _factors(factor.above) if isinstance(factor, Quotient) else (factor,)
+        below += _factors(factor.below) if isinstance(factor, Quotient) else ()
+    above.sort(key=_place)
     for factor in [held for held in below if not isinstance(held, Number)]:
         if factor in above:
             above.remove(factor)
@@ -82,6 +82,12 @@ def _root(held: Root) -> Expression:
             return held
 
 
+def _place(factor: Expression) -> int:
+    """Where a factor stands in a product: symbols, sums, roots, then sines."""
+    base = factor.base if isinstance(factor, Power) else factor
+    return 3 if isinstance(base, Call) else 2 if isinstance(base, Root) else 1 if isinstance(base, Sum) else 0
+
+
 def _factors(held: Expression) -> tuple[Expression, ...]:
     return held.factors if isinstance(held, Product) else (held,)
 
@@ -90,13 +96,14 @@ def _turned(held: Expression) -> Expression:
     """Without a minus sign in front where a difference, as a factor, can be taken the other way round."""
     if isinstance(held, Quotient) and isinstance(held.above, Product) and held.above.negative:
         return ratio(_turned(held.above), held.below)
-    match held:
-        case Product((Number(x), *factors)) if x < 0.0:
-            place = next((n for n, factor in enumerate(factors) if _is_difference(factor)), None)
-            if place is not None:
-                factors[place] = _reversed(factors[place])
-                return reduce(multiplied, factors, Number(-x))
-    return held
+    if not isinstance(held, Product) or not isinstance(held.factors[0], Number) or held.factors[0].x >= 0.0:
+        return held
+    number, *factors = held.factors
+    place = next((n for n, factor in enumerate(factors) if _is_difference(factor)), None)
+    if place is None:
+        return held
+    factors[place] = _reversed(factors[place])
+    return reduce(multiplied, factors, -number)
 
 
 def _is_difference(held: Expression) -> bool:

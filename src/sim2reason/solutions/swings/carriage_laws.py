@@ -179,9 +179,8 @@ class CarriageLaws(CarriageAngle):
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
         step.say(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
-        step.say(
-            f"the acceleration of {c.noun()} {c.way}. Along the rail, with all masses: {rail}. About the axle, with the inertial"
-        )
+        step.say(f"the acceleration of {c.noun()} {c.way}. Along the rail, with all masses: {rail}.")
+        step.say("About the axle, with the inertial")
         over = s * (c.total_mass * weight + self.cosine * held)
         step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
         formula = (held + s * turns * self.cosine) / c.total_mass
