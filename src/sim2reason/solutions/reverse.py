@@ -13,6 +13,9 @@ from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericR
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
+from sim2reason.solutions.algebra.monotonic import trend
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
@@ -21,6 +24,8 @@ from sim2reason.solutions.writing.unit_latex import SECONDS
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
+Sides = tuple[Expression, Expression]
+"""Left and right of an equation."""
 
 
 def forward(setting: Setting) -> Setting:
@@ -78,7 +83,7 @@ class Inversion:
                 found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
                     others = [] if book.in_symbols else other_solutions(names[0], formula, value, book.values)
-                    self._close(names[0], found, at, others)
+                    self._close(names[0], found, at, others, self._equation_behind(names[0], found, formula, value))
                     if names[0] == self.unknown:
                         return self.unknown
                     at, (formula, value) = names[0], self._equation(names[0])
@@ -113,6 +118,24 @@ class Inversion:
             short = settled(formula, frozenset({name}), book.worked)
             found = solved_for(name, short, value, book.values, lambda held: book.worked(held.factored()))
         return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
+
+    def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
+        """Both sides of the equation of which a formula is the root, if it is none that undoing steps solves."""
+        if isinstance(found, NumericRoot):
+            told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
+            return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)
+        if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
+            return None
+        sides = stated_equation(name, formula, value, Polynomial.factored)
+        if sides is None or next(numbers(found), None) is None:
+            return sides
+        short = settled(formula, frozenset({name}), self.book.worked)
+        return stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
+
+    def _only_root(self, name: str, formula: Expression, found: Expression) -> str:
+        """Say why an equation that is solved numerically has a single root, if its right side tells."""
+        how = trend(formula, name, self.book.values) if isinstance(found, NumericRoot) else ""
+        return f". The right side {how} as ${name}$ increases, so it has only one root" if how else ""
 
     def _numerically(self, at: str) -> str:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
@@ -194,7 +217,9 @@ class Inversion:
         """That of a name, also of a goal that is set to zero and so has none any more."""
         return self._defined if name == self.goal else self.book.formulas[name]
 
-    def _close(self, name: str, found: Expression, at: str, others: Sequence[float]) -> None:
+    def _close(
+        self, name: str, found: Expression, at: str, others: Sequence[float], equation: Sides | None = None
+    ) -> None:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
         where = "So " if at != self.goal else f"With the given ${at}$, "
@@ -203,6 +228,10 @@ class Inversion:
             where = "So "
             step.rest_on(self.goal)
         names = self._leading(self.goal) if name == self.unknown else []
+        if equation is not None:
+            end = "; " if isinstance(found, NumericRoot) else ", so "
+            where = f"{where}{step.derived(*equation)}{self._only_root(name, equation[1], found)}{end}"
+            where = where.replace("So ", "Hence ", 1)
         self.book.values[name] = self.book.value(found)
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])

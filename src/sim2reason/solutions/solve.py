@@ -15,6 +15,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.collisions.order import in_order
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
@@ -96,7 +97,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     sides = [side for held in found.relations for side in (held.left, held.right)]
     if any(is_special(side) or next(numbers(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
-    return replace(found, formula=setting.formula.latex)
+    return with_ingredients(replace(found, formula=setting.formula.latex))
 
 
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None) -> Solution:

@@ -100,7 +100,22 @@ def test_gathered_and_tidied_formulas_keep_their_value(held: Expression) -> None
 
 def test_signs_leave_sums_of_negative_terms() -> None:
     held = Product((Quotient(-A - B, C), Sum((-A, -B)), D))
-    assert tidied(held).latex() == r"\frac{m_A + m_B}{m_C} \left(m_A + m_B\right) m_D"
+    assert tidied(held).latex() == r"\frac{m_D \left(m_A + m_B\right) \left(m_A + m_B\right)}{m_C}"
     assert tidied(Quotient(-A - B, C)).latex() == r"-\frac{m_A + m_B}{m_C}"
     assert tidied(Quotient(A, Quotient(B, C))).latex() == r"\frac{m_A m_C}{m_B}"
     assert tidied(Power(A * Root(B + C), 2)).latex() == r"m_A^{2} \left(m_B + m_C\right)"
+
+
+@pytest.mark.parametrize(
+    ("held", "written"),
+    [
+        (A * C + A * D + B * C + B * D, r"\left(m_A + m_B\right) \left(m_C + m_D\right)"),
+        (A * C + 4.0 * C * D + A * D + B * C + B * D, r"\left(m_A + m_B\right) \left(m_C + m_D\right) + 4\,m_C m_D"),
+        (A * A + A * B + A * C + B * C, r"\left(m_A + m_C\right) \left(m_A + m_B\right)"),
+        (A * C + A * D + B * C + 2.0 * B * D, r"m_A m_C + m_A m_D + m_B m_C + 2\,m_B m_D"),
+    ],
+)
+def test_a_product_of_two_sums_is_not_left_multiplied_out(held: Expression, written: str) -> None:
+    found = gathered(held)
+    assert isclose(found.value(AT).real, held.value(AT).real)
+    assert found.latex() == written

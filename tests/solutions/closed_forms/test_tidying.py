@@ -1,7 +1,7 @@
 import pytest
 
-from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
+from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
 from sim2reason.solutions.closed_forms.tidying import tidied
 
 
@@ -20,7 +20,7 @@ def test_what_stands_above_and_below_goes() -> None:
         tidied(half * mass * Power(way, 2) * (stiffness / mass)).latex() == (half * Power(way, 2) * stiffness).latex()
     )
     assert tidied(mass * (stiffness / (mass * other))).latex() == (stiffness / other).latex()
-    assert tidied(mass * (stiffness / other)).latex() == (mass * (stiffness / other)).latex()
+    assert tidied(mass * (stiffness / other)).latex() == ((mass * stiffness) / other).latex()
 
 
 def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
@@ -32,3 +32,27 @@ def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
     assert found.latex() == Call("exp", (-2.0 * drag * time) / mass).latex()
     at = {"b": 0.3, "t": 2.0, "m": 1.5}
     assert found.value(at) == pytest.approx(squared.value(at))
+
+
+A, B, C, M = map(Symbol, ("a", "b", "c", "M"))
+
+
+@pytest.mark.parametrize(
+    ("held", "written"),
+    [
+        (2.0 * Root(Power(A, 3) / (4.0 * M)), r"\sqrt{\frac{a^{3}}{M}}"),
+        (2.0 * Root(Power(Quotient(ONE, A - B), 3) / (4.0 * M)), r"\frac{1}{\sqrt{\left(a - b\right)^{3} M}}"),
+        (2.0 * Pi() * Root(ONE / (4.0 * Power(Pi(), 2) * M)), r"\frac{\pi}{\sqrt{\pi^{2} M}}"),
+        (-(A * ((B - C) / M)) * C, r"\frac{a c \left(c - b\right)}{M}"),
+        (-((A - B) * C / M), r"\frac{\left(b - a\right) c}{M}"),
+        (-((A + B) * C / M), r"-\frac{\left(a + b\right) c}{M}"),
+        (Quotient(A * B, B * C), r"\frac{a}{c}"),
+    ],
+)
+def test_no_number_stands_before_a_root_nor_a_sign_before_a_difference_that_takes_it(
+    held: Expression, written: str
+) -> None:
+    found = tidied(held)
+    assert found.latex() == written
+    at = {"a": 0.7, "b": 0.4, "c": 1.3, "M": 2.1}
+    assert found.value(at) == pytest.approx(held.value(at))

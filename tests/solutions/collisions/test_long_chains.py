@@ -1,6 +1,7 @@
 """Texts of long chains of hits: what is told in rows is told in full, and after what it hangs on."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
@@ -32,11 +33,24 @@ def test_a_row_holds_what_follows_from_what_was_told() -> None:
     law = Step(LONG, "law", "A law.", (), ("x",), (0,))
     steps = [*(velocity(number) for number in range(LONG)), law, velocity(LONG + 1, LONG), velocity(LONG + 2, 3)]
     row, between, last = in_rows(steps)
-    assert row.text.startswith("Velocities: $v_0 = 2$, ")
+    assert row.text.startswith("The velocities are $v_0 = 2$, ")
     assert row.gives == (*(f"v_{number}" for number in range(LONG)), f"v_{LONG + 2}")
     assert len(row.relations) == LONG + 1
     assert (row.needs, between.needs, last.needs) == ((), (0,), (LONG,))
-    assert last.text == "Velocity: $v_7 = 2$."
+    assert last.text == "Then the velocity of ball A is $v_7 = 2$."
+
+
+def test_a_row_says_when_its_displacements_are_so() -> None:
+    """At two instants, two clauses."""
+    steps = [
+        replace(velocity(number), text=f"At $t_{number % 2}$ the velocity of ball A is $v_{number} = 2$.")
+        for number in range(LONG)
+    ]
+    (row,) = in_rows(steps)
+    assert row.text == (
+        "At $t_0$ the velocities are $v_0 = 2$, $v_2 = 2$ and $v_4 = 2$; "
+        "at $t_1$ the velocities are $v_1 = 2$, $v_3 = 2$ and $v_5 = 2$."
+    )
 
 
 def test_each_row_has_steps_of_its_own_kind_only() -> None:
@@ -56,7 +70,7 @@ def in_long_chains(difficulty: str, count: int) -> Iterator[tuple[Setting, Solut
     for index in range(count):
         found = ItemSearch(Request("collision", difficulty, "numeric", 804, index)).found()
         solution = solve(found.setting) if found is not None else None
-        if found is not None and solution is not None and any(head in solution.text for head in ROWS[TIME]):
+        if found is not None and solution is not None and f"The {ROWS[TIME]} are" in solution.text:
             yield found.setting, solution
 
 

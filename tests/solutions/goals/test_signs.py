@@ -1,10 +1,12 @@
 """What goals call what they find: moduli, compressions, and positions relative to another body."""
 
+from dataclasses import replace
+
 import pytest
 
-from plain_scenes import row, squeezed
+from plain_scenes import ramp, row, squeezed
 from sim2reason.quantities.subjects.pairs import AND
-from sim2reason.questions import Query, Target
+from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
@@ -47,3 +49,16 @@ def test_what_hangs_on_an_unknown_changes_its_sign_instead() -> None:
     book.know("w", -2.0)
     book.hidden.add("w")
     assert modulus(Symbol("w"), book) == -Symbol("w")
+
+
+@pytest.mark.parametrize("speed", [None, 4.0])
+def test_the_magnitude_of_a_change_in_potential_energy_has_no_sign(speed: float | None) -> None:
+    """In symbols the block may be above or below its start, whichever it is with these numbers."""
+    scene = ramp(speed=speed)
+    block = next(body.name for body in scene.mechanism.bodies if body.mass)
+    setting = asked(scene, Query("state", Target("potential energy", block), AtTime(0.5)))
+    in_symbols = Formula("U", ("m", r"\theta", "v", "g", "t"), ("kg", "°", "m/s", "m/s²", "s"), (), ())
+    found = solve(replace(setting, formula=in_symbols))
+    assert found.answer is not None, found.reason
+    last = next(held for held in reversed(found.relations) if held.left.latex() == found.goal)
+    assert isinstance(last.right, Absolute) or any(isinstance(part, Absolute) for part in last.right.parts)

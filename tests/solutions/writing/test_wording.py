@@ -44,6 +44,17 @@ ODD = (
     r"its extension is",
     r"turns it clockwise",
     r"in numbers they come to",
+    r"being positive",
+    r"what hangs from it",
+    r"with the rate .* of\b",
+    r"\bordered:",
+    r"^(displacements?|velocit(y|ies)|times?):",
+    r"gives it the acceleration",
+    r"integrating the velocity over time",
+    r"the initial velocity gives the amplitude",
+    r"^its (equilibrium is at|(second )?derivative is the)",
+    r"\bforward\b",
+    r"move at .* against it",
 )
 FOLDER = Path(sim2reason.solutions.__file__).parent
 

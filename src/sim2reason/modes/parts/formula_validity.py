@@ -65,6 +65,7 @@ class FormulaValidity:
         if assumed is None:
             return None
         found = self._plainer(found, assumed, rng, words)
+        found = found.with_positive_factors([other.values for other in self._near])
         fits = all(self._agrees(found.expression, other) for other in self._near)
         return (found, assumed) if fits and len(found.latex) <= LONGEST else None
 

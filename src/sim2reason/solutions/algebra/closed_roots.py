@@ -20,7 +20,7 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
-from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial
+from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common, divided
 
 MOST = 60  # terms of an equation that is solved in symbols
 QUADRATIC = 2  # the degree up to which equations are solved
@@ -181,6 +181,8 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
         return
     if written(square).negative:
         rest, linear, square = (part.scaled(-1.0) for part in (rest, linear, square))
+    if all(abs(part) == 0.5 for part in square.terms.values()):  # 2 (½ b − √…)/a is (b − √…)/a
+        rest, linear, square = (part.scaled(2.0) for part in (rest, linear, square))
     half = linear.scaled(0.5)
     root = Root(written(half * half - square * rest))
     for sign in (1.0, -1.0):
@@ -235,9 +237,26 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) ->
     if not rest:
         yield -turn
         return
-    size = Root(written(a * a + b * b)) if b else written(a)
-    inverse = Call("arcsin", ratio(written(rest.scaled(-1.0)), size))
-    yield from (added(inverse, -turn), added(added(PI, -inverse), -turn))
+    for size in _sizes(a, b, written):
+        inverse = Call("arcsin", ratio(written(rest.scaled(-1.0)), size))
+        yield from (added(inverse, -turn), added(added(PI, -inverse), -turn))
+
+
+def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expression]:
+    """The root of a² + b²; first with what both share before it, which is so where that is positive."""
+    shared = common([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
+    parts = [divided(held, shared, 1.0) for held in (a, b)] if shared else []
+    if parts and None not in parts:
+        one, other = (part for part in parts if part is not None)
+        yield multiplied(
+            reduce(multiplied, (raised(*held) for held in shared)), Root(written(one * one + other * other))
+        )
+    yield Root(written(a * a + b * b)) if b else written(a)
+
+
+def raised(atom: Expression, power: int) -> Expression:
+    """A power, without an exponent of one."""
+    return atom if power == 1 else Power(atom, power)
 
 
 def atoms_worked(held: Expression, name: str) -> Expression:

@@ -1,7 +1,7 @@
 """Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 TINY = 1e-7  # relative: a weight that rounding has left
@@ -18,12 +19,17 @@ LONG = 130  # characters of a formula that is better written in numbers
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums."""
+    """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums.
+
+    `before` are the names in its forces as they are told, `among` the labels of equations that were put into it.
+    """
 
     label: str
     forces: Polynomial
     inertia: Polynomial
     moves: Polynomial
+    before: frozenset[str] = frozenset()
+    among: frozenset[str] = frozenset()
 
     @property
     def zero(self) -> Polynomial:
@@ -32,7 +38,14 @@ class Equation:
 
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
         """With polynomials in place of unknowns."""
-        return Equation(self.label, self.forces.put(values), self.inertia.put(values), self.moves.put(values))
+        forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
+        before = self.before or frozenset(self.forces.names())
+        return Equation(self.label, forces, inertia, moves, before, self.among)
+
+    def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
+        """With the labels of the equations that gave the forces which were put into it."""
+        gone = self.before - self.forces.names()
+        return replace(self, among=frozenset[str]().union(*(labels[name] for name in gone if name in labels)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +99,7 @@ class Elimination:
         step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name)
-        where = f"From {equation.label}, " if equation.label else "So "
+        where = f"From {joined(sorted({equation.label, *equation.among}))}, " if equation.label else "So "
         if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
@@ -135,6 +148,8 @@ class Elimination:
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
         label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        among = sorted(frozenset[str]().union(*(e.among for e, _ in weighted)))
+        label += f", with {joined(among)}" if among else ""
         whole = Equation("", forces, inertia, NIL)
         step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(names))}.")
         step.label(_key(whole))
@@ -171,7 +186,7 @@ class Elimination:
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        how = "Ordered" if self.book.hidden else "In numbers"
+        how = "In order of the unknowns" if self.book.hidden else "In numbers"
         step.say(f"{how}: {'; '.join(said)}.")
         step.close()
         self._reduce(numeric, list(names))
@@ -186,7 +201,9 @@ class Elimination:
             ordered.append(SymbolicEquation(self.book.labels.next(), left, equation.zero.without(names)))
             step.rest_on(_key(equation))
             step.label(ordered[-1].label)
-        step.say(f"Ordered: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}.")
+        step.say(
+            f"In order of the unknowns: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}."
+        )
         step.close()
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 

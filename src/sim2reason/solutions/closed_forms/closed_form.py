@@ -14,6 +14,7 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Product,
     Quotient,
+    Sum,
     Symbol,
     multiplied,
     ratio,
@@ -54,6 +55,11 @@ class ClosedForm:
         found = tidied(_out_of_roots(self.expression, at))
         return ClosedForm(found, found.latex(), self.symbols)
 
+    def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
+        """Reverse pairs of sums among its factors that are negative at all points, so that both are positive."""
+        found = _with_positive_factors(self.expression, points)
+        return ClosedForm(found, found.latex(), self.symbols)
+
     def value(self, at: Mapping[str, float]) -> float:
         """Its value; ValueError or ZeroDivisionError where it has none."""
         found = self.expression.value(at)
@@ -73,22 +79,26 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     """
     if solution.answer is None:
         raise ClosedFormError(solution.reason)
-    definitions = dict(solution.constants) | {
-        relation.left.latex(): relation.right
-        for step in solution.steps
-        for relation in step.relations
-        if relation.left.latex() in step.gives and relation.role in ("result", "law")
-    }
     renamed = dict(zip(solution.stated, own, strict=False))
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
-    found = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    found = Substitution(definitions(solution), {name: renamed.get(name, name) for name in given}).named(solution.goal)
     if (bare := _without_bars(found)) != found:
         at = {renamed.get(name, name): solution.values[name] for name in given}
         found = -bare if _negative(bare, at) else bare
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found
+
+
+def definitions(solution: Solution) -> dict[str, Expression]:
+    """The formula of each name to which a solution gives a value."""
+    return dict(solution.constants) | {
+        relation.left.latex(): relation.right
+        for step in solution.steps
+        for relation in step.relations
+        if relation.left.latex() in step.gives and relation.role in ("result", "law")
+    }
 
 
 def _without_bars(held: Expression) -> Expression:
@@ -158,6 +168,24 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
         else:
             outer = multiplied(outer, -factor if any(negative) else factor)
     return outer if inner == ONE else multiplied(outer, Absolute(inner))
+
+
+def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
+    sides = [list(side.factors) if isinstance(side, Product) else [side] for side in (above, below)]
+    negative = [(side, n) for side in sides for n, factor in enumerate(side) if _is_reversible(factor, points)]
+    if not negative or (len(negative) % 2 == 1) != held.negative:
+        return held
+    for side, n in negative:
+        side[n] = -side[n]
+    sign = Number(-1.0) if len(negative) % 2 else ONE
+    return ratio(reduce(multiplied, sides[0], sign), reduce(multiplied, sides[1], ONE))
+
+
+def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
+    """Whether a factor is a difference that is negative at all points."""
+    mixed = isinstance(factor, Sum) and len({term.negative for term in factor.terms}) > 1
+    return mixed and all(_negative(factor, at) for at in points)
 
 
 def _negative(held: Expression, at: Mapping[str, float]) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
+from itertools import combinations
 from math import copysign, gcd, isclose, sqrt
 
 from sim2reason.solutions.algebra.digits import simple_fraction
@@ -22,6 +23,7 @@ from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.closed_forms.rewriting import length
 
 MANY = 30  # terms: of more, none is looked at
+FEW = 6  # terms of a sum in which products of two sums are looked for
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,8 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
     if not isinstance(found, Sum) or len(found.terms) > MANY:
         return found
     terms = [_term(term) for term in found.terms]
-    return min((found, _plain(_merged(terms)), _product(terms)), key=size)
+    crossed = _crosswise(terms) if size is length else None
+    return min((found, _plain(_merged(terms)), _product(terms)), key=size) if crossed is None else crossed
 
 
 def with_factors_in_front(held: Expression) -> Expression:
@@ -150,6 +153,33 @@ def _product(terms: Sequence[Term]) -> Expression:
     inner = _plain([term.without(again) for term in grouped])
     whole = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
     return Term(whole.number, (*whole.factors, inner), whole.below).written if inner != ONE else whole.written
+
+
+def _crosswise(terms: Sequence[Term]) -> Expression | None:
+    """Four terms that are a product of two sums, as that, before the rest; None where there are no such four."""
+    for four in combinations(range(len(terms)), 4) if 4 <= len(terms) <= FEW else ():
+        first, *others = (terms[n] for n in four)
+        for last in range(3):
+            second, third = (others[n] for n in range(3) if n != last)
+            sums = _two_sums(first, second, third, others[last])
+            if sums is not None:
+                rest = [term for n, term in enumerate(terms) if n not in four]
+                return _plain([Term(first.number, sums), *rest])
+    return None
+
+
+def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expression] | None:
+    """The sums a + b and c + d, neither of which shares a symbol with itself; None if terms are not their products."""
+    if any(term.below or term.number != ac.number for term in (ac, ad, bc, bd)):
+        return None
+    a = _both(ac.factors, ad.factors)
+    c, d = _less(ac.factors, a), _less(ad.factors, a)
+    b = _both(bc.factors, bd.factors)
+    products = (a + c, ac), (a + d, ad), (b + c, bc), (b + d, bd)
+    if not (a and b and c and d) or any(_less(one, t.factors) or _less(t.factors, one) for one, t in products):
+        return None
+    one, other = (_plain([Term(1.0, x), Term(1.0, y)]) for x, y in ((a, b), (c, d)))
+    return one, other
 
 
 def _square(terms: Sequence[Term]) -> Term | None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import reduce
+from math import copysign, prod, sqrt
 
 from sim2reason.solutions.algebra.expressions import (
     ONE,
@@ -31,10 +32,103 @@ def tidied(held: Expression) -> Expression:
             return _outward(found, _opposite(inside))
         case Call(function, Number(0.0)):
             return AT_ZERO.get(function, found)
-        case Product(factors):
-            return _fraction(_cancelled([_signed(factor) for factor in factors]))
+        case Root():
+            return _root(found)
         case _:
-            return _fraction(found)
+            return _joined(found)
+
+
+def _joined(held: Expression) -> Expression:
+    """A product, a fraction or a sum as one would write it."""
+    if isinstance(held, Product):
+        held = _over_one(_cancelled([_signed(factor) for factor in held.factors]))
+        return _rooted(_turned(_fraction(held)))
+    if isinstance(held, Quotient) and not {*_factors(held.above)}.isdisjoint(_factors(held.below)):
+        held = _over_one(held)
+    return _turned(_fraction(held))
+
+
+def _over_one(held: Expression) -> Expression:
+    """A product with a fraction among its symbols as one fraction, in which what is above and below is cancelled."""
+    factors = _factors(held)
+    symbolic = [factor for factor in factors if not isinstance(factor, Number)]
+    alone = len(symbolic) < 2 and not isinstance(held, Quotient)
+    if alone or not any(isinstance(factor, Quotient) for factor in symbolic):
+        return held
+    above, below = list[Expression](), list[Expression]()
+    for factor in factors:
+        above += _factors(factor.above) if isinstance(factor, Quotient) else (factor,)
+        below += _factors(factor.below) if isinstance(factor, Quotient) else ()
+    above.sort(key=_place)
+    for factor in [held for held in below if not isinstance(held, Number)]:
+        if factor in above:
+            above.remove(factor)
+            below.remove(factor)
+    size = prod(f.x for f in above if isinstance(f, Number)) / prod(f.x for f in below if isinstance(f, Number))
+    over, under = (reduce(multiplied, (f for f in held if not isinstance(f, Number)), ONE) for held in (above, below))
+    if abs(size) < 1.0 and (1.0 / size).is_integer():
+        return ratio(multiplied(Number(copysign(1.0, size)), over), multiplied(Number(abs(1.0 / size)), under))
+    return ratio(multiplied(Number(size), over), under)
+
+
+def _root(held: Root) -> Expression:
+    """The root of a fraction of one below it, and of the square of a number before it."""
+    match held.inside:
+        case Quotient(Number(1.0), below):
+            return ratio(ONE, _root(Root(below)))
+        case Product((Number(x), *rest)) if x > 1.0 and sqrt(x).is_integer():
+            return multiplied(Number(sqrt(x)), Root(reduce(multiplied, rest)))
+        case _:
+            return held
+
+
+def _place(factor: Expression) -> int:
+    """Where a factor stands in a product: symbols, sums, roots, then sines."""
+    base = factor.base if isinstance(factor, Power) else factor
+    return 3 if isinstance(base, Call) else 2 if isinstance(base, Root) else 1 if isinstance(base, Sum) else 0
+
+
+def _factors(held: Expression) -> tuple[Expression, ...]:
+    return held.factors if isinstance(held, Product) else (held,)
+
+
+def _turned(held: Expression) -> Expression:
+    """Without a minus sign in front where a difference, as a factor, can be taken the other way round."""
+    if isinstance(held, Quotient) and isinstance(held.above, Product) and held.above.negative:
+        return ratio(_turned(held.above), held.below)
+    if not isinstance(held, Product) or not isinstance(held.factors[0], Number) or held.factors[0].x >= 0.0:
+        return held
+    number, *factors = held.factors
+    place = next((n for n, factor in enumerate(factors) if _is_difference(factor)), None)
+    if place is None:
+        return held
+    factors[place] = _reversed(factors[place])
+    return reduce(multiplied, factors, -number)
+
+
+def _is_difference(held: Expression) -> bool:
+    """Whether a sum, or one among the factors of what is divided, has terms of both signs."""
+    if isinstance(held, Quotient):
+        return any(map(_is_difference, _factors(held.above)))
+    return isinstance(held, Sum) and len({term.negative for term in held.terms}) == 2
+
+
+def _opposed(held: Expression) -> Expression:
+    """The opposite of a sum, or of a product by one of its sums."""
+    return -held if isinstance(held, Sum) else _turned(multiplied(Number(-1.0), held))
+
+
+def _reversed(held: Expression) -> Expression:
+    return ratio(_opposed(held.above), held.below) if isinstance(held, Quotient) else -held
+
+
+def _rooted(held: Expression) -> Expression:
+    """A whole number before the root of a fraction put under it, where that leaves a smaller number there."""
+    match held:
+        case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
+            return tidied(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
+        case _:
+            return held
 
 
 def _fraction(held: Expression) -> Expression:
@@ -52,6 +146,8 @@ def _fraction(held: Expression) -> Expression:
 
 def _raised(base: Expression, exponent: int) -> Expression:
     """A power as one would write it."""
+    if isinstance(base, Quotient) and base.above == ONE:
+        return ratio(ONE, Power(base.below, exponent))
     if isinstance(base, Call) and base.function == "exp":
         return Call("exp", _times(Number(float(exponent)), base.argument))
     return Power(base, exponent) if exponent % 2 else _squared(base, exponent)

@@ -1,19 +1,18 @@
 """Long chains of hits: velocities and displacements are told in rows, as soon as all is known that they hang on."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.solution import Step
 from sim2reason.solutions.writing.merging import together
 
 LONG = 6  # names that steps of these kinds give, from which on a text is easier to follow with rows
 VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
-ROWS = {
-    VELOCITY: ("Velocity:", "Velocities:"),
-    TIME: ("Time:", "Times:"),
-    DISPLACEMENT: ("Displacement:", "Displacements:"),
-}  # of one name, of several
+ROWS = {VELOCITY: "velocities", TIME: "times", DISPLACEMENT: "displacements"}
+SINGULAR = {"velocities": "velocity", "times": "time", "displacements": "displacement"}
+INSTANT = re.compile(r"At (\$[^$]*\$) ")  # with which a sentence begins about what is so then
 
 
 def in_rows(steps: Sequence[Step]) -> list[Step]:
@@ -36,9 +35,18 @@ def in_rows(steps: Sequence[Step]) -> list[Step]:
 
 
 def _row(group: Sequence[Step]) -> Step:
-    """Steps of one kind as one, their formulas in a row; one of another kind itself."""
-    if group[0].kind not in ROWS:
+    """Steps of one kind as one, with a row of formulas for each instant; a single step itself."""
+    if group[0].kind not in ROWS or len(group) == 1:
         return group[0]
-    formulas = [f"${formula}$" for step in group for formula in step.text.split("$")[1::2][-len(step.gives) :]]
-    one, several = ROWS[group[0].kind]
-    return together(group, f"{one if len(formulas) == 1 else several} {joined(formulas)}.")
+    rows: dict[str, list[str]] = {}
+    for step in group:
+        instants = set(INSTANT.findall(step.text))
+        formulas = [f"${formula}$" for formula in step.text.split("$")[1::2][-len(step.gives) :]]
+        rows.setdefault(instants.pop() if len(instants) == 1 else "", []).extend(formulas)
+    noun = ROWS[group[0].kind]
+    told = [
+        f"{f'at {instant} ' if instant else ''}the {noun if len(formulas) > 1 else SINGULAR[noun]} "
+        f"{'are' if len(formulas) > 1 else 'is'} {joined(formulas)}"
+        for instant, formulas in rows.items()
+    ]
+    return together(group, f"{capital('; '.join(told))}.")

@@ -122,7 +122,8 @@ class Fields:
         axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
         strength = self._part(number, "value", axis) / self.mass
         first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
-        said = f"The electric force gives it the acceleration along {AXES[axis]}{first}"
+        who = self.setting.called(self.body)
+        said = f"The electric force gives {who}{first} an acceleration whose {AXES[axis]} component is"
         name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
         if profile.frequency:

@@ -1,7 +1,9 @@
 """How a magnetic field leads a charged body: in crossed fields, or through a medium that resists."""
 
+from functools import reduce
+
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
@@ -128,7 +130,8 @@ class Turning(FieldMotion):
         still = [self._kept(axis, None) for axis in (0, 1)]
         found: list[Expression] = []
         for axis, begins in enumerate(self.launch):
-            said = f"The rotating part of the velocity initially has the {AXES[axis]} component"
+            part = "The velocity" if self.drive is None else "The rotating part of the velocity"
+            said = f"{part} initially has the {AXES[axis]} component"
             found.append(self.named(said, "w", AXES[axis], begins - still[axis], SPEED))
         return found
 
@@ -159,8 +162,23 @@ class Turning(FieldMotion):
             found = found - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
         return found
 
+    @cached_property
+    def _heading(self) -> tuple[Expression, Expression] | None:
+        """The speed and the direction at the start, where nothing else than the magnetic force acts."""
+        alone = self.drive is None and self.fields.damping is None
+        x, y = (held.factors if isinstance(held, Product) else () for held in self.launch)
+        if not alone or not x or not y or x[:-1] != y[:-1]:
+            return None
+        one, other = x[-1], y[-1]
+        if not (isinstance(one, Call) and isinstance(other, Call) and one.argument == other.argument):
+            return None
+        return (reduce(multiplied, x[:-1]), one.argument) if (one.function, other.function) == ("cos", "sin") else None
+
     def rate(self, axis: int, time: Expression) -> Expression:
         """What is kept up, and what turns."""
+        if self._heading is not None:
+            speed, angle = self._heading
+            return speed * Call("sin" if axis else "cos", angle - self.turning * time)
         here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)

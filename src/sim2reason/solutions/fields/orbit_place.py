@@ -209,14 +209,29 @@ class Turned(OrbitPlace):
         """From where the place r₀ − a (1 − cos η) + … has turned: cot(η/2) = (b − q a)/r₀, or −q a/r₀."""
         orbit = self.orbit
         if self._quarters == 2:
-            formula = PI if orbit.dot == ZERO else PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
-            said = r"The line has turned through $180^\circ$ when $E$ has increased by"
-        else:
-            swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
-            small = swift / Root(orbit.parameter * orbit.axis)
-            rest = small - orbit.across if orbit.dot != ZERO else small
-            formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
-            if orbit.book.value(formula) <= 0.0:
-                formula = formula + TWO * PI
-            said = r"The line has turned through $90^\circ$ when $E$ has increased by"
+            return self._opposite_end()
+        swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
+        small = swift / Root(orbit.parameter * orbit.axis)
+        rest = small - orbit.across if orbit.dot != ZERO else small
+        formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
+        if orbit.book.value(formula) <= 0.0:
+            formula = formula + TWO * PI
+        said = r"The line has turned through $90^\circ$ when $E$ has increased by"
         return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)
+
+    def _opposite_end(self) -> Expression:
+        """The growth of the anomaly along a chord through the focus: cos(η/2) = e cos(E₀ + η/2)."""
+        orbit, name = self.orbit, self.orbit.named(r"\eta")
+        turned = r"The line has turned through $180^\circ$ when $E$ has increased by"
+        if orbit.dot == ZERO:
+            return orbit.book.told("anomaly", turned, name, PI, RADIANS)
+        formula = PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
+        p, q, half = orbit.along, orbit.across, name / TWO
+        step = orbit.book.open("anomaly")
+        law = step.law(Call("cos", half), p * Call("cos", half) - q * Call("sin", half))
+        step.say(r"The ends of a chord through the focus, at $E_0$ and $E_0 + \eta$, are those for which")
+        step.say(r"$e \cos\left(E_0 + \tfrac{1}{2} \eta\right)$ is equal to $\cos\left(\tfrac{1}{2} \eta\right)$:")
+        step.say(f"{law}. Since $1 - {p.latex()}$ is ${(orbit.radius / orbit.axis).latex()}$,")
+        step.say(f"{turned[0].lower()}{turned[1:]} {step.result(name, formula, RADIANS)}.")
+        step.close()
+        return name

@@ -271,11 +271,11 @@ def magnitude(
             continue
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
         where = way if axes == AXES else f"along {axis}"
-        sentences.append(f"{where} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
+        sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
     whose = f"{noun.said} of {known.setting.called(body)}"
     if sentences:
         said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
-        step.say(f"The {whose}{said}: {joined(sentences)}.")
+        step.say(f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {joined(sentences)}.")
     step.close()
     if len(names) == 1:
         return modulus(names[0], known.book)
@@ -304,6 +304,7 @@ def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what:
     if isinstance(formula, Symbol):
         return formula
     step = known.book.open("answer")
-    step.say(f"{capital(what)}: {step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)}.")
+    verb = "" if what.endswith((" is", "of magnitude")) else " is"
+    step.say(f"{capital(what)}{verb} {step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)}.")
     step.close()
     return Symbol(known.book.last)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
-from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
+from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, along_sense
 from sim2reason.solutions.goals.turning import squared
 
 UP = (0.0, 0.0, 1.0)
@@ -30,7 +30,7 @@ class MassTimes(Goal):
         whose = f"{self.noun.said} {'on' if self.noun.base == 'F' else 'of'} {known.setting.called(body)}"
         if target.sense is not None:
             formula = known.component(self.of.base, body, target.sense.vector).factored()
-            what = f"the {whose}, {target.sense.positive} being positive"
+            what = along_sense(whose, target.sense)
         else:
             formula = magnitude(known.vector(self.of.base, body), known, self.of, body)
             what = f"the {whose}"
@@ -78,7 +78,7 @@ class PotentialEnergyGoal(Goal):
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName.of("potential energy"), known.setting.mark(body)
-        size = modulus(formula, known.book)
+        size = modulus(formula, known.book, of_either_sign=True)
         what = f"the magnitude of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 

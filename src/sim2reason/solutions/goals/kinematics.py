@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
@@ -9,6 +10,13 @@ from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, m
 DISPLACEMENTS = VectorName.of("displacement")
 VELOCITIES = VectorName.of("velocity")
 ACCELERATIONS = VectorName.of("acceleration")
+
+
+def along_sense(whose: str, sense: Sense) -> str:
+    """Return what a component of a vector is called; of a vector along a line, which sense is positive."""
+    if sense.fixed:
+        return f"the {sense.axis} component of the {whose}"
+    return f"the {whose} (taking {sense.positive} as positive)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +37,7 @@ class VectorGoal(Goal):
         mark = known.setting.mark(body)
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
-            return finish(known, formula, self.noun, mark, f"the {whose}, {target.sense.positive} being positive")
+            return finish(known, formula, self.noun, mark, along_sense(whose, target.sense))
         formula = magnitude(known.vector(base, body), known, self.noun, body)
         return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 

@@ -98,6 +98,14 @@ class Burning(Way):
         )
 
     @cached_property
+    def rising(self) -> Symbol:
+        """For how long it rises with its engine on."""
+        if not self.waits:
+            return self.burned
+        said, formula = "From then on its fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        return self.book.told("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
+
+    @cached_property
     def burned(self) -> Symbol:
         """When the fuel is spent."""
         formula = (self.first - self.dry) / self.rate_of_burning

@@ -1,6 +1,7 @@
 """The sentences about the laws that lead to an acceleration or a force, and the equations that they say."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from sim2reason.solutions.algebra.elimination import Elimination, Equation, solved
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
@@ -74,9 +75,10 @@ class DynamicsWriter:
         rows = [self._equation(group, labelled=len(groups) > 1) for group in groups]
         self._tell(groups, rows)
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
-        known |= self._balanced(light, known)
-        heavy = [e.put(known).put(known) for e in rows if e not in light]
-        all_of_them = heavy + equations + [Equation(e.label, e.forces, e.inertia, NIL) for e in light]
+        balanced, labels = self._balanced(light, known)
+        known |= balanced
+        heavy = [e.put(known).put(known).by(labels) for e in rows if e not in light]
+        all_of_them = heavy + equations + [replace(e, moves=NIL) for e in light]
         unknowns = sorted({n for e in all_of_them for n in e.zero.names()} & self.d.units.keys())
         Elimination(self.d.book, self.d.units, self._labels).solve(all_of_them, unknowns, self.goals)
 
@@ -279,20 +281,25 @@ class DynamicsWriter:
             step = self.d.mechanism.body[step].parent
         return False
 
-    def _balanced(self, light: Sequence[Equation], known: dict[str, Polynomial]) -> dict[str, Polynomial]:
-        """The tensions that balances at light pulleys give by others."""
+    def _balanced(
+        self, light: Sequence[Equation], known: dict[str, Polynomial]
+    ) -> tuple[dict[str, Polynomial], dict[str, frozenset[str]]]:
+        """The tensions that balances at light pulleys give by others, and the labels of those balances."""
         found: dict[str, Polynomial] = {}
+        labels: dict[str, frozenset[str]] = {}
         for equation in light:
+            used = {name for name in equation.zero.names() if name in found}
             zero = equation.forces.put(found)
             names = [n for n in sorted(zero.names() & self.d.units.keys()) if n not in known]
-            plain = [n for n in names if abs(zero.coefficient(n).number or 0.0) == 1.0] or names
-            name = min(plain, key=lambda n: (n in self.goals, n))
+            name = min(names, key=lambda n: (n in self.goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
             before = zero.coefficient(name).number
             if not before:
                 raise UnsolvedError("a light pulley balances at a ratio that changes")
             found[name] = zero.without((name,)).scaled(-1.0 / before)
+            labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
+            labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
             found = {n: p.put({name: found[name]}) for n, p in found.items()}
-        return found
+        return found, labels
 
 
 def _name_of(held: Polynomial) -> str:

@@ -124,10 +124,12 @@ class Harmonic:
         base, mark = split(self.name.name)
         name = self.book.fresh(base, rf"\text{{eq}},{mark}" if mark.isdecimal() else "0")
         step = self.book.open("balance")
-        law = step.law(self.stiffness * name, load.expression())
-        step.say(f"The equilibrium is at ${name.name}$, where {law},")
         held = self.motion.stiffness(self._free, self._free)
+        strained = [n for n in sorted(held.names()) if len(load.coefficient(n).terms) > 1]
+        law = step.law(self.stiffness * name, load.collected(strained))
+        step.say(f"The equilibrium is at ${name.name}$, where {law},")
         formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
+        formula = load.collected(strained) / self.stiffness if strained else formula
         step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name

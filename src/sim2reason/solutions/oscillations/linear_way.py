@@ -85,10 +85,10 @@ class LinearWay(Way):
         """The rate of a free coordinate at the start."""
         return self.first_speeds.get(i, NIL)
 
-    def introduce(self, names: dict[int, Symbol]) -> None:
-        """Say what the free coordinates are called, and how far the others go."""
+    def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
+        """Say what the free coordinates are called, from which `origin`, and how far the others go."""
         step = self.book.open("names")
-        step.say(f"Let {joined(self._moved(names))}.")
+        step.say(f"Let {joined(self._moved(names))}{origin}.")
         bound: list[str] = []
         for k, parts in self.motion.ratios.items():
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:

@@ -23,16 +23,25 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import PER_SECOND_SQUARED
 
 NONE = 1e-9  # of the largest λ: less drives nothing back
+LONG = 160  # characters of the coefficients of an equation that is better written in numbers
+PAIR = 2  # free coordinates, of which one has the share 1
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
 
 
 class ModeLaws:
     """The modes of a linear motion by Newton's laws, and the frequencies for which those hold."""
 
-    def __init__(self, book: Book, motion: LinearMotion, first: Sequence[Polynomial]) -> None:
-        """`first` are the rates of the free coordinates at the start. UnsolvedError where forces drive it away."""
-        self.book, self.motion, self.first = book, motion, list(first)
+    def __init__(
+        self, book: Book, motion: LinearMotion, first: Sequence[Polynomial], names: Sequence[Symbol], *, loaded: bool
+    ) -> None:
+        """Take the rates of the free coordinates at the start, and their names, and write the equations of motion.
+
+        They are `loaded` with constant forces, unless the coordinates count from equilibrium. Raise UnsolvedError
+        where forces drive it away.
+        """
+        self.book, self.motion, self.first, self.names = book, motion, list(first), list(names)
         self.size = len(motion.free)
+        self.told: frozenset[int] = frozenset()  # the numbers of the modes that the solution shows
         self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
         half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
         found = np.linalg.eigh(half @ self.stiffness @ half.T)
@@ -42,6 +51,7 @@ class ModeLaws:
             raise UnsolvedError("something is driven away")
         self.load: Array = np.array([motion.load(i).value(motion.givens) for i in motion.free])
         self.begun: Array = np.array([held.value(motion.givens) for held in first])
+        self._tell_equations(loaded=loaded)
 
     @property
     def zeros(self) -> int:
@@ -54,6 +64,18 @@ class ModeLaws:
         """Of K and of M, by places among the free coordinates."""
         free = self.motion.free
         return self.motion.stiffness(free[i], free[j]), self.motion.mass(free[i], free[j])
+
+    def _tell_equations(self, *, loaded: bool) -> None:
+        said: list[str] = []
+        for i, number in enumerate(self.motion.free):
+            held = [(*self.entry(i, j), name) for j, name in enumerate(self.names)]
+            inertia = total(mass * Polynomial.of(_second(name)) for _, mass, name in held)
+            pull = total(stiff * Polynomial.of(name) for stiff, _, name in held)
+            forces = (self.motion.load(number) if loaded else NIL) - pull
+            said.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
+        step = self.book.open("equations of motion")
+        step.say(f"The {'equations of motion are' if len(said) > 1 else 'equation of motion is'} {joined(said)}.")
+        step.close()
 
     @cached_property
     def _powers(self) -> list[Polynomial]:
@@ -113,12 +135,13 @@ class ModeLaws:
         return found
 
     def _vanishing(self, powers: Sequence[Polynomial], square: Symbol) -> Expression:
-        """The determinant, in numbers where all are known."""
+        """The determinant, in numbers where all are known and its coefficients are long."""
         held: Expression = ZERO
-        for power, part in enumerate(powers):
+        long = sum(len(part.expression().latex()) for part in powers) > LONG
+        for power, part in reversed([*enumerate(powers)]):
             size = part.expression()
             value = self.book.value(size)
-            if not self.book.is_hidden(size):
+            if long and not self.book.is_hidden(size):
                 size = Worked(size if value > 0.0 else part.scaled(-1.0).expression(), abs(value))
             elif value < 0.0:
                 size = part.scaled(-1.0).expression()
@@ -139,7 +162,7 @@ class ModeLaws:
         """Newton's laws of a mode, one for each free coordinate; one fewer where λ is known to be zero."""
         numbers = self.shapes[:, mode.number] / self.shapes[mode.first, mode.number]
         unknown = [i for i in range(self.size) if i != mode.first]
-        names = {i: self.book.fresh("a", f"{i + 1},{mode.number + 1}") for i in unknown}
+        names = {i: self.book.fresh("r", self._mark(i, mode)) for i in unknown}
         mode.shape = [names.get(i, ONE) for i in range(self.size)]
         self.book.observed |= {names[i].name: float(numbers[i]) for i in unknown}
         driven = mode.square != ZERO
@@ -147,10 +170,11 @@ class ModeLaws:
             self.book.observed[mode.square.name] = float(self.squares[mode.number])
         step = self.book.open("mode laws")
         step.label(f"mode {mode.number}")
-        rate, shares = f"$-{mode.square.latex()}$", ", ".join(f"${part.latex()}$" for part in mode.shape)
+        rate = f"$-{mode.square.latex()}$"
         if names:
-            where = f"{rate} times the displacements from equilibrium" if driven else "zero"
-            step.say(f"In a normal mode the displacements are in the ratio {shares} and the accelerations are {where}:")
+            accelerations = f"each acceleration is {rate} times the displacement"
+            held = accelerations if driven else "the forces of the springs do not change"
+            step.say(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {held}:")
         else:
             step.say(f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:")
         said: list[str] = []
@@ -168,19 +192,46 @@ class ModeLaws:
 
     def _root(self, mode: Mode, powers: Sequence[Polynomial], formula: Expression | None) -> None:
         assert isinstance(mode.square, Symbol)
-        step = self.book.open("modes")
+        step, again = self.book.open("modes"), self._repeats(mode)
         step.rest_on(f"mode {mode.number}")
         if len(powers) == 2 and formula is not None:
             step.say(f"Together they give {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+            step.close()
+            return
+        held = self._vanishing(powers, mode.square)
+        if not again:
+            said = "They hold only if the determinant of the coefficients of the displacements is zero"
+            said += "; apart from the root 0," if self.zeros else ","
+            step.say(f"{said} {step.derived(held, ZERO)}.")
+        which = "Another root of the same equation is" if again else "One root is"
+        if formula is not None:
+            step.say(f"{which} {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
         else:
-            held = self._vanishing(powers, mode.square)
-            step.say(
-                f"They have a solution where the determinant of the coefficients is zero, {step.derived(held, ZERO)}."
-            )
-            if formula is not None:
-                step.say(f"One root is {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
-            else:
-                near = float(self.squares[mode.number])
-                said = "Solved numerically, one root is"
-                step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
+            near = float(self.squares[mode.number])
+            said = f"{which}, by numerical solution," if again else "Solved numerically, one root is"
+            step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
         step.close()
+
+    def _repeats(self, mode: Mode) -> bool:
+        """Return whether the equation for the squares of frequencies is shown with an earlier mode."""
+        return any(self.zeros <= number < mode.number for number in self.told) and mode.number in self.told
+
+    def _mark(self, i: int, mode: Mode) -> str:
+        """The subscript of the share of a free coordinate in a mode: of its body where there are several."""
+        if self.size == PAIR:
+            return str(mode.number + 1)
+        own = self.names[i].name.partition("_")[2]
+        own = own[1:-1] if own.startswith("{") else own
+        return f"{own or i + 1},{mode.number + 1}"
+
+    def _shares(self, mode: Mode) -> str:
+        """In which ratio the displacements are."""
+        ratio = " : ".join(part.latex() for part in mode.shape)
+        who = joined([f"${name.latex()}$" for name in self.names])
+        return f"the displacements {who}, measured from equilibrium, are in the ratio ${ratio}$"
+
+
+def _second(name: Symbol) -> Symbol:
+    """The second derivative of a coordinate by the time."""
+    base, line, mark = name.name.partition("_")
+    return Symbol(rf"\ddot{{{base}}}{line}{mark}")

@@ -5,6 +5,7 @@ Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import inf
 
 import numpy as np
@@ -15,7 +16,7 @@ from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.oscillations.mode import Mode
+from sim2reason.solutions.oscillations.mode import Mode, place
 from sim2reason.solutions.oscillations.mode_laws import ModeLaws
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Writing
@@ -70,6 +71,7 @@ class NormalModes(ModeLaws):
         `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
         """
         shown = self.shown(forms)
+        self.told = frozenset(shown)
         found = [mode for mode in self.modes if mode.number in shown]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
             step = self.book.open("modes")
@@ -139,19 +141,32 @@ class NormalModes(ModeLaws):
         own = self._own_mass(mode, named=not alone)
         if mode.square != ZERO:
             mode.rate = self.book.fresh(r"\omega", str(n))
-            self.book.told("rate", "Its angular frequency is", mode.rate, Root(mode.square), ANGULAR_SPEED)
+            said = "Its angular frequency is" if alone else f"The angular frequency of mode {n} is"
+            self.book.told("rate", said, mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
-        if push != ZERO and self._pushed(mode.number):
-            below = own * mode.square if mode.square != ZERO else own
-            unit = METRES if mode.square != ZERO else ACCELERATION
-            said = "Its equilibrium is at" if mode.square != ZERO else "Its acceleration is"
-            mode.rise = self.book.told("start", said, self.book.fresh("b", str(n)), push / below, unit)
         carry = shape * (self.mass @ self.begun)
-        if momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max()):
+        moves = momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max())
+        self._tell_course(mode, own, push if self._pushed(mode.number) else ZERO, momentum if moves else ZERO)
+
+    def _tell_course(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> None:
+        """How the coordinate of a mode changes with time, and its coefficients."""
+        if push == ZERO and momentum == ZERO:
+            return
+        step, mark, said = self.book.open("start"), str(mode.number + 1), list[str]()
+        driven = mode.square != ZERO
+        if push != ZERO:
+            mode.rise = self.book.fresh("b", mark)
+            below = own * mode.square if driven else own
+            result = step.result(mode.rise, push / below, METRES if driven else ACCELERATION, law=True)
+            said.append(f"{result} (its {'equilibrium position' if driven else 'acceleration'})")
+        if momentum != ZERO:
+            mode.swing = self.book.fresh("c", mark)
             below = own * mode.rate if mode.rate is not None else own
-            unit = METRES if mode.rate is not None else SPEED
-            said = "The initial velocity gives the amplitude" if mode.rate is not None else "It keeps the velocity"
-            mode.swing = self.book.told("start", said, self.book.fresh("c", str(n)), momentum / below, unit)
+            result = step.result(mode.swing, momentum / below, METRES if driven else SPEED, law=True)
+            said.append(f"{result} (from the initial velocities)")
+        course = place([replace(mode, shape=[ONE])], 0, Symbol("t")).latex()
+        step.say(f"The coordinate of mode {mark} is ${course}$ at the time $t$, with {joined(said)}.")
+        step.close()
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:
         """aᵀM a."""
@@ -165,4 +180,4 @@ class NormalModes(ModeLaws):
         if not named:
             return found
         name = self.book.fresh(r"\mu", str(mode.number + 1))
-        return self.book.told("modal mass", "Its mass is", name, found, KILOGRAMS)
+        return self.book.told("modal mass", f"The effective mass of mode {mode.number + 1} is", name, found, KILOGRAMS)

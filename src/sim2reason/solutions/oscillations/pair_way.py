@@ -57,13 +57,13 @@ class PairWay(SingleWay):
         i, j = held.free[0], held.other
         return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
 
-    def introduce(self, names: dict[int, Symbol]) -> None:
+    def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
         """What the relative motion is called."""
         held, step = self._relative, self.book.open("names")
         ((i, name),) = names.items()
         who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
         apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
-        step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}.")
+        step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
         step.close()
 
     @property

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from functools import reduce
 
+from sim2reason.solutions.algebra.digits import DIGITS
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol, added
 from sim2reason.solutions.algebra.functions import Root
 from sim2reason.solutions.setting import joined
@@ -38,13 +39,16 @@ def tell_end(book: Book, integration: Integration, said: str, used: frozenset[st
     """Return the sentence about the end of a phase, with those values on which something later rests."""
     condition = integration.until
     kept = [name for _, name in integration.ends if name in used]
-    values = [f"${name} = {with_unit(book.values[name], book.units[name], STATE_DIGITS)}$" for name in kept]
+    begins = {name for step in book.steps if step.integration is not None for name in step.integration.symbols()}
+    digits = {name: STATE_DIGITS if name in begins else DIGITS for name in kept}
+    values = [f"${name} = {with_unit(book.values[name], book.units[name], digits[name])}$" for name in kept]
     if not values:
         raise UnsolvedError("nothing rests on the state to which the motion is integrated")
     later = 1 < condition.occurrence < len(ORDINALS)
     which = f" for the {ORDINALS[condition.occurrence]} time" if later else ""
     when = f"{said}, that is, until {_equation(condition.expression)}" if said else _equation(condition.expression)
-    return f"Numerical integration until {when}{which}, gives {joined(values)}."
+    first = " for the first time" if not said and condition.occurrence == 1 and not condition.direction else ""
+    return f"Numerical integration until {when}{which or first}{',' if said else ''} gives {joined(values)}."
 
 
 def _equation(formula: Expression) -> str:

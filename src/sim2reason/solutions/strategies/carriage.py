@@ -264,7 +264,7 @@ class _Asked(CarriageLaws):
         "angle turned": ("_between", "The angle turned through is"),
         "acceleration": ("_acceleration", "Relative to the ground, the acceleration is"),
         "net force": ("_force", "The net force is"),
-        "tension": ("_pull", "By Newton's second law for what hangs from it,"),
+        "tension": ("_pull", "By Newton's second law for what hangs from the string,"),
         "rod force": ("_rod", "By Newton's second law for what it carries,"),
         "angular acceleration": ("_growing", ""),
         "torque": ("_torque", "The torque about the centre of mass is"),

@@ -17,7 +17,7 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Turning
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
-from sim2reason.solutions.goals import GOALS, Components
+from sim2reason.solutions.goals import GOALS, Components, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
@@ -143,8 +143,8 @@ class _InFields(Way):
         """Minus the work of the electric force."""
         work = FieldEnergy(self, self.moment).potential()
         said = "The change in potential energy is minus the work of the electric force,"
-        size = -work if self.book.value(work) <= 0.0 else work
-        return self.book.told("energy", f"{said} of the magnitude", self.book.fresh("U"), size, JOULES)
+        size = modulus(work, self.book, of_either_sign=True)
+        return self.book.told("energy", f"{said} of magnitude", self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 

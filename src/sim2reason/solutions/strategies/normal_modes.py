@@ -35,6 +35,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED,
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
 LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each the derivative of the one before
+WAYS = "the sum over the modes,", "differentiating,", "differentiating twice,"
 ORDERS = {"s": 0, "v": 1, "a": 2}  # of what goals use
 
 
@@ -75,10 +76,10 @@ class _Modal(LinearWay):
             raise UnsolvedError("it is damped")
         marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in motion.free}
         self.names = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
-        if isinstance(self.query, PeriodQuery):
-            return NormalModes(self.book, motion, [NIL for _ in motion.free])
-        self.introduce(self.names)
-        return NormalModes(self.book, motion, [self.first(i) for i in motion.free])
+        small = isinstance(self.query, PeriodQuery)
+        self.introduce(self.names, " from equilibrium" if small else "")
+        first = [NIL if small else self.first(i) for i in motion.free]
+        return NormalModes(self.book, motion, first, [*self.names.values()], loaded=not small)
 
     @cached_property
     def _modes(self) -> list[Mode]:
@@ -89,7 +90,7 @@ class _Modal(LinearWay):
         """The sums of places, or derivatives of them, that the moment and the goal are about."""
         found = self._sought
         if self.target is not None and self.goal is not None:
-            lines = [*self.goal.lines(self.target)]
+            lines = self.goal.lines(self.target)
             own = [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
             found += [(self._order, parts) for parts in own]
         return self._as_forms(found)
@@ -137,12 +138,11 @@ class _Modal(LinearWay):
 
     def _period(self, query: PeriodQuery) -> Symbol:
         held = self._all
-        driven = held.modes[held.zeros :]
-        if not query.small and len(driven) > 1:
+        if not query.small and held.size - held.zeros > 1:
             raise UnsolvedError("the motion as a whole has no period")
-        mode = driven[query.rank if query.small else 0]
-        said, name = "The angular frequency is", self.book.fresh(r"\omega")
-        rate = self.book.told("rate", said, name, Root(mode.square), ANGULAR_SPEED)
+        mode = held.modes[held.zeros + (query.rank if query.small else 0)]
+        name = self.book.fresh(r"\omega")
+        rate = self.book.told("rate", "The angular frequency is", name, Root(mode.square), ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
     # ---- the moment
@@ -218,8 +218,7 @@ class _Modal(LinearWay):
         assert self.goal is not None
         if self.goal.uses not in ORDERS:
             raise UnsolvedError("the greatest value is of a force")
-        law = LAWS[ORDERS[self.goal.uses] + 1]
-        said = "The greatest value is taken"
+        law, said = LAWS[ORDERS[self.goal.uses] + 1], "The greatest value is taken"
         lines, bodies = [*self.goal.lines(self.target)], [*self.goal.bodies(self.target)]
         if lines:
             return said, self._grows(lines[0]), law
@@ -273,26 +272,28 @@ class _Modal(LinearWay):
         step.close()
         return names
 
-    def _told(self, law: Law, i: int, base: str, unit: str, said: str) -> Polynomial:
-        """A sum of modes at the moment, told once."""
+    def _told(self, order: int, i: int, base: str, unit: str) -> Polynomial:
+        """A sum of modes at the moment, told once; before a derivative the sum itself."""
         if (base, i) not in self._known:
-            mark = self.setting.mark(self.mechanism.coordinates[i].body)
-            formula = law(self._modes, self.motion.free.index(i), self._time)
-            name = self.names[i] if base == "x" else self.book.fresh(base, mark)
+            body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
+            name = self.names[i] if base == "x" else self.book.fresh(base, self.setting.mark(body))
+            whole, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
+            course = f"${whole.latex()}$; " if order else ""
+            said = f"The displacement of {self.setting.called(body)} is {course}{WAYS[order]}"
             self._known[base, i] = Polynomial.of(self.book.told("sum of modes", said, name, formula, unit))
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
         """How far a free coordinate has come."""
-        return self._told(place, i, "x", METRES, "The sum of the modes is the displacement")
+        return self._told(0, i, "x", METRES)
 
     def speed(self, i: int) -> Polynomial:
         """How fast."""
-        return self._told(speed, i, "v", SPEED, "Its derivative is the velocity")
+        return self._told(1, i, "v", SPEED)
 
     def acceleration(self, i: int) -> Polynomial:
         """How fast that changes."""
-        return self._told(acceleration, i, "a", ACCELERATION, "Its second derivative is the acceleration")
+        return self._told(2, i, "a", ACCELERATION)
 
     @cached_property
     def _known(self) -> dict[tuple[str, int], Polynomial]:

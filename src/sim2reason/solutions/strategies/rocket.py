@@ -16,7 +16,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol,
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.rocket import Burning
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
@@ -97,8 +97,12 @@ class _Burning(Burning):
         """When gravity has taken all the speed that burning gave."""
         name, step = self.book.fresh("t"), self.book.open("time")
         g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
-        law = step.law(given, g * self._risen(name))
+        risen = self._risen(name)
+        law = step.law(given, g * risen)
         formula = given / g + self._wait if self.waits else given / g
+        velocity = (given - g * risen).latex()
+        said = "After burnout, by the rocket equation with gravity, its velocity at"
+        step.say(f"{said} ${name.latex()}$ is ${velocity}$.")
         step.say(f"It comes to rest when {law},")
         step.say(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
@@ -108,14 +112,14 @@ class _Burning(Burning):
         distance, name = self.book.fresh("d"), self.book.fresh("t")
         self.book.say_given(distance.name, moment.value, METRES)
         left = self.first - self.rate_of_burning * name
-        path = self._path(left, self._risen(name))
+        path, course = self._path(left, self._risen(name)), self._course
         step = self.book.open("time")
+        step.say(f"{course}.")
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
-        who = capital(self.setting.called(self.burn.body))
-        step.say(
-            f"{who} has covered this distance when {law}; the numerical solution is {step.result(name, root, SECONDS)}."
-        )
+        who = self.setting.called(self.burn.body)
+        step.say(f"By integration, {who} has covered the distance ${distance.latex()}$ when {law};")
+        step.say(f"the numerical solution is {step.result(name, root, SECONDS)}.")
         step.close()
         return name
 
@@ -213,31 +217,40 @@ class _Burning(Burning):
     def _at_end(self) -> tuple[Symbol, Symbol]:
         """The speed and the distance when the fuel is spent."""
         mark = r"\text{out}"
-        return self._burnt(self.burned, "v", mark), self._gone(self.burned, mark)
+        return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
 
-    def _burnt(self, time: Symbol, base: str, mark: str) -> Symbol:
-        """The speed that burning gives by a time."""
+    def _burnt(self, risen: Expression, base: str, mark: str) -> Symbol:
+        """The speed that burning gives while it rises for a time."""
         left = self.dry if self.out else self.left
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
-            formula = formula - self.gravity.expression() * self._risen(time)
+            formula = formula - self.gravity.expression() * risen
         told = "By the rocket equation," if not self.gravity else "By the rocket equation, with gravity,"
         return self.book.told("velocity", told, self.book.fresh(base, mark), formula, SPEED)
 
-    def _gone(self, time: Symbol, mark: str) -> Symbol:
-        """How far it comes by burning."""
-        path = self._path(self.dry if self.out else self.left, self._risen(time))
-        return self.book.told(
-            "distance", "Integrating the velocity over time,", self.book.fresh("s", mark), path, METRES
-        )
+    def _gone(self, risen: Expression, mark: str) -> Symbol:
+        """How far it comes by burning while it rises for a time."""
+        path = self._path(self.dry if self.out else self.left, risen)
+        said = f"{self._course}; integrated from 0 to ${risen.latex()}$,"
+        return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
+
+    @property
+    def _course(self) -> str:
+        """The velocity as a function of the time for which it has burned, in words."""
+        time = self.book.fresh(r"\tau")
+        velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
+        if self.gravity:
+            velocity = velocity - self.gravity.expression() * time
+        since = "lift-off" if self.waits else "the start"
+        return f"With the engine on, its velocity at the time ${time.latex()}$ after {since} is ${velocity.latex()}$"
 
     @cached_property
     def _v(self) -> Symbol:
         if not self.out:
-            return self._burnt(self.time, "v", "")
+            return self._burnt(self._now, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
             self.tell_spent(self.time)
-            return self._burnt(self.time, "v", "")
+            return self._burnt(self._risen(self.time), "v", "")
         fast = self._at_end[0]
         if not self.gravity:
             return fast
@@ -250,10 +263,17 @@ class _Burning(Burning):
             _ = self.time
             return Symbol(next(iter(self.book.stated)))
         if not self.out:
-            return self._gone(self.time, "")
-        return self.book.told(
-            "distance", "Its distance is then", self.book.fresh("s"), self._thrown(self.coast), METRES
-        )
+            return self._gone(self._now, "")
+        name, (fast, high) = self.book.fresh("s"), self._at_end
+        if isinstance(self.query.moment, Stopped) or isinstance(self.query, StretchQuery):
+            said, top = "With its engine off it rises on to", high + Power(fast, 2) / (2.0 * self.gravity.expression())
+            return self.book.told("distance", said, name, top, METRES)
+        return self.book.told("distance", "Its distance is then", name, self._thrown(self.coast), METRES)
+
+    @property
+    def _now(self) -> Expression:
+        """For how long it has risen by the moment, at which its engine is on, or burns out."""
+        return self.rising if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Along its way."""

@@ -87,6 +87,17 @@ class Carriage:
         rail = setting.mechanism.body[found.carriage].coordinates[0].axis
         self.forward = copysign(1.0, float(product(rail, self.arm.way(setting.mechanism))))
 
+    @property
+    def way(self) -> str:
+        """Forward, in words."""
+        x, y, z = self.setting.mechanism.body[self.riding.carriage].coordinates[0].axis
+        return self.setting.towards((self.forward * x, self.forward * y, self.forward * z))
+
+    @property
+    def turning(self) -> str:
+        """The sense in which the arm turns that falls from the side on which it begins, in words."""
+        return {"to the right": "clockwise", "to the left": "anticlockwise"}.get(self.way, "downward")
+
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
         """A number of the mechanism."""
         return self.setting.lexicon.of(number).expression()

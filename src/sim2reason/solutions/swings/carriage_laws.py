@@ -57,7 +57,8 @@ class CarriageLaws(CarriageAngle):
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
         seen = "In the frame with this acceleration, let" if drift != ZERO else "Let"
-        step.say(f"{seen} {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$ against it.")
+        step.say(f"{seen} {self.swings} turn at ${turns.name}$")
+        step.say(f"and {c.noun()} move at ${runs.name}$ in the opposite direction.")
         keeps = (
             "and energy is conserved with the work of the inertial forces"
             if drift != ZERO
@@ -135,8 +136,9 @@ class CarriageLaws(CarriageAngle):
         pulled = self.driving_force + name * self.signed
         along = step.law(name, mass * (pull - a * self.signed))
         rail = step.law(c.sliding_mass * a, pulled)
-        step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()} forward,")
-        step.say(f"which causes an inertial force in its frame. Along the rod, for {who}: {along}. Along the rail, for")
+        step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()}")
+        step.say(f"{c.way}, which causes an inertial force in its frame. Along the rod, for {who}: {along}.")
+        step.say("Along the rail, for")
         over = c.sliding_mass * pull - self.driving_force * self.signed
         step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
         step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
@@ -179,10 +181,9 @@ class CarriageLaws(CarriageAngle):
         weight = self.gravity * self.signed
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
-        step.say(
-            f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${a.name}$ the acceleration"
-        )
-        step.say(f"of {c.noun()}, forward. Along the rail, for all: {rail}. About the axle, with the inertial")
+        step.say(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
+        step.say(f"the acceleration of {c.noun()} {c.way}. Along the rail, with all masses: {rail}.")
+        step.say("About the axle, with the inertial")
         over = s * (c.total_mass * weight + self.cosine * held)
         step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
         formula = (held + s * turns * self.cosine) / c.total_mass

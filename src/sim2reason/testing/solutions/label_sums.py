@@ -13,7 +13,8 @@ import numpy as np
 from sim2reason.dsl.state import Array
 
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
-SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+): (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
+WITH = r"(?:, with [^:$]*)?"  # the equations that were put into the others
+SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+){WITH}: (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
 PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
 LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$()]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
 LIGHT = "is light"  # what balances without an acceleration

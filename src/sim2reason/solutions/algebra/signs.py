@@ -1,0 +1,70 @@
+"""Signs as one would write them: none that cancel each other, and none before a difference that can be reversed."""
+
+import re
+from collections.abc import Sequence
+from functools import reduce
+
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Call, Power
+
+ODD = ("sin", "tan", "arcsin", "arctan")
+SUSPECT = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
+"""How a formula is written in which signs may be put better."""
+
+
+def with_plain_signs(held: Expression) -> Expression:
+    """Return a formula with the same value whose signs stand as one would write them."""
+    if not SUSPECT.search(held.latex()):
+        return held
+    return _plain(held)
+
+
+def _plain(held: Expression) -> Expression:
+    if not held.parts or isinstance(held, Worked):
+        return held
+    found = held.built_of([_plain(part) for part in held.parts])
+    if isinstance(found, Power) and found.base.negative and found.exponent % 2 == 0:
+        return Power(_opposite(found.base), found.exponent)
+    if isinstance(found, Call) and found.argument.negative and found.function in (*ODD, "cos"):
+        turned = Call(found.function, _opposite(found.argument))
+        return turned if found.function == "cos" else -turned
+    if isinstance(found, Product):
+        return _product(found.factors)
+    return _fraction(found) if isinstance(found, Quotient) else found
+
+
+def _product(factors: Sequence[Expression]) -> Expression:
+    """Without negative factors: their signs are multiplied, and the rest is one."""
+    sign, kept = 1.0, list[Expression]()
+    for factor in factors:
+        turned = factor.negative if not isinstance(factor, Worked) else factor.comes_to < 0.0
+        sign = -sign if turned else sign
+        kept.append(_opposite(factor) if turned else factor)
+    whole = reduce(multiplied, kept)
+    return whole if sign > 0.0 else _negated(whole)
+
+
+def _negated(held: Expression) -> Expression:
+    """The negative of a formula; of a fraction by a difference below it, where there is one."""
+    if isinstance(held, Quotient) and _is_difference(held.below):
+        return Quotient(held.above, -held.below)
+    return multiplied(Number(-1.0), held)
+
+
+def _fraction(held: Quotient) -> Expression:
+    """A fraction with the sign of its numerator before it, or none where a difference below it can be reversed."""
+    if held.above.negative and _is_difference(held.below):
+        return Quotient(_opposite(held.above), -held.below)
+    if isinstance(held.above, Sum) and held.above.negative:
+        return multiplied(Number(-1.0), Quotient(-held.above, held.below))
+    return held
+
+
+def _is_difference(held: Expression) -> bool:
+    return isinstance(held, Sum) and len({term.negative for term in held.terms}) > 1
+
+
+def _opposite(held: Expression) -> Expression:
+    """What is written with a minus sign, without it."""
+    return ratio(_opposite(held.above), held.below) if isinstance(held, Quotient) else -held

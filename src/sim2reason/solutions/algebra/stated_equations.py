@@ -1,0 +1,37 @@
+"""Equations that come down to a quadratic one, or to one in the sine and cosine of an angle, as they are stated."""
+
+from functools import reduce
+
+from sim2reason.solutions.algebra.closed_roots import Written, atoms_worked, coefficient, fraction, raised
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, added, multiplied
+from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.algebra.polynomials import Polynomial
+
+
+def stated_equation(
+    name: str, formula: Expression, value: Expression, written: Written
+) -> tuple[Expression, Expression] | None:
+    """Both sides of a x² + b x = c, or of a sin x + b cos x = c, to which an equation comes down; None for others."""
+    try:
+        zero = (fraction(atoms_worked(formula, name)) + fraction(-value)).above
+    except OverflowError:
+        return None
+    symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
+    for first, second, powers in ((symbol, symbol, (2, 1)), (sine, cosine, (1, 1))):
+        parts = [coefficient(zero, atom, power) for atom, power in zip((first, second), powers, strict=True)]
+        rest = zero
+        for part, atom, power in zip(parts, (first, second), powers, strict=True):
+            rest = rest - part * Polynomial({((atom, power),): 1.0})
+        if (
+            not all(parts)
+            or name in rest.expression().symbols()
+            or any(name in p.expression().symbols() for p in parts)
+        ):
+            continue
+        sign = -1.0 if written(parts[0]).negative else 1.0
+        terms = (
+            multiplied(written(part.scaled(sign)), raised(atom, power))
+            for part, atom, power in zip(parts, (first, second), powers, strict=True)
+        )
+        return reduce(added, terms), written(rest.scaled(-sign))
+    return None

@@ -1,0 +1,40 @@
+"""Equations that are stated before their roots, and why a root is the only one."""
+
+import pytest
+
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.monotonic import trend
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.stated_equations import stated_equation
+
+A, T, X, W = map(Symbol, ("a", "t", "x", "w"))
+AT = {"a": 1.5, "t": 0.8, "x": 0.6, "w": 2.0}
+
+
+def test_a_quadratic_equation_is_stated_with_its_unknown_on_the_left() -> None:
+    """From w = ½ a x² + t x."""
+    sides = stated_equation("x", Number(0.5) * A * Power(X, 2) + T * X, W, Polynomial.factored)
+    assert sides is not None
+    assert [side.latex() for side in sides] == [r"\tfrac{1}{2} a x^{2} + t x", "w"]
+
+
+def test_an_equation_in_the_sine_and_cosine_of_an_angle_is_stated() -> None:
+    sides = stated_equation("x", A * Call("sin", X) - T * Call("cos", X), W, Polynomial.factored)
+    assert sides is not None
+    left, right = sides
+    assert left.value(AT) - right.value(AT) == pytest.approx((A * Call("sin", X) - T * Call("cos", X) - W).value(AT))
+    assert right == W
+
+
+@pytest.mark.parametrize("formula", [A * X, A * Power(X, 2), Root(X) + X])
+def test_nothing_is_stated_that_undoing_steps_solves(formula: Symbol) -> None:
+    assert stated_equation("x", formula, W, Polynomial.factored) is None
+
+
+def test_where_a_formula_falls_or_grows_all_along_it_is_said() -> None:
+    """The period of an orbit falls with the mass of the star where it is bound, and no further is looked."""
+    period = Root(Power(X / (A * X - T), 3) / X)
+    assert trend(period, "x", AT) == "decreases"
+    assert trend(A * X, "x", AT) == "increases"
+    assert not trend(Call("sin", A * X), "x", AT)
