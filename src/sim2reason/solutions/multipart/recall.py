@@ -5,12 +5,14 @@ from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.long_chains import ROWS
 from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
+_ONE = {f"{several} ": f"{one} " for one, several in ROWS.values()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+)\$")
 
 
@@ -25,10 +27,10 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
         if source is not None:
             known[name] = source
-    kept = kept_steps(solution, known)
+    kept = [_without(step, known, solution.goal) for step in kept_steps(solution, known) if step.kind != "givens"]
     used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
-    if not recalled or len(kept) == len(solution.steps):
+    if not recalled:
         return solution
     said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
@@ -72,6 +74,23 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
     value = solution.values[name]
     same = abs(value - other.values[name]) <= SAME * abs(value) and unit_of(name, other) == unit_of(name, solution)
     return found and same
+
+
+def _without(step: Step, known: Collection[str], goal: str) -> Step:
+    """A step without those of its results that are known, where it tells several in a row."""
+    *_, formulas = ["", *re.findall(r"(?:\$[^$]*\$(?:, | and )?)+(?=\.$)", step.text)]
+    told = re.findall(r"\$[^$]*\$", formulas)
+    rest = [n for n, name in enumerate(step.gives) if name not in known or name == goal]
+    if not len(told) == len(step.gives) == len(step.relations) or not 0 < len(rest) < len(told):
+        return step
+    lead = step.text.removesuffix(f"{formulas}.")
+    text = f"{_ONE.get(lead, lead) if len(rest) == 1 else lead}{joined([told[n] for n in rest])}."
+    return replace(
+        step,
+        text=text,
+        relations=tuple(step.relations[n] for n in rest),
+        gives=tuple(step.gives[n] for n in rest),
+    )
 
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:

@@ -15,7 +15,7 @@ from sim2reason.dsl.state import Array
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
 SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+): (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
 PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
-LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$()]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
+LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$().]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
 LIGHT = "is light"  # what balances without an acceleration
 STEP, LOOSE = 1e-6, 3e-4  # relative: of a derivative; what five digits leave of a coefficient
 
