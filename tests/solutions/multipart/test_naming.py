@@ -126,3 +126,19 @@ def test_a_recalled_name_with_another_value_is_refused() -> None:
     first, second = told(COLLIDING, LATER)
     planted = replace(second, values={**second.values, "t_1": 2.5})
     assert naming_fault([first, planted]) == "part (b) takes t_1 from part (a), where it has another value"
+
+
+def test_of_several_results_in_a_row_only_those_that_are_new_are_told() -> None:
+    first = part({"m": 4.0}, {"x": (MASS * 0.5, S)})
+    second = part({"m": 4.0}, {"x": (MASS * 0.5, S), "y": (MASS * 3.0, S), "z": (Symbol("x") + Symbol("y"), S)})
+    *_, x, y, z = second.steps
+    row = replace(
+        x,
+        text=f"Displacements: {x.relations[0].latex(2.0)} and {y.relations[0].latex(12.0)}.",
+        relations=(*x.relations, *y.relations),
+        gives=("x", "y"),
+    )
+    end = replace(z, id=2, needs=(1,))
+    _, found = told(first, replace(second, steps=(second.steps[0], row, end)))
+    assert "From part (a), $x = 2.0000" in found.text
+    assert f"\n\nDisplacement: {y.relations[0].latex(12.0)}.\n\n" in found.text

@@ -98,9 +98,11 @@ class _Told:
             kept = [said for sentence in sentences if (said := self._new(sentence))]
             return replace(step, text=" ".join(kept))
         labels = [match[1] if (match := _DEFINED.match(sentence)) else "" for sentence in sentences]
-        if not all(labels) or not self._sentences & {*sentences} or referred.isdisjoint(labels):
+        if not all(labels) or not self._sentences & {*sentences}:
             return step
-        kept = [s for s, label in zip(sentences, labels, strict=True) if label in referred and s not in self._sentences]
+        idle = referred.isdisjoint(labels)
+        new = [(s, label) for s, label in zip(sentences, labels, strict=True) if s not in self._sentences]
+        kept = [sentence for sentence, label in new if idle or label in referred]
         text = " ".join(kept)
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 

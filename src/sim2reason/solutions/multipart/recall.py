@@ -5,6 +5,7 @@ from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.long_chains import ROWS
 from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
@@ -12,6 +13,7 @@ from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with
 
 EARLIER = "earlier part"
 SPOKEN = "verify", "extreme"  # kinds of steps that give no name, but the reason for one that does
+_ONE = {f"{several} ": f"{one} " for one, several in ROWS.values()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
@@ -27,10 +29,11 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
         if source is not None:
             known[name] = source
     said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
-    kept = kept_steps(solution, known, said)
+    steps = (step for step in kept_steps(solution, known, said) if step.kind != "givens")
+    kept = [_without(step, known, solution.goal) for step in steps]
     used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
-    if not recalled or len(kept) == len(solution.steps):
+    if not recalled:
         return solution
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
@@ -78,6 +81,23 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
     return found and same
 
 
+def _without(step: Step, known: Collection[str], goal: str) -> Step:
+    """A step without those of its results that are known, where it tells several in a row."""
+    *_, formulas = ["", *re.findall(r"(?:\$[^$]*\$(?:, | and )?)+(?=\.$)", step.text)]
+    told = re.findall(r"\$[^$]*\$", formulas)
+    rest = [n for n, name in enumerate(step.gives) if name not in known or name == goal]
+    if not len(told) == len(step.gives) == len(step.relations) or not 0 < len(rest) < len(told):
+        return step
+    lead = step.text.removesuffix(f"{formulas}.")
+    text = f"{_ONE.get(lead, lead) if len(rest) == 1 else lead}{joined([told[n] for n in rest])}."
+    return replace(
+        step,
+        text=text,
+        relations=tuple(step.relations[n] for n in rest),
+        gives=tuple(step.gives[n] for n in rest),
+    )
+
+
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
     symbols = {name for step in kept for name in step.symbols()}
@@ -107,9 +127,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
     return [kept[number] for number in sorted(kept)]
 
 
-def _reasons(
-    solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]
-) -> Iterator[Step]:
+def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
     """The steps that give no name but the reason for a kept step, unless they are `said`."""
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]

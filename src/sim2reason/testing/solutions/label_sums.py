@@ -16,7 +16,7 @@ TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
 WITH = r"(?:, with [^:$]*)?"  # the equations that were put into the others
 SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+){WITH}: (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
 PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
-LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$()]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
+LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$().]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
 LIGHT = "is light"  # what balances without an acceleration
 STEP, LOOSE = 1e-6, 3e-4  # relative: of a derivative; what five digits leave of a coefficient
 
