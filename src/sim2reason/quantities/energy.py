@@ -93,6 +93,7 @@ class PotentialEnergy(Energy):
     name, symbol = "potential energy", "U"
     over = "the magnitude of the change in {body}'s gravitational potential energy"
     magnitude = f"{over} since the start"
+    weight = 0.25  # of one body it is seldom of use by itself
     from_start = True
     panel, pooled, order = "energy", True, 8
 

@@ -56,7 +56,7 @@ TIERS = {
         0.3,
     ),
     "hard": CollisionTier(
-        Count(3, 4),
+        Count(3, 3),  # with four of them a program is written, not a solution
         Range(0.5, 15.0),
         Range(1.0, 5.0),
         ("elastic", "partial", "partial", "partial", "dead"),
@@ -70,7 +70,8 @@ TIERS = {
             "pairs": Count(0, 1),
         },
         0.6,
-        0.3,
+        0.1,
+        0.6,
     ),
 }
 

@@ -31,7 +31,8 @@ DISC = 0.75  # of the lightest block: the least mass of a pulley that has any
 CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # not far lighter than what they carry
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
-CLOSERS = {"ConstantForcePuller": 0.4, "FixedSupport": 0.6}
+HAND = "ConstantForcePuller"
+CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,7 @@ class Grower:
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
+        self.pulled: set[str] = set()  # entities at which a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
         """Blocks of comparable masses, pulleys, if they have mass, lighter than all of them, and pulls like weights."""
@@ -205,12 +207,16 @@ class Grower:
                     self._enter(named)
                     return ends[int(self.rng.integers(len(ends)))]
         taken = {type(stop.owner.entity).__name__ for stop in path}
-        closers = {name: weight for name, weight in self.tier.closers.items() if name not in taken}
+        pulled = any(stop.owner.name in self.pulled for stop in (here, *path))
+        barred = taken | {HAND} if pulled else taken
+        closers = {name: weight for name, weight in self.tier.closers.items() if name not in barred}
         while closers:
             named = self._named(self._one_of(closers))
             end = next(iter(ends_for(named, kind, here)), None)
             if end is not None and (moving or not stands_still(named)):
                 self._enter(named)
+                if type(named.entity).__name__ == HAND:
+                    self.pulled.update(stop.owner.name for stop in (here, *path))
                 return end
             del closers[type(named.entity).__name__]
         raise SceneError(here.owner.name, f"nothing closes its {here.port.name}", "draw again")

@@ -5,7 +5,7 @@ from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.collisions.long_chains import ROWS
+from sim2reason.solutions.collisions.long_chains import SINGULAR
 from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
@@ -13,7 +13,7 @@ from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with
 
 EARLIER = "earlier part"
 SPOKEN = "verify", "extreme"  # kinds of steps that give no name, but the reason for one that does
-_ONE = {f"{several} ": f"{one} " for one, several in ROWS.values()}
+_ONE = {f"{several} are ": f"{one} is " for several, one in SINGULAR.items()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
@@ -89,7 +89,9 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
     if not len(told) == len(step.gives) == len(step.relations) or not 0 < len(rest) < len(told):
         return step
     lead = step.text.removesuffix(f"{formulas}.")
-    text = f"{_ONE.get(lead, lead) if len(rest) == 1 else lead}{joined([told[n] for n in rest])}."
+    many = next((ending for ending in _ONE if lead.endswith(ending)), "") if len(rest) == 1 else ""
+    lead = lead.removesuffix(many) + _ONE.get(many, "")
+    text = f"{lead}{joined([told[n] for n in rest])}."
     return replace(
         step,
         text=text,
