@@ -50,7 +50,6 @@ IDEAS = {
             0.3,
             _apart,
         ),
-        Idea(KIND, {**EVEN, **CENTRAL}, 0.5),
         Idea(PLANE, {**ROUGH, "angle": Range(20.0, 60.0)}, 1.5),
     ),
 }
