@@ -1,6 +1,7 @@
 """From a query about a scene to its worked solution."""
 
 from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from math import radians
 
@@ -16,7 +17,7 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.ingredients import with_ingredients
-from sim2reason.solutions.collisions.long_chains import in_rows
+from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
 from sim2reason.solutions.collisions.order import in_order
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
@@ -122,9 +123,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
             write()
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = (
-        book.steps if strategy.integrates else in_rows(merged(in_order(_needed(book.steps, goal), book.earliest, late)))
-    )
+    steps = book.steps if strategy.integrates else _told(book, goal, late)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     found = _found(strategy, setting, book, goal, steps)
     answer = found.said(book.values[goal])
@@ -192,6 +191,12 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
 
 def _noun(mention: str) -> str:
     return mention.removeprefix("the ") if mention.startswith("the ") else mention.rpartition(" ")[0]
+
+
+def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
+    """The steps that lead to the goal, in the order and the sentences in which they are told."""
+    ordered = in_order(_needed(book.steps, goal), book.earliest, late)
+    return without_repeats(in_rows(merged(ordered)))
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:

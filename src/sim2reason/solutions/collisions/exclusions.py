@@ -9,47 +9,13 @@ from sim2reason.solutions.setting import joined
 
 @dataclass(frozen=True)
 class Excluded:
-    """A pair that does not meet: the kind of argument, the pair in words, and the number that shows it."""
+    """A pair that does not meet: the kind of argument, the pair in words and by its letters, and the number for it."""
 
     kind: str
     who: str
+    letters: str
     said: str
     limit: str = ""
-
-
-def _meet_later(held: Sequence[Excluded], verb: str = "would meet") -> str:
-    first, *others = held
-    return joined(
-        [f"{first.who} {verb} only after {first.said}", *(f"{each.who} only after {each.said}" for each in others)]
-    )
-
-
-def _pass(held: Sequence[Excluded]) -> str:
-    first, *others = held
-    told = [f"{first.who} pass at a distance of {first.said}", *(f"{each.who} at {each.said}" for each in others)]
-    return f"{joined(told)}, more than ${first.limit}$"
-
-
-def _part(held: Sequence[Excluded]) -> str:
-    """Discs in a plane whose relative position and velocity, multiplied, show that they move apart."""
-    told = joined([each.said for each in held])
-    return (
-        f"{joined([each.who for each in held])} move apart, since {told} {'is' if len(held) == 1 else 'are'} positive"
-    )
-
-
-def _part_in_line(held: Sequence[Excluded], verb: str = "move apart") -> str:
-    return joined([f"{each.who} {verb} at {each.said}" for each in held])
-
-
-CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
-    "later": _meet_later,
-    "wall later": partial(_meet_later, verb="would reach the wall"),
-    "pass": _pass,
-    "apart": _part,
-    "line apart": _part_in_line,
-    "wall apart": partial(_part_in_line, verb="moves away from the wall"),
-}
 
 
 def clauses(told: Sequence[Excluded]) -> Iterator[str]:
@@ -58,3 +24,43 @@ def clauses(told: Sequence[Excluded]) -> Iterator[str]:
         held = [each for each in told if each.kind == kind]
         if held:
             yield clause(held)
+
+
+def _pairs(held: Sequence[Excluded]) -> str:
+    """Pucks A and B, or the pairs AB and AC."""
+    return held[0].who if len(held) == 1 else f"the pairs {joined([each.letters for each in held])}"
+
+
+def _numbers(held: Sequence[Excluded]) -> str:
+    return joined([each.said for each in held])
+
+
+def _meet_later(held: Sequence[Excluded]) -> str:
+    return f"{_pairs(held)} would meet only after {_numbers(held)}"
+
+
+def _pass(held: Sequence[Excluded]) -> str:
+    return f"{_pairs(held)} pass {_numbers(held)} apart, more than ${held[0].limit}$"
+
+
+def _part(held: Sequence[Excluded]) -> str:
+    """Discs in a plane whose relative position and velocity, multiplied, show that they move apart."""
+    return f"{_pairs(held)} move apart, since {_numbers(held)} {'is' if len(held) == 1 else 'are'} positive"
+
+
+def _part_in_line(held: Sequence[Excluded]) -> str:
+    return f"{_pairs(held)} move apart at {_numbers(held)}"
+
+
+def _at_walls(held: Sequence[Excluded], verb: str) -> str:
+    return joined([f"{each.who} {verb} {each.said}" for each in held])
+
+
+CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
+    "later": _meet_later,
+    "wall later": partial(_at_walls, verb="would reach the wall only after"),
+    "pass": _pass,
+    "apart": _part,
+    "line apart": _part_in_line,
+    "wall apart": partial(_at_walls, verb="moves away from the wall at"),
+}

@@ -34,6 +34,21 @@ def in_rows(steps: Sequence[Step]) -> list[Step]:
     return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
 
 
+def without_repeats(steps: Sequence[Step]) -> list[Step]:
+    """Return steps about several collisions with what was said of an earlier one left out."""
+    said, found = set[str](), list[Step]()
+    for step in steps:
+        text, (lead, *_) = step.text, step.text.split("$", 1)
+        if step.kind == "impulse" and lead in said:
+            text = text.replace(lead, "In the same way, ", 1)
+        first, end, rest = text.partition(". ")
+        if step.kind == "relative" and first in said:
+            text = rest
+        said |= {lead, first} if end else {lead}
+        found.append(replace(step, text=text))
+    return found
+
+
 def _row(group: Sequence[Step]) -> Step:
     """Steps of one kind as one, with a row of formulas for each instant; a single step itself."""
     if group[0].kind not in ROWS or len(group) == 1:

@@ -96,8 +96,8 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
             found.append((flights.mechanism.coordinates[i].label, apart, w))
     step, said = flights.book.open("relative"), list[str]()
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
-        who = capital(flights.setting.listed(list(impact.bodies)))
-        step.say(f"{who} have the same acceleration, so their relative velocity is constant.")
+        who = capital(flights.setting.listed([body.name for body in flights.mechanism.bodies if body.mass]))
+        step.say(f"{who} have the same acceleration, so their relative velocities are constant.")
     pair = "".join(flights.setting.mark(body) for body in impact.bodies)
     for label, apart, w in found:
         x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")
@@ -106,7 +106,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         u.append(v)
         labels.append(label)
     who = [flights.setting.called(body) for body in impact.bodies]
-    step.say(f"Relative position and velocity of {who[1]} with respect to {who[0]}: {joined(said)}.")
+    step.say(f"Position and velocity of {who[1]} relative to {who[0]}: {joined(said)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels

@@ -109,7 +109,7 @@ class Order:
         if book.value(q) >= 0.0:
             name = book.fresh("q", mark)
             step.exceeds(q, ZERO)
-            return Excluded("apart", who, self._verified(step, name, q, latex("m^2/s")))
+            return Excluded("apart", who, mark, self._verified(step, name, q, latex("m^2/s")))
         aside: Expression = ZERO
         if len(X) > 1:
             aside = added(
@@ -118,7 +118,7 @@ class Order:
         if abs(book.value(aside)) >= book.value(Root(speed)) * book.value(d):
             name, apart = book.fresh("b", mark), ratio(Absolute(aside), Root(speed))
             step.exceeds(apart, d)
-            return Excluded("pass", who, self._verified(step, name, apart, METRES), d.latex())
+            return Excluded("pass", who, mark, self._verified(step, name, apart, METRES), d.latex())
         p, q, c = (book.worked(each) for each in (speed, q, aside))
         square = added(multiplied(p, Power(d, 2)), -Power(c, 2))
         return self._later(step, held, ratio(added(-q, -Root(square)), p))
@@ -143,7 +143,7 @@ class Order:
         if book.value(speed) > 0.0:
             step.exceeds(speed, ZERO)
             said = self._verified(step, book.fresh("u", mark), rate.expression(), SPEED)
-            return Excluded("wall apart" if len(ways) == 1 else "line apart", who, said)
+            return Excluded("wall apart" if len(ways) == 1 else "line apart", who, mark, said)
         return self._later(step, held, ratio(book.worked(gap.expression()), -speed))
 
     def _thrown(
@@ -170,7 +170,7 @@ class Order:
         assert end is not None
         step.exceeds(added(self._begin(held).expression(), span), self._since_start(end).expression())
         said = self._verified(step, book.fresh("t", mark), span, SECONDS)
-        return Excluded("wall later" if len(held.legs) == 1 else "later", who, said)
+        return Excluded("wall later" if len(held.legs) == 1 else "later", who, mark, said)
 
     def _verified(self, step: Writing, name: Symbol, formula: Expression, unit: str) -> str:
         self._book.observed[name.name] = self._book.value(formula)
@@ -228,12 +228,16 @@ class Order:
         """Return what follows about the next collision, where these are the last ones to be excluded."""
         following = self._flights.impacts[0] if begins is None and self._flights.impacts else None
         if following is not None and (self._time == inf or following.time <= self._time * (1.0 + 1e-9)):
-            return f", so {self._flights.collision(following)} comes first"
+            return f", so {self._meet(following)} first"
         if begins is not None and begins != self._early[-1]:
             return ""
         if self._until is None:
             return ", so there is no further collision"
         return "" if self._last_of_all() else f", so there is no further collision before ${self._until.latex()}$"
+
+    def _meet(self, impact: Impact) -> str:
+        met = self._flights.met(impact)
+        return met[:1].lower() + met[1:]
 
     def _last_of_all(self) -> bool:
         """Whether the motion that counts ends with a collision."""

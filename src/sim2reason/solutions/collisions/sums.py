@@ -32,7 +32,7 @@ class StruckBodies:
     def loses(self) -> str:
         """Why kinetic energy is lost, as the beginning of a sentence."""
         motion = "relative motion" if len(self.bodies) > 1 else "normal motion"
-        left = "keeps $e^2$ of its kinetic energy" if self.flights.restitution(self.impact.meeting) else "ends"
+        left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
         return f"The {motion}{self._way} {left}, so"
 
     @property

@@ -8,7 +8,6 @@ from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.goals import GOALS, Goal, Known, Struck, VectorName, finish
 from sim2reason.solutions.goals.sums import IMPULSES
-from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 LOSS = VectorName.of("energy lost in a collision")
@@ -49,8 +48,8 @@ class CollisionGoal(Goal):
         for number, struck in enumerate(held, start=1):
             formula = self._one(struck)
             step, name = known.book.open("sum"), known.book.fresh(self.noun.base, str(number))
-            law = f"{self._law(struck)} {what}" if number == 1 else capital(what)
-            step.say(f"{law} in {struck.told} is {step.result(name, formula, self.noun.unit, law=True)}.")
+            law = f"{self._law(struck)} {what} in {struck.told}" if number == 1 else f"In {struck.told} it"
+            step.say(f"{law} is {step.result(name, formula, self.noun.unit, law=True)}.")
             step.close()
             whole = added(whole, name)
         return finish(known, whole, self.noun, "", f"{what} in all is")

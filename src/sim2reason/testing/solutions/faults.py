@@ -131,7 +131,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
     values = dict(solution.values)
     known: set[str] = set()
     for number, relation in enumerate(solution.relations):
-        if not isinstance(relation.left, Symbol) or relation.role == "exceeds":
+        if not isinstance(relation.left, Symbol) or relation.role in CHECKS:  # that may be so here alone
             continue
         name = relation.left.name
         if relation.role in KNOWN:
