@@ -5,12 +5,15 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import ramp
+from sim2reason.bodies.block import Block
 from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.wedge import Prism
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.mass_prism_plane import MassPrismPlane
 from sim2reason.entities.parts.rolling import Rough
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
@@ -91,3 +94,15 @@ def test_a_false_assumption_is_refused() -> None:
     found = solved(speed(ramp(angle=40.0, friction=0.3), 0, 1.0))
     (held,) = (relation for relation in found.relations if relation.role == "exceeds")
     assert float(held.left.value(found.values).real) > float(held.right.value(found.values).real)
+
+
+def test_bodies_on_two_faces_slide_one_up_and_one_down() -> None:
+    """They share an acceleration, not a direction."""
+    entity = MassPrismPlane(
+        prism=Prism(mass=4.7, left=39.0, right=63.0, friction=0.2),
+        left_blocks=(Block(mass=8.0),),
+        right_blocks=(Block(mass=9.8),),
+    )
+    place = scene(entity)
+    found = solved(speed(place, 0, 0.5))
+    assert "so block A slides up the face on the prism and block B slides down the face on the prism." in found.text

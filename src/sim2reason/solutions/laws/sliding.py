@@ -104,11 +104,20 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
         name = book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
         book.observed[name.name] = book.value(relative)
         told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
-    on = f" on {setting.called(under[0])}" if under else ""
-    slide = "slides" if len(bodies) == 1 else "slide"
-    way = _way(dynamics, faces[0], dynamics.newton.rough[faces[0]])
-    step.say(f"Even against friction {told} is positive, so {setting.listed(bodies)} {slide} {way}{on}.")
+    step.say(f"Even against friction {told} is positive, so {joined(_slides(dynamics, faces))}.")
     step.close()
+
+
+def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
+    """Return who slides, and which way, for each direction."""
+    ways: dict[tuple[str, str], list[str]] = {}
+    for face in faces:
+        body, way = dynamics.mechanism.faces[face].subject, _way(dynamics, face, dynamics.newton.rough[face])
+        under = carriers(dynamics, body)
+        on = f" on {dynamics.setting.called(under[0])}" if under else ""
+        ways.setdefault((way, on), []).append(body)
+    called = dynamics.setting.listed
+    return [f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {way}{on}" for (way, on), who in ways.items()]
 
 
 def _way(dynamics: Dynamics, face: int, sense: int) -> str:
