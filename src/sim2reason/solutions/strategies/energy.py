@@ -221,8 +221,8 @@ class EnergyWay(SingleWay):
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
         root = Root(squares([self._first]) + inner)
-        rate = f"the rate ${name.name}$ of ${self.name.name}$"
-        step.say(f"By the work-energy theorem, with {rate}: {law},")
+        rate = f"${name.name}$ as the time derivative of ${self.name.name}$"
+        step.say(f"By the work-energy theorem, with {rate}, {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name
