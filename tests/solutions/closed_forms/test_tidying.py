@@ -2,6 +2,7 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
+from sim2reason.solutions.closed_forms import ClosedForm
 from sim2reason.solutions.closed_forms.tidying import tidied
 
 
@@ -56,3 +57,14 @@ def test_no_number_stands_before_a_root_nor_a_sign_before_a_difference_that_take
     assert found.latex() == written
     at = {"a": 0.7, "b": 0.4, "c": 1.3, "M": 2.1}
     assert found.value(at) == pytest.approx(held.value(at))
+
+
+def test_two_sums_that_are_negative_are_reversed_together() -> None:
+    """As in (5 µ cos θ − 2 sin θ)/(µ cos θ − sin θ), which is positive where both are negative."""
+    points = [{"a": 0.2, "b": 0.4, "c": 1.3, "M": 2.1}, {"a": 0.1, "b": 0.5, "c": 1.9, "M": 2.1}]
+    held = Quotient(M * (A - B), A - C)
+    found = ClosedForm(held, held.latex(), ("M", "a", "b", "c")).with_positive_factors(points)
+    assert found.latex == r"\frac{M \left(b - a\right)}{c - a}"
+    assert found.value(points[0]) == pytest.approx(held.value(points[0]))
+    alone = Quotient(M * (A - B), C)
+    assert ClosedForm(alone, alone.latex(), ("M",)).with_positive_factors(points).expression == alone

@@ -37,7 +37,7 @@ def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -
     Roots that squaring has brought in are among them. How a coefficient is `written`, whoever asks says.
     """
     try:
-        rational = _without_radicals(zero, name)
+        rational = without_radicals(zero, name)
     except OverflowError:
         return
     atoms = {atom for monomial in rational.terms for atom, _ in monomial if name in atom.symbols()}
@@ -116,7 +116,7 @@ def _short(held: Polynomial) -> Polynomial:
 # ---- square roots
 
 
-def _without_radicals(zero: Polynomial, name: str) -> Polynomial:
+def without_radicals(zero: Polynomial, name: str) -> Polynomial:
     """Return an equation without square roots of the symbol: P + Q √(a/b) = 0 becomes P² b = Q² a.
 
     Raises:

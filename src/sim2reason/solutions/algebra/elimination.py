@@ -92,8 +92,7 @@ class Elimination:
     ) -> tuple[Equation, str] | None:
         """An equation with one unknown, a goal if there is one; the shortest of these."""
         found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
-        found.sort(key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)))
-        return found[0] if found else None
+        return min(found, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
 
     def _one(self, equation: Equation, name: str) -> None:
         step = self._open("solve")
@@ -103,10 +102,10 @@ class Elimination:
         if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
-            before, rest = parts(equation.zero, name)
-            right, left = self.book.worked(rest.expression()), self.book.worked(before.expression())
+            left, right = (self.book.worked(held.expression()) for held in parts(equation.zero, name))
             numbers = step.derived(right, multiplied(left, Symbol(name)))
-            step.say(f"In numbers, {numbers}, so {step.result(Symbol(name), right / left, self.units[name])}.")
+            result = step.result(Symbol(name), self.book.worked(right / left), self.units[name])
+            step.say(f"In numbers, {numbers}, so {result}.")
         step.close()
 
     # ---- several unknowns
@@ -158,8 +157,7 @@ class Elimination:
 
     def _sum(self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]) -> Equation | None:
         """The sum of all equations, each times how fast it moves as one acceleration changes."""
-        weighted = [(e, weight) for e in equations if (weight := e.moves.coefficient(name))]
-        weighted = _whole(weighted)
+        weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
         forces = total(e.forces * weight for e, weight in weighted)
         inertia = total(e.inertia * weight for e, weight in weighted)
         if not weighted or (forces - inertia).names() & (left - set(free)):
@@ -213,7 +211,7 @@ class Elimination:
             equation = equations[0]
             step = self._open("solve")
             step.rest_on(equation.label)
-            formula = equation.right / equation.left[first]
+            formula = self.book.worked(equation.right / equation.left[first])
             step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
             step.close()
             return

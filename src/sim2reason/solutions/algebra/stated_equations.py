@@ -2,10 +2,17 @@
 
 from functools import reduce
 
-from sim2reason.solutions.algebra.closed_roots import Written, atoms_worked, coefficient, fraction, raised
+from sim2reason.solutions.algebra.closed_roots import (
+    Written,
+    atoms_worked,
+    coefficient,
+    fraction,
+    raised,
+    without_radicals,
+)
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Call
-from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.polynomials import Polynomial, divided
 
 
 def stated_equation(
@@ -13,9 +20,11 @@ def stated_equation(
 ) -> tuple[Expression, Expression] | None:
     """Both sides of a x² + b x = c, or of a sin x + b cos x = c, to which an equation comes down; None for others."""
     try:
-        zero = (fraction(atoms_worked(formula, name)) + fraction(-value)).above
+        zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
     except OverflowError:
         return None
+    least = min((dict(monomial).get(Symbol(name), 0) for monomial in zero.terms), default=0)
+    zero = (divided(zero, ((Symbol(name), least),), 1.0) or zero) if least else zero
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
     for first, second, powers in ((symbol, symbol, (2, 1)), (sine, cosine, (1, 1))):
         parts = [coefficient(zero, atom, power) for atom, power in zip((first, second), powers, strict=True)]
