@@ -31,7 +31,7 @@ class RestChecks:
 
     def stays(self, motion: LinearMotion, number: int) -> None:
         """Write that friction holds the system at a turning point, from which places are counted."""
-        self._compare(motion, number, "is less than", "so it stays at rest", moves=False)
+        self._compare(motion, number, "is less than", "so it stays", moves=False)
 
     def _compare(self, motion: LinearMotion, number: int, than: str, so: str, *, moves: bool) -> bool:
         book, (i,) = self._book, motion.free

@@ -129,10 +129,9 @@ class _Swinging(Oscillating):
                 self._say(f"{capital(said)}{turned}.")
         step = self.book.open("names")
         step.say(
-            f"From there until it turns back again, the friction force is constant; let ${held.name.name}$ be the "
-            "displacement from this turning point."
+            f"Until it turns back again, friction is constant; let ${held.name.name}$ be the displacement from here."
             if number
-            else "Until it first turns back, the friction force is constant."
+            else "Until it first turns back, friction is constant."
         )
         step.close()
 
