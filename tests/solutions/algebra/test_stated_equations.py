@@ -27,9 +27,18 @@ def test_an_equation_in_the_sine_and_cosine_of_an_angle_is_stated() -> None:
     assert right == W
 
 
-@pytest.mark.parametrize("formula", [A * X, A * Power(X, 2), Root(X) + X])
+@pytest.mark.parametrize("formula", [A * X, A * Power(X, 2), Call("exp", X) + X])
 def test_nothing_is_stated_that_undoing_steps_solves(formula: Symbol) -> None:
     assert stated_equation("x", formula, W, Polynomial.factored) is None
+
+
+def test_an_equation_with_a_root_is_stated_without_it() -> None:
+    """From t √x + x = w follows t² x = (w − x)²."""
+    sides = stated_equation("x", T * Root(X) + X, W, Polynomial.factored)
+    assert sides is not None
+    root = 0.5 * (-0.8 + (0.64 + 8.0) ** 0.5)
+    left, right = (side.value({**AT, "x": root**2}) for side in sides)
+    assert left == pytest.approx(right)
 
 
 def test_where_a_formula_falls_or_grows_all_along_it_is_said() -> None:
