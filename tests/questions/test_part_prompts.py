@@ -10,6 +10,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.errors import TextError
 from sim2reason.questions import KINDS, MODES, Question
 from sim2reason.questions.moments import Happening
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.part_prompts import AS_PURE, AS_WHOLE, FORMS, PartPrompt, parse_parts, together
 from sim2reason.questions.references import THAT, referring, spelled_out
 from sim2reason.questions.targets import targets
@@ -61,6 +62,16 @@ def test_a_moment_is_told_once_and_every_part_is_read_back() -> None:
         parsed = parse_parts(prompt.text)
         assert [each.query.kind for each in parsed] == [question.query.kind for question in questions]
         assert [each.answer for each in parsed] == pytest.approx([q.answer for q in questions], rel=1e-6)
+
+
+def test_a_stretch_that_ends_at_a_moment_just_told_lasts_until_then() -> None:
+    """Such as *altogether during the first 0.50 s*, which became *altogether during the first at that moment*."""
+    search = QuestionSearch(atwood(), 3)
+    moment = AtTime(0.5)
+    for stretch in moment.stretches(search.words):
+        text = f"Find how far A travels altogether {stretch}."
+        assert referring(text, moment, search.words) == f"Find how far A travels altogether until {THAT}."
+        assert text in spelled_out(referring(text, moment, search.words), moment, search.words)
 
 
 def test_words_for_a_moment_come_back_whatever_the_sentence() -> None:

@@ -14,6 +14,12 @@ from sim2reason.questions.words import Words
 COUNTS = {2: "two", 3: "three"}
 SPEEDS = {2: ("slower", "faster"), 3: ("slowest", "fastest")}
 SIZES = {2: ("lower", "higher"), 3: ("lowest", "highest")}
+PLURALS = {
+    "period": "natural periods",
+    "frequency": "natural frequencies",
+    "angular frequency": "natural angular frequencies",
+}
+PER_SECOND = ", in oscillations per second"  # said of natural frequencies, for which many would give ω
 LENGTHS = {2: ("longer", "shorter"), 3: ("longest", "shortest")}
 
 
@@ -161,11 +167,11 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
     """Of several modes; the slowest has the longest period."""
     count, last, place = query.modes, query.rank > 0, _place(query)
-    plural = {"period": "natural periods"}.get(query.measure, f"natural {query.measure[:-1]}ies")
+    plural, unit = PLURALS[query.measure], PER_SECOND if query.measure == "frequency" else ""
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
     return (
-        f"oscillations about {place} have {COUNTS[count]} {plural}; what is the {which} of them?",
-        f"of the {COUNTS[count]} {plural} of oscillations about {place}, find the {which}.",
+        f"oscillations about {place} have {COUNTS[count]} {plural}{unit}; what is the {which} of them?",
+        f"of the {COUNTS[count]} {plural} of oscillations about {place}, find the {which}{unit}.",
     )
 
 

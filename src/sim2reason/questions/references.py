@@ -38,6 +38,8 @@ def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
         return []
     clause = moment.clause(words) if isinstance(moment, Happening) else None
     told = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
+    if isinstance(moment, AtTime):
+        told += [(stretch, f"until {THAT}") for stretch in moment.stretches(words)]
     if clause is not None:
         told += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]
     subject = moment.subject(words)
