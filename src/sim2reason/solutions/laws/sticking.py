@@ -8,6 +8,7 @@ from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
@@ -56,7 +57,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
         normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
         friction, most = needed, multiplied(newton.coefficient(face).expression(), normal.expression())
         friction = friction if book.value(friction) >= 0.0 else -friction
-        step.exceeds(friction, most)
+        exceeds(book, step, friction, most)
         told = told_friction(book, step, setting.mark(body), friction, most)
         grip = "roll without slipping" if newton.alone(face) is None else "stay at rest"
         step.say(f"To {grip} {setting.called(body)} would need the friction {told[0]}, more than {told[1]}.")
