@@ -9,6 +9,7 @@ from sim2reason.solutions.algebra.functions import Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
 from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
@@ -125,7 +126,7 @@ class Impacts(FreeFlights, ABC):
         if book.is_hidden(formula) or book.is_hidden(span):
             return
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
-        step.exceeds(formula, span)
+        exceeds(book, step, formula, span)
         self.flown.add((body, number))
         book.observed[name.name] = book.value(formula)
         step.rest_on(span.name)

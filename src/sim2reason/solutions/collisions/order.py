@@ -14,6 +14,7 @@ from sim2reason.solutions.collisions.exclusions import Excluded, clauses
 from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.solution import Step
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, latex
@@ -32,7 +33,7 @@ class Together:
     ends: Impact | None  # None: when the motion that counts ends
 
 
-class Order:
+class CollisionOrder:
     """The arguments about who meets next, for all collisions before a time."""
 
     def __init__(self, flights: Impacts, time: float) -> None:
@@ -108,7 +109,7 @@ class Order:
             return None
         if book.value(q) >= 0.0:
             name = book.fresh("q", mark)
-            step.exceeds(q, ZERO)
+            exceeds(book, step, q, ZERO)
             return Excluded("apart", who, mark, self._verified(step, name, q, latex("m^2/s")))
         aside: Expression = ZERO
         if len(X) > 1:
@@ -117,7 +118,7 @@ class Order:
             )
         if abs(book.value(aside)) >= book.value(Root(speed)) * book.value(d):
             name, apart = book.fresh("b", mark), ratio(Absolute(aside), Root(speed))
-            step.exceeds(apart, d)
+            exceeds(book, step, apart, d)
             return Excluded("pass", who, mark, self._verified(step, name, apart, METRES), d.latex())
         p, q, c = (book.worked(each) for each in (speed, q, aside))
         square = added(multiplied(p, Power(d, 2)), -Power(c, 2))
@@ -141,7 +142,7 @@ class Order:
         if just_met or abs(book.value(speed)) < STILL:
             return None
         if book.value(speed) > 0.0:
-            step.exceeds(speed, ZERO)
+            exceeds(book, step, speed, ZERO)
             said = self._verified(step, book.fresh("u", mark), rate.expression(), SPEED)
             return Excluded("wall apart" if len(ways) == 1 else "line apart", who, mark, said)
         return self._later(step, held, ratio(book.worked(gap.expression()), -speed))
@@ -168,7 +169,7 @@ class Order:
         mark, who = self._names(held)
         end = flights.when(held.ends) if held.ends is not None else self._until
         assert end is not None
-        step.exceeds(added(self._begin(held).expression(), span), self._since_start(end).expression())
+        exceeds(book, step, added(self._begin(held).expression(), span), self._since_start(end).expression())
         said = self._verified(step, book.fresh("t", mark), span, SECONDS)
         return Excluded("wall later" if len(held.legs) == 1 else "later", who, mark, said)
 

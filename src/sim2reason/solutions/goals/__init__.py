@@ -12,6 +12,7 @@ from sim2reason.registry import Registry
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.goals.struck import Struck
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -50,40 +51,6 @@ class Stretch(ABC):
     @abstractmethod
     def path(self, body: str) -> Expression:
         """How far a body travels along its line, to and fro."""
-
-
-class Struck(Protocol):
-    """A collision of a motion."""
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Whose it is."""
-        ...
-
-    @property
-    def told(self) -> str:
-        """It in words: the collision of two bodies."""
-        ...
-
-    @property
-    def loses(self) -> str:
-        """Why kinetic energy is lost in it, as the beginning of a sentence."""
-        ...
-
-    @property
-    def pushes(self) -> str:
-        """The laws that give its impulse, as the beginning of a sentence."""
-        ...
-
-    @property
-    def lost(self) -> Expression:
-        """The kinetic energy that is lost in it."""
-        ...
-
-    @property
-    def push(self) -> Expression:
-        """The size of its impulse."""
-        ...
 
 
 class Known(Protocol):

@@ -9,6 +9,7 @@ from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, told_friction
 from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
 
 SLOW = 1e-9  # m/s: nothing slips at the beginning
@@ -81,7 +82,7 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
     if book.value(needed) <= book.value(most):  # a limiting case
         return
     step, who = book.open("verify"), dynamics.setting.called(body)
-    step.exceeds(needed, most)
+    exceeds(book, step, needed, most)
     told = told_friction(book, step, dynamics.setting.mark(body), needed, most)
     rolls = newton.alone(face) is None
     grip = "roll without slipping" if rolls else "stay at rest"
@@ -97,7 +98,7 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
         return
     bodies = [dynamics.mechanism.faces[face].subject for face in faces]
     step, under = book.open("verify"), carriers(dynamics, bodies[0])
-    step.exceeds(relative, ZERO)
+    exceeds(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
         told = f"the acceleration ${relative.latex()}$"
     else:
@@ -180,7 +181,7 @@ def _tell_taut(dynamics: Dynamics, place: int) -> None:
     line = dynamics.newton.lines[place]
     bodies = [dynamics.mechanism.site[site].body or "" for site in (line.through[0], line.through[-1])]
     step = book.open("verify")
-    step.exceeds(tension, ZERO)
+    exceeds(book, step, tension, ZERO)
     if isinstance(tension, Symbol):
         return
     symbol = book.fresh("T", "".join(map(dynamics.setting.mark, bodies)))

@@ -9,6 +9,7 @@ from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
@@ -63,7 +64,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
     else:
         friction, most = needed, _limit(newton, face)
         friction = friction if book.value(friction) >= 0.0 else -friction
-        step.exceeds(friction, most)
+        exceeds(book, step, friction, most)
         told = told_friction(book, step, setting.mark(body), friction, most)
         grip = "roll without slipping" if newton.alone(face) is None else "stay at rest"
         step.say(f"To {grip} {setting.called(body)} would need the friction {told[0]}, more than {told[1]}.")

@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import Impact, Leg
 from sim2reason.solutions.collisions.oblique import Flights
-from sim2reason.solutions.collisions.order import Order
+from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
 from sim2reason.solutions.collisions.tops import at_top
 from sim2reason.solutions.goals import Stretch, Struck
@@ -99,7 +99,7 @@ class _Struck(Way):
         """Write all collisions before the moment in order, and in the end why no others come before them."""
         ever = isinstance(self.query.moment, LastCollision)
         until = self.time if isinstance(self.query.moment, AtTime) else None
-        order = Order(self.flights, inf if ever else self.setting.time)
+        order = CollisionOrder(self.flights, inf if ever else self.setting.time)
         order.follow()
         until = None if ever else until or self.time
         self.book.afterwards.append(lambda: order.tell(until))

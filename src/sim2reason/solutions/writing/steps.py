@@ -228,12 +228,6 @@ class Writing:
         self.relations.append(relation)
         return relation.latex(None if self._book.is_hidden(formula) else self._book.value(formula))
 
-    def exceeds(self, left: Expression, right: Expression) -> None:
-        """Note that one formula is larger than another, which the sentence says; UnsolvedError if it isn't."""
-        if not self._book.value(left) > self._book.value(right):
-            raise UnsolvedError(f"{left.latex()} does not exceed {right.latex()}")
-        self.relations.append(Relation(left, right, "exceeds"))
-
     def integrate(self, integration: Integration) -> None:
         """State an initial-value problem; the values at its end are known to the book already."""
         self._integration = integration
