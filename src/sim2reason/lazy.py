@@ -1,7 +1,8 @@
 """Values that are worked out when they are first read, and kept."""
 
 import functools
-from typing import Any, TypeVar, overload
+from collections.abc import Callable, Hashable
+from typing import Any, TypeVar, cast, overload
 
 T = TypeVar("T")
 
@@ -25,3 +26,21 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
         value = self.func(instance)
         instance.__dict__[self.func.__name__] = value
         return value
+
+
+class Memo:
+    """A value with what follows from it, each worked out once, by name."""
+
+    @cached_property
+    def _known(self) -> dict[Hashable, object]:
+        return {}
+
+    def once(self, name: Hashable, make: Callable[[], T]) -> T:
+        """Return what `make` returns, called where nothing is known by that name yet."""
+        if name not in self._known:
+            self._known[name] = make()
+        return cast("T", self._known[name])
+
+    def knows(self, name: Hashable) -> bool:
+        """Return whether `once` has worked out what goes by that name."""
+        return name in self._known

@@ -4,16 +4,15 @@ At the start of the motion the axes of every body's frame are those of the room:
 reader, z up. All numbers are in one coherent system of units, SI unless `units` says otherwise, angles in radians.
 """
 
-from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from math import inf
-from typing import ClassVar, Literal, TypeVar, cast
+from typing import ClassVar, Literal
 
 from sim2reason.dsl.fields import Law
 from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Tensor, Vector
-from sim2reason.lazy import cached_property
+from sim2reason.lazy import Memo, cached_property
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)
@@ -21,8 +20,6 @@ Z: Vector = (0.0, 0.0, 1.0)
 ZERO: Vector = (0.0, 0.0, 0.0)
 NO_INERTIA: Tensor = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 GRAVITY = 9.8
-
-T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,7 +218,7 @@ class Meeting:
 
 
 @dataclass(frozen=True)
-class Mechanism:
+class Mechanism(Memo):
     """Everything that an engine needs, and nothing that only a reader needs.
 
     `bodies` are in order: a parent stands before its children.
@@ -238,16 +235,6 @@ class Mechanism:
     meetings: tuple[Meeting, ...] = ()
     gravity: Vector = (0.0, 0.0, -GRAVITY)
     units: UnitSystem = SI
-
-    @cached_property
-    def _known(self) -> dict[Hashable, object]:
-        return {}
-
-    def once(self, name: Hashable, make: Callable[[], T]) -> T:
-        """Return what `make` returns, which follows from the mechanism alone and is worked out once for each name."""
-        if name not in self._known:
-            self._known[name] = make()
-        return cast("T", self._known[name])
 
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:

@@ -1,7 +1,7 @@
 """A scene under study: its recorded motion, and those of scenes like it."""
 
 from collections.abc import Callable, Hashable, Mapping
-from typing import Protocol, Self, TypeVar, cast
+from typing import Protocol, Self
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.lazy import Memo
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
@@ -16,9 +17,6 @@ SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
 ENOUGH = 1e-8  # relative: what a step may err by in a motion whose answers are equal to this one's, or are not
 COARSE = 1e-6  # relative: or in one that matters only by how much its answers differ, or where they clearly do
 BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
-
-
-T = TypeVar("T")
 
 
 Change = Callable[[Mechanism], Mechanism]
@@ -35,7 +33,7 @@ class Timed(Hashable, Protocol):
         ...
 
 
-class Study:
+class Study(Memo):
     """A scene with its motion, which all questions and filters about it share; nothing is worked out twice."""
 
     def __init__(self, scene: Scene, trace: Trace, change: Change | None = None) -> None:
@@ -44,7 +42,6 @@ class Study:
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
         self._shorter: dict[tuple[object, float], Study] = {}  # variants that are known for longer than is asked
-        self._known: dict[Hashable, object] = {}
         self._scenes: dict[tuple[tuple[str, float], ...], Scene | None] = {}
 
     @classmethod
@@ -108,16 +105,6 @@ class Study:
         """The scene with its mechanism changed, and the motion of that; `name` is that of the change among all."""
         whole = change if self.change is None else _one_after(self.change, change)
         return self._followed(name, lambda: (self.scene, change(self.mechanism), whole), until)
-
-    def once(self, name: Hashable, make: Callable[[], T]) -> T:
-        """What `make` gives, worked out when it is first asked for by that name."""
-        if name not in self._known:
-            self._known[name] = make()
-        return cast("T", self._known[name])
-
-    def knows(self, name: Hashable) -> bool:
-        """Whether `once` has worked out what goes by that name."""
-        return name in self._known
 
     def _followed(
         self,

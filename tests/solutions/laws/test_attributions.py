@@ -42,4 +42,4 @@ def test_equations_that_are_put_into_others_are_named() -> None:
 
 def _drawn() -> Iterator[str]:
     for recipe in ("pulley", "incline"):
-        yield from (solve(setting).text for setting in problems(recipe, "hard", 3, kinds=("start",)))
+        yield from (solve(setting).text for setting in problems(recipe, "hard", 5, kinds=("start",)))

@@ -134,11 +134,11 @@ def test_of_several_results_in_a_row_only_those_that_are_new_are_told() -> None:
     *_, x, y, z = second.steps
     row = replace(
         x,
-        text=f"Displacements: {x.relations[0].latex(2.0)} and {y.relations[0].latex(12.0)}.",
+        text=f"The displacements are {x.relations[0].latex(2.0)} and {y.relations[0].latex(12.0)}.",
         relations=(*x.relations, *y.relations),
         gives=("x", "y"),
     )
     end = replace(z, id=2, needs=(1,))
     _, found = told(first, replace(second, steps=(second.steps[0], row, end)))
     assert "From part (a), $x = 2.0000" in found.text
-    assert f"\n\nDisplacement: {y.relations[0].latex(12.0)}.\n\n" in found.text
+    assert f"\n\nThe displacement is {y.relations[0].latex(12.0)}.\n\n" in found.text

@@ -8,6 +8,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Symbol, multipl
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divided, total
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.light_pulleys import balanced_tensions
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
@@ -75,7 +76,7 @@ class DynamicsWriter:
         rows = [self._equation(group, labelled=len(groups) > 1) for group in groups]
         self._tell(groups, rows)
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
-        balanced, labels = self._balanced(light, known)
+        balanced, labels = balanced_tensions(light, known, self.d.units.keys(), self.goals)
         known |= balanced
         heavy = [e.put(known).put(known).by(labels) for e in rows if e not in light]
         all_of_them = heavy + equations + [replace(e, moves=NIL) for e in light]
@@ -280,26 +281,6 @@ class DynamicsWriter:
                 return True
             step = self.d.mechanism.body[step].parent
         return False
-
-    def _balanced(
-        self, light: Sequence[Equation], known: dict[str, Polynomial]
-    ) -> tuple[dict[str, Polynomial], dict[str, frozenset[str]]]:
-        """The tensions that balances at light pulleys give by others, and the labels of those balances."""
-        found: dict[str, Polynomial] = {}
-        labels: dict[str, frozenset[str]] = {}
-        for equation in light:
-            used = {name for name in equation.zero.names() if name in found}
-            zero = equation.forces.put(found)
-            names = [n for n in sorted(zero.names() & self.d.units.keys()) if n not in known]
-            name = min(names, key=lambda n: (n in self.goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
-            before = zero.coefficient(name).number
-            if not before:
-                raise UnsolvedError("a light pulley balances at a ratio that changes")
-            found[name] = zero.without((name,)).scaled(-1.0 / before)
-            labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
-            labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
-            found = {n: p.put({name: found[name]}) for n, p in found.items()}
-        return found, labels
 
 
 def _name_of(held: Polynomial) -> str:
