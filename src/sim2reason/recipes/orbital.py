@@ -27,9 +27,9 @@ class OrbitTier:
 
 TIERS = {
     "easy": (OrbitTier(Count(1, 1), Range(0.0, 0.3)),),
-    "medium": (*2 * (OrbitTier(Count(1, 1), Range(0.2, 0.6)),), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
+    "medium": (*5 * (OrbitTier(Count(1, 1), Range(0.2, 0.6)),), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
     "hard": (  # one on a long ellipse, of which laws of conservation tell much, or two on ellipses
-        *2 * (OrbitTier(Count(1, 1), Range(0.5, 0.8)),),
+        *5 * (OrbitTier(Count(1, 1), Range(0.5, 0.8)),),
         OrbitTier(Count(2, 2), Range(0.3, 0.6)),
     ),
 }
