@@ -159,10 +159,12 @@ class Grower:
         for here in open_ports(named):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
-            if not taken and (needed or self._wants()):
+            if not taken and (needed or self._wants(named)):
                 self._join(here)
 
-    def _wants(self) -> bool:
+    def _wants(self, named: Named) -> bool:
+        if self.left == 0 and named.name in self.pulled and not self.tier.closers.keys() - CLOSERS.keys():
+            return False  # hardly anything but another hand could be there
         return (self.left > 0 and (not self.joined or self._chance(0.8))) or self._chance(self.tier.more)
 
     def _join(self, here: OpenPort) -> None:
