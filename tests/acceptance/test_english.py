@@ -116,7 +116,7 @@ def test_the_question_is_one_sentence_at_the_end(batch: list[Sample]) -> None:
     for sample in batch:
         question = sample.prose.question
         asks = VERB.findall(question)
-        determined = re.match(r"(?:Determine|Find) (?:by )?how", question) is not None
+        determined = re.match(r"(?:Determine|Find) (?:(?:by )?how|what)\b", question) is not None
         assert len(asks) == 1 + determined, question
         assert question.endswith("?") == (sample.prose.verb in ("what", "how") and not determined), question
         assert not any(VERB.search(sentence) for sentence in sample.prose.story), sample.prose.text

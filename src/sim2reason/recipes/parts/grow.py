@@ -31,6 +31,8 @@ DISC = 0.75  # of the lightest block: the least mass of a pulley that has any
 CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # not far lighter than what they carry
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
+ROWS = ("blocks", "left_blocks")
+ROWED = 0.5  # of scenes that may have blocks in rows do: such blocks move as one
 HAND = "ConstantForcePuller"
 CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 
@@ -73,6 +75,9 @@ class Grower:
             self.choices.update(tier.alone)
         if not self._chance(tier.rough):
             self.choices["friction"] = 0.0
+        rows = [name for name in ROWS if self.choices.get(name) == Count(1, 2)]
+        if rows and not self._chance(ROWED):
+            self.choices |= dict.fromkeys(rows, Count(1, 1))
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()

@@ -37,8 +37,8 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
         "pulley mass": Range(0.5, 20.0),
         "friction": Range(0.15, 0.4),
         "angle": Range(25.0, 65.0),
-        "blocks": Count(1, 1),
-        "left_blocks": Count(1, 1),
+        "blocks": Count(1, 2),
+        "left_blocks": Count(1, 2),
         "right_blocks": Count(1, 2),
     },
 }
