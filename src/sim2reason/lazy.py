@@ -29,18 +29,18 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
 
 
 class Memo:
-    """A value with what follows from it, each worked out once, by name."""
+    """An object that keeps results derived from it under names, so that each is computed once."""
 
     @cached_property
     def _known(self) -> dict[Hashable, object]:
         return {}
 
     def once(self, name: Hashable, make: Callable[[], T]) -> T:
-        """Return what `make` returns, called where nothing is known by that name yet."""
+        """Return the result kept under a name; where there is none, call `make` and keep its result."""
         if name not in self._known:
             self._known[name] = make()
         return cast("T", self._known[name])
 
     def knows(self, name: Hashable) -> bool:
-        """Return whether `once` has worked out what goes by that name."""
+        """Return whether `once` has kept a result under a name."""
         return name in self._known

@@ -80,7 +80,7 @@ class ItemSearch:
         return sorted((first, *others), key=lambda kind: self._is_last(kind) or (turn > 0 and KINDS[kind].derivable))
 
     def _is_last(self, kind: str) -> bool:
-        """Whether few scenes of the cell offer a kind, few laws answer what is asked of it, or most is refused."""
+        """Return whether few scenes offer a kind, few laws answer its questions, or filters refuse most of them."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
         return known or self._refused[kind] >= REFUSED
 

@@ -60,7 +60,7 @@ class Candidate:
 
     @property
     def is_solved(self) -> bool:
-        """Return whether `solution` was worked out before, so that reading it costs almost nothing."""
+        """Return whether `solution` is cached, so that reading it is cheap."""
         question = self.question
         if question.formula is not None:
             return is_derived(question.query, self.study)

@@ -19,7 +19,7 @@ class FitsLabel(Filter):
     order = 5
 
     def ready(self, candidate: Candidate) -> bool:
-        """Return whether the shortest solution was worked out before, so that this filter costs almost nothing."""
+        """Return whether the shortest solution is cached; if so, this filter is cheap enough to run first."""
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:

@@ -10,7 +10,7 @@ _SHORT: Final = 24  # letters: the runs whose names are kept; those of longer on
 
 
 def split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
-    """Return the names in a run from left to right, each the longest possible; None if a letter belongs to none."""
+    """Split letters such as ``mgh`` into known names, the longest first; None if some letter fits no name."""
     return (_split if len(run) <= _SHORT else _split.__wrapped__)(run, symbols)
 
 

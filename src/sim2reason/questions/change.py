@@ -16,9 +16,10 @@ JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps th
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Return a test of whether a quantity has a value at a moment that is new: not zero, stated, initial or constant.
+    """Return a predicate: is the value of a quantity at a moment worth asking for?
 
-    Else the moment would decorate the question. At an event whose words name no side of it, it must not jump either.
+    It must be neither zero nor stated, and differ from the initial value and from that at other moments. At an event
+    whose words name no side of it, it must not jump either.
     """
     time, trace = study.time(moment), study.trace
     if time is None:

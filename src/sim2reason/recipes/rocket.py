@@ -25,8 +25,14 @@ IDEAS = {
     ),
 }
 
+WEIGHTS = {
+    "time_to_event": 0.3,  # which are often about a minute
+    "extremum": 0.1,
+    "optimum": 0.0,
+}
 
-@recipe("rocket", weights={"time_to_event": 0.3, "extremum": 0.1, "optimum": 0.0})  # which are often about a minute
+
+@recipe("rocket", weights=WEIGHTS)
 def draw_rocket(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A rocket that burns its fuel: in deep space, above level ground, from a planet that really pulls."""
     return one_of(IDEAS[difficulty], rng, "rocket")

@@ -120,7 +120,7 @@ class Inversion:
         return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
 
     def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
-        """Both sides of the equation of which a formula is the root, if it is none that undoing steps solves."""
+        """Return both sides of the equation behind a root; None if it is solved by inverse operations alone."""
         if isinstance(found, NumericRoot):
             told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
             return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)

@@ -194,7 +194,7 @@ def _noun(mention: str) -> str:
 
 
 def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
-    """The steps that lead to the goal, in the order and the sentences in which they are told."""
+    """Return the steps that lead to the goal, ordered and merged as the text shows them."""
     ordered = in_order(_needed(book.steps, goal), book.earliest, late)
     return without_repeats(in_rows(merged(ordered)))
 

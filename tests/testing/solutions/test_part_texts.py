@@ -1,4 +1,4 @@
-"""Texts of solutions with several parts, read without their data."""
+"""Faults that are found from the text of a multipart solution alone."""
 
 import pytest
 

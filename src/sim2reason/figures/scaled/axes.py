@@ -43,7 +43,7 @@ def axes(setting: Setting) -> Sketch:
 
 
 def _beside_track(setting: Setting, found: Sketch) -> None:
-    """Draw the x axis for positions along a single track, below the bodies on it."""
+    """Draw an x axis below the bodies if all of them move along one straight track."""
     slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
     ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
     if len(ways) != 1:

@@ -46,7 +46,7 @@ class EquilibriumKind(Kind):
         return QUANTITIES[query.target.quantity].from_start
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A magnitude at a stable equilibrium, which is not where the motion starts, and not a body's weight.
+        """Return a magnitude at a stable equilibrium away from the start that is no body's weight; None without one.
 
         Nor a change in energy since the start. `doubt` refuses it where there is another equilibrium.
         """

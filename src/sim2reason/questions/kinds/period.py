@@ -127,7 +127,7 @@ class PeriodKind(Kind):
         return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Of small oscillations: the second engine is to swing so, begun a little off the only equilibrium."""
+        """Return why small oscillations are doubted: another equilibrium, or another period in the second engine."""
         assert isinstance(query, PeriodQuery)
         if not query.small:
             return Kind.doubt(self, query, study, certificate)

@@ -64,6 +64,6 @@ class BurntOut(Regime):
         return f"{called} has burned all its fuel by then" if self.out else f"{called} still has fuel then"
 
     def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
-        """Return the short clause beside an assumed direction of motion, which rules out a fall back."""
+        """Return the clause without *but has not yet fallen back* if another one says that the rocket only rises."""
         rises = any(isinstance(other, MovesOneWay) and other.name == self.name for other in others)
         return self.short_clause(words) if rises else self.clause(words)

@@ -243,7 +243,7 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) ->
 
 
 def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expression]:
-    """The root of a² + b²; first with what both share before it, which is so where that is positive."""
+    """Yield √(a² + b²), first with common factors before the root, which holds where those are positive."""
     shared = common([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
     parts = [divided(held, shared, 1.0) for held in (a, b)] if shared else []
     if parts and None not in parts:
@@ -255,7 +255,7 @@ def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expressio
 
 
 def raised(atom: Expression, power: int) -> Expression:
-    """A power, without an exponent of one."""
+    """Return a power of an expression; the expression itself where the exponent is one."""
     return atom if power == 1 else Power(atom, power)
 
 

@@ -43,7 +43,7 @@ class Equation:
         return Equation(self.label, forces, inertia, moves, before, self.among)
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
-        """With the labels of the equations that gave the forces which were put into it."""
+        """Return the equation with `among` set to the labels of the equations that eliminated its forces."""
         gone = self.before - self.forces.names()
         return replace(self, among=frozenset[str]().union(*(labels[name] for name in gone if name in labels)))
 

@@ -37,7 +37,7 @@ class Worked(Expression):
 
     @property
     def rank(self) -> int:
-        """A negative one needs parentheses, one with a power of ten those of a product."""
+        """Return 0 for a negative number, 1 for one with a power of ten, which is a product, and 2 for others."""
         return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 

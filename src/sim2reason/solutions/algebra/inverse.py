@@ -90,7 +90,7 @@ def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Express
 
 
 class _Settling:
-    """Formulas with numbers for what is known; a part that stands in several places is looked at once."""
+    """A replacement of the known parts of formulas by numbers; a part that occurs several times is visited once."""
 
     def __init__(self, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> None:
         self._unknown, self._worked = unknown, worked

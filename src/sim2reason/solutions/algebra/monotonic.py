@@ -1,4 +1,4 @@
-"""Whether a formula grows or falls with a symbol wherever it has a value, so that an equation has one root."""
+"""Monotonic formulas: an equation whose side increases or decreases throughout has a single root."""
 
 from collections.abc import Mapping
 from itertools import pairwise

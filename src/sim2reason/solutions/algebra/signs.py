@@ -10,7 +10,7 @@ from sim2reason.solutions.algebra.functions import Call, Power
 
 ODD = ("sin", "tan", "arcsin", "arctan")
 SUSPECT = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
-"""How a formula is written in which signs may be put better."""
+"""Matches the LaTeX of formulas whose signs can be simplified."""
 
 
 def with_plain_signs(held: Expression) -> Expression:
@@ -35,7 +35,7 @@ def _plain(held: Expression) -> Expression:
 
 
 def _product(factors: Sequence[Expression]) -> Expression:
-    """Without negative factors: their signs are multiplied, and the rest is one."""
+    """Return a product of positive factors, with at most one sign before it."""
     sign, kept = 1.0, list[Expression]()
     for factor in factors:
         turned = factor.negative if not isinstance(factor, Worked) else factor.comes_to < 0.0
@@ -46,25 +46,26 @@ def _product(factors: Sequence[Expression]) -> Expression:
 
 
 def _negated(held: Expression) -> Expression:
-    """The negative of a formula; of a fraction by a difference below it, where there is one."""
-    if isinstance(held, Quotient) and _is_difference(held.below):
+    """Return the negative of a formula; a fraction whose denominator is a difference has that reversed."""
+    if isinstance(held, Quotient) and is_difference(held.below):
         return Quotient(held.above, -held.below)
     return multiplied(Number(-1.0), held)
 
 
 def _fraction(held: Quotient) -> Expression:
-    """A fraction with the sign of its numerator before it, or none where a difference below it can be reversed."""
-    if held.above.negative and _is_difference(held.below):
+    """Return a fraction with the sign of its numerator in front, or with a difference in its denominator reversed."""
+    if held.above.negative and is_difference(held.below):
         return Quotient(_opposite(held.above), -held.below)
     if isinstance(held.above, Sum) and held.above.negative:
         return multiplied(Number(-1.0), Quotient(-held.above, held.below))
     return held
 
 
-def _is_difference(held: Expression) -> bool:
+def is_difference(held: Expression) -> bool:
+    """Return whether a formula is a sum with terms of both signs."""
     return isinstance(held, Sum) and len({term.negative for term in held.terms}) > 1
 
 
 def _opposite(held: Expression) -> Expression:
-    """What is written with a minus sign, without it."""
+    """Return the formula without its leading minus sign."""
     return ratio(_opposite(held.above), held.below) if isinstance(held, Quotient) else -held

@@ -1,4 +1,4 @@
-"""Equations that come down to a quadratic one, or to one in the sine and cosine of an angle, as they are stated."""
+"""Standard forms of equations that reduce to a quadratic, or to a linear one in the sine and cosine of an angle."""
 
 from functools import reduce
 
@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, divided
 def stated_equation(
     name: str, formula: Expression, value: Expression, written: Written
 ) -> tuple[Expression, Expression] | None:
-    """Both sides of a x² + b x = c, or of a sin x + b cos x = c, to which an equation comes down; None for others."""
+    """Return both sides of a x² + b x = c or a sin x + b cos x = c if an equation reduces to one; else None."""
     try:
         zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
     except OverflowError:

@@ -110,7 +110,7 @@ class _Reading:
                 known.assign(name, number)
 
     def _too_small(self) -> list[str]:
-        """The comparisons whose left side isn't larger, in words."""
+        """Return the stated comparisons that are false, in words."""
         found: list[str] = []
         for held in self._compared:
             try:

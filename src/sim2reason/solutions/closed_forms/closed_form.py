@@ -14,12 +14,12 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Product,
     Quotient,
-    Sum,
     Symbol,
     multiplied,
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, plain
+from sim2reason.solutions.algebra.signs import is_difference
 from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
@@ -92,7 +92,7 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
 
 
 def definitions(solution: Solution) -> dict[str, Expression]:
-    """The formula of each name to which a solution gives a value."""
+    """Return the formula by which a solution defines each of its names."""
     return dict(solution.constants) | {
         relation.left.latex(): relation.right
         for step in solution.steps
@@ -183,9 +183,8 @@ def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float
 
 
 def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
-    """Whether a factor is a difference that is negative at all points."""
-    mixed = isinstance(factor, Sum) and len({term.negative for term in factor.terms}) > 1
-    return mixed and all(_negative(factor, at) for at in points)
+    """Return whether a factor is a difference with a negative value at all points."""
+    return is_difference(factor) and all(_negative(factor, at) for at in points)
 
 
 def _negative(held: Expression, at: Mapping[str, float]) -> bool:

@@ -156,7 +156,7 @@ def _product(terms: Sequence[Term]) -> Expression:
 
 
 def _crosswise(terms: Sequence[Term]) -> Expression | None:
-    """Four terms that are a product of two sums, as that, before the rest; None where there are no such four."""
+    """Return a sum with four of its terms factored as (a + b)(c + d); None if no four terms allow it."""
     for four in combinations(range(len(terms)), 4) if 4 <= len(terms) <= FEW else ():
         first, *others = (terms[n] for n in four)
         for last in range(3):
@@ -169,7 +169,7 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
 
 
 def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expression] | None:
-    """The sums a + b and c + d, neither of which shares a symbol with itself; None if terms are not their products."""
+    """Return the sums a + b and c + d whose product is four terms; None if the terms are no such product."""
     if any(term.below or term.number != ac.number for term in (ac, ad, bc, bd)):
         return None
     a = _both(ac.factors, ad.factors)

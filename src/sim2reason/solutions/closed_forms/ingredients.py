@@ -30,7 +30,7 @@ def with_ingredients(solution: Solution) -> Solution:
 
 
 def _told(goal: str, formulas: Mapping[str, Expression], given: set[str]) -> Iterator[Relation]:
-    """The quantities in the formula of the goal that are not told in terms of what is given, as they come to be."""
+    """Yield relations that give the quantities in the formula of the goal in terms of what is given."""
     whole, names = goal, _parts(goal, formulas, given)
     while len(names) == 1 and (deeper := _parts(names[0], formulas, given)):
         whole, names = names[0], deeper
@@ -48,12 +48,12 @@ def _told(goal: str, formulas: Mapping[str, Expression], given: set[str]) -> Ite
 
 
 def _summands(formula: Expression, names: Sequence[str]) -> list[Expression]:
-    """The sum below a fraction, if all quantities that are to be told stand there and nothing else does."""
+    """Return the denominator of a fraction if it is a sum of exactly the quantities to be told; else nothing."""
     below = formula.below if isinstance(formula, Quotient) else formula
     alone = isinstance(below, Sum) and isinstance(formula, Quotient) and [*below.symbols()] == [*names]
     return [below] if alone else []
 
 
 def _parts(name: str, formulas: Mapping[str, Expression], given: set[str]) -> list[str]:
-    """The names in a formula whose values are found on the way."""
+    """Return the names in a formula that the solution defines itself."""
     return [other for other in dict.fromkeys(formulas[name].symbols()) if other in formulas and other not in given]

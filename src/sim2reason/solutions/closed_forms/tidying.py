@@ -16,6 +16,7 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
+from sim2reason.solutions.algebra.signs import is_difference
 
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
 
@@ -39,7 +40,7 @@ def tidied(held: Expression) -> Expression:
 
 
 def _joined(held: Expression) -> Expression:
-    """A product, a fraction or a sum as one would write it."""
+    """Return a product, fraction or sum in its usual notation."""
     if isinstance(held, Product):
         held = _over_one(_cancelled([_signed(factor) for factor in held.factors]))
         return _rooted(_turned(_fraction(held)))
@@ -49,7 +50,7 @@ def _joined(held: Expression) -> Expression:
 
 
 def _over_one(held: Expression) -> Expression:
-    """A product with a fraction among its symbols as one fraction, in which what is above and below is cancelled."""
+    """Return a product that contains fractions as a single fraction, with common factors cancelled."""
     factors = _factors(held)
     symbolic = [factor for factor in factors if not isinstance(factor, Number)]
     alone = len(symbolic) < 2 and not isinstance(held, Quotient)
@@ -72,7 +73,7 @@ def _over_one(held: Expression) -> Expression:
 
 
 def _root(held: Root) -> Expression:
-    """The root of a fraction of one below it, and of the square of a number before it."""
+    """Return a root with √(1/x) written as 1/√x and square numbers taken out of it."""
     match held.inside:
         case Quotient(Number(1.0), below):
             return ratio(ONE, _root(Root(below)))
@@ -83,7 +84,7 @@ def _root(held: Root) -> Expression:
 
 
 def _place(factor: Expression) -> int:
-    """Where a factor stands in a product: symbols, sums, roots, then sines."""
+    """Return the rank by which factors are ordered in a product: symbols, sums, roots, functions."""
     base = factor.base if isinstance(factor, Power) else factor
     return 3 if isinstance(base, Call) else 2 if isinstance(base, Root) else 1 if isinstance(base, Sum) else 0
 
@@ -93,28 +94,28 @@ def _factors(held: Expression) -> tuple[Expression, ...]:
 
 
 def _turned(held: Expression) -> Expression:
-    """Without a minus sign in front where a difference, as a factor, can be taken the other way round."""
+    """Return a product whose leading minus sign is removed by reversing a difference among its factors."""
     if isinstance(held, Quotient) and isinstance(held.above, Product) and held.above.negative:
         return ratio(_turned(held.above), held.below)
     if not isinstance(held, Product) or not isinstance(held.factors[0], Number) or held.factors[0].x >= 0.0:
         return held
     number, *factors = held.factors
-    place = next((n for n, factor in enumerate(factors) if _is_difference(factor)), None)
+    place = next((n for n, factor in enumerate(factors) if _holds_difference(factor)), None)
     if place is None:
         return held
     factors[place] = _reversed(factors[place])
     return reduce(multiplied, factors, -number)
 
 
-def _is_difference(held: Expression) -> bool:
-    """Whether a sum, or one among the factors of what is divided, has terms of both signs."""
+def _holds_difference(held: Expression) -> bool:
+    """Return whether a factor is a difference, or a fraction with one in its numerator."""
     if isinstance(held, Quotient):
-        return any(map(_is_difference, _factors(held.above)))
-    return isinstance(held, Sum) and len({term.negative for term in held.terms}) == 2
+        return any(map(_holds_difference, _factors(held.above)))
+    return is_difference(held)
 
 
 def _opposed(held: Expression) -> Expression:
-    """The opposite of a sum, or of a product by one of its sums."""
+    """Return the negative of a sum, or of a product with one of its sums reversed."""
     return -held if isinstance(held, Sum) else _turned(multiplied(Number(-1.0), held))
 
 
@@ -123,7 +124,7 @@ def _reversed(held: Expression) -> Expression:
 
 
 def _rooted(held: Expression) -> Expression:
-    """A whole number before the root of a fraction put under it, where that leaves a smaller number there."""
+    """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is a whole number, so that the fraction is reduced."""
     match held:
         case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
             return tidied(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))

@@ -9,7 +9,7 @@ from sim2reason.solutions.setting import joined
 
 @dataclass(frozen=True)
 class Excluded:
-    """A pair that does not meet: the kind of argument, the pair in words and by its letters, and the number for it."""
+    """A pair that does not meet, in words and by its letters, with the kind of argument and its number."""
 
     kind: str
     who: str
@@ -27,7 +27,7 @@ def clauses(told: Sequence[Excluded]) -> Iterator[str]:
 
 
 def _pairs(held: Sequence[Excluded]) -> str:
-    """Pucks A and B, or the pairs AB and AC."""
+    """Return the subject of a clause, such as *pucks A and B* or *the pairs AB and AC*."""
     return held[0].who if len(held) == 1 else f"the pairs {joined([each.letters for each in held])}"
 
 
@@ -44,7 +44,7 @@ def _pass(held: Sequence[Excluded]) -> str:
 
 
 def _part(held: Sequence[Excluded]) -> str:
-    """Discs in a plane whose relative position and velocity, multiplied, show that they move apart."""
+    """Return the clause about discs that move apart: relative position and velocity have a positive product."""
     return f"{_pairs(held)} move apart, since {_numbers(held)} {'is' if len(held) == 1 else 'are'} positive"
 
 

@@ -257,7 +257,7 @@ class FreeFlights(ABC):
         return f" along {label}{upward}" if several else ""
 
     def mark(self, body: str, k: int) -> str:
-        """The subscript of what a body has along a coordinate, in the order of those that the text states."""
+        """Return the subscript of a body's quantities along a coordinate: the axis, then the body."""
         mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
         return ",".join(part for part in (label if several else "", mark) if part)

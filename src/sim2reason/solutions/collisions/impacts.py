@@ -213,5 +213,5 @@ class Impacts(FreeFlights, ABC):
 
 
 def _ordinal(number: int) -> str:
-    """First, second, ..., then 7th, 8th, ..."""
+    """Return an ordinal in words, such as *first*, or in digits if it is large, such as *7th*."""
     return ORDINALS[number - 1] if number <= len(ORDINALS) else f"{number}th"

@@ -50,7 +50,7 @@ def without_repeats(steps: Sequence[Step]) -> list[Step]:
 
 
 def _row(group: Sequence[Step]) -> Step:
-    """Steps of one kind as one, with a row of formulas for each instant; a single step itself."""
+    """Return steps of one kind combined, with a list of formulas for each instant; a single step as it is."""
     if group[0].kind not in ROWS or len(group) == 1:
         return group[0]
     rows: dict[str, list[str]] = {}

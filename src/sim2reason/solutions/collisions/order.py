@@ -25,7 +25,7 @@ STILL = 1e-12  # m/s or m²/s: no relative motion
 
 @dataclass(frozen=True)
 class Together:
-    """A stretch of time in which both partners of a meeting fly freely; `legs` are their flights, by body."""
+    """An interval in which both bodies of a possible collision move freely; `legs` are their flights, by body."""
 
     meeting: int
     legs: dict[str, int]
@@ -34,7 +34,7 @@ class Together:
 
 
 class CollisionOrder:
-    """The arguments about who meets next, for all collisions before a time."""
+    """A writer of the reasons why no other pair collides before the next collision, up to a given time."""
 
     def __init__(self, flights: Impacts, time: float) -> None:
         """Take all flights; the motion counts until `time`, s, which may be infinite."""
@@ -99,7 +99,7 @@ class CollisionOrder:
         return self._in_line(step, held, just_met=just_met)
 
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
-        """Discs in a plane."""
+        """Return why two discs do not collide in an interval."""
         book, d = self._book, self._flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
         X, u = zip(*self._relative(held, meeting), strict=True)
         mark, who = self._names(held)
@@ -125,7 +125,7 @@ class CollisionOrder:
         return self._later(step, held, ratio(added(-q, -Root(square)), p))
 
     def _in_line(self, step: Writing, held: Together, *, just_met: bool) -> Excluded | None:
-        """Bodies on one line, or one and a wall."""
+        """Return why two bodies on a line, or a body and a wall, do not collide in an interval."""
         flights, book = self._flights, self._book
         ways, meeting = flights.ways(flights.mechanism.meetings[held.meeting]), flights.mechanism.meetings[held.meeting]
         begin, gap, rate, rise = self._begin(held), flights.gap(held.meeting), NIL, NIL
@@ -150,7 +150,7 @@ class CollisionOrder:
     def _thrown(
         self, step: Writing, held: Together, motion: tuple[Polynomial, Polynomial, Polynomial]
     ) -> Excluded | None:
-        """A body that is accelerated towards a wall, or away from it."""
+        """Return why a body that accelerates relative to a wall does not reach it; None if it never could."""
         book = self._book
         gap, rate, rise = (Polynomial.of(book.worked(part.expression())) if part else NIL for part in motion)
         if not gap:
@@ -164,7 +164,7 @@ class CollisionOrder:
         return self._later(step, held, self._flights.root(gap, rate, rise))
 
     def _later(self, step: Writing, held: Together, span: Expression) -> Excluded:
-        """Partners that would meet, but only after the end of the stretch."""
+        """Return the argument that two bodies would collide only after the end of an interval."""
         book, flights = self._book, self._flights
         mark, who = self._names(held)
         end = flights.when(held.ends) if held.ends is not None else self._until
@@ -180,7 +180,7 @@ class CollisionOrder:
     # ---- the motion without what gravity adds to all of it
 
     def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[Expression, Expression]]:
-        """From the first to the second, by coordinate: where, and how fast, when the stretch begins."""
+        """Yield position and velocity of the second body relative to the first, by coordinate, at the beginning."""
         flights, begin = self._flights, self._begin(held)
         one, other = meeting.names
         places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
@@ -192,7 +192,7 @@ class CollisionOrder:
             yield (lexicon.read(Both(*along)) + r - s).expression(), (w - v).expression()
 
     def _drift(self, body: str, number: int, k: int, time: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Displacement and velocity at a time of a flight, less ½ a t² and a t of all."""
+        """Return displacement and velocity at a time of a flight without the common terms ½ a t² and a t."""
         flights, a = self._flights, self._flights.acceleration(k)
         place, before, velocity = NIL, NIL, NIL
         for n in range(number + 1):
@@ -241,7 +241,7 @@ class CollisionOrder:
         return met[:1].lower() + met[1:]
 
     def _last_of_all(self) -> bool:
-        """Whether the motion that counts ends with a collision."""
+        """Return whether the question is about the instant of a collision."""
         return any(abs(held.time - self._time) <= 1e-9 * self._time for held in self._flights.impacts)
 
 

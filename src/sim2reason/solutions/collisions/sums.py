@@ -30,14 +30,14 @@ class StruckBodies:
 
     @property
     def loses(self) -> str:
-        """Why kinetic energy is lost, as the beginning of a sentence."""
+        """Return the beginning of a sentence that says why kinetic energy is lost."""
         motion = "relative motion" if len(self.bodies) > 1 else "normal motion"
         left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
         return f"The {motion}{self._way} {left}, so"
 
     @property
     def pushes(self) -> str:
-        """The laws that give the impulse, as the beginning of a sentence."""
+        """Return the beginning of a sentence that names the laws for the impulse."""
         e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
         if not pair:
             return "The impulse is the change of momentum, so"

@@ -164,7 +164,7 @@ class Turning(FieldMotion):
 
     @cached_property
     def _heading(self) -> tuple[Expression, Expression] | None:
-        """The speed and the direction at the start, where nothing else than the magnetic force acts."""
+        """Return the initial speed and direction if only the magnetic force acts; None otherwise."""
         alone = self.drive is None and self.fields.damping is None
         x, y = (held.factors if isinstance(held, Product) else () for held in self.launch)
         if not alone or not x or not y or x[:-1] != y[:-1]:

@@ -220,7 +220,7 @@ class Turned(OrbitPlace):
         return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)
 
     def _opposite_end(self) -> Expression:
-        """The growth of the anomaly along a chord through the focus: cos(η/2) = e cos(E₀ + η/2)."""
+        """Return the increase of the eccentric anomaly over a focal chord, from cos(η/2) = e cos(E₀ + η/2)."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         turned = r"The line has turned through $180^\circ$ when $E$ has increased by"
         if orbit.dot == ZERO:

@@ -1,4 +1,4 @@
-"""A collision as goals see it."""
+"""The interface of a collision for goals."""
 
 from typing import Protocol
 
@@ -10,30 +10,30 @@ class Struck(Protocol):
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """Whose it is."""
+        """Return the bodies that collide."""
         ...
 
     @property
     def told(self) -> str:
-        """It in words: the collision of two bodies."""
+        """Return a name of it, such as *the first collision of A and B*."""
         ...
 
     @property
     def loses(self) -> str:
-        """Why kinetic energy is lost in it, as the beginning of a sentence."""
+        """Return the beginning of a sentence that says why kinetic energy is lost."""
         ...
 
     @property
     def pushes(self) -> str:
-        """The laws that give its impulse, as the beginning of a sentence."""
+        """Return the beginning of a sentence that names the laws for the impulse."""
         ...
 
     @property
     def lost(self) -> Expression:
-        """The kinetic energy that is lost in it."""
+        """Return the kinetic energy lost."""
         ...
 
     @property
     def push(self) -> Expression:
-        """The size of its impulse."""
+        """Return the magnitude of the impulse."""
         ...

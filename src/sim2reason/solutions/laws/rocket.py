@@ -99,7 +99,7 @@ class Burning(Way):
 
     @cached_property
     def rising(self) -> Symbol:
-        """For how long it rises with its engine on."""
+        """Return the time for which it rises with its engine on."""
         if not self.waits:
             return self.burned
         said, formula = "From then on its fuel lasts for", (self.full - self.dry) / self.rate_of_burning

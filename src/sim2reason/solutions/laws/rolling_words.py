@@ -1,9 +1,10 @@
-"""What is said of bodies that turn about their own axes: how they turn as they move, slip, and are held by friction."""
+"""Sentences about bodies that roll or slip: rotation, moment of inertia, and friction."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.lexicon import UnreadError
 
@@ -53,19 +54,11 @@ def inertia_words(dynamics: Dynamics, k: int) -> str:
     return f", whose moment of inertia is ${(inertia * radius * radius).expression().latex()}$"
 
 
-def friction_way(dynamics: Dynamics, face: int, force: Polynomial) -> str:
-    """Return the direction of a friction force on its body, in words; `force` is that along the slip."""
-    for k, part in dynamics.newton.slip(face).items():
-        if dynamics.mechanism.coordinates[k].kind == "slide":
-            return dynamics.moving(k, -1 if (force * part).expression().negative else 1)
-    return ""
-
-
 def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
     """Return the sentence that a round body slips where it touches, with the friction on it, by the normal force."""
     newton = dynamics.newton
     size, side = newton.coefficient(face) * normal, float(newton.rough[face])
-    ways = [friction_way(dynamics, face, size.scaled(sign)) for sign in (side, -side)]
+    ways = [way_of_slip(dynamics, face, sign) for sign in (side, -side)]
     if not all(ways):
         return ""
     who = capital(dynamics.setting.called(dynamics.mechanism.faces[face].subject))

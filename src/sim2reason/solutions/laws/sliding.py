@@ -1,4 +1,4 @@
-"""What was assumed of the direction of sliding is verified, and that strings between sliding bodies are taut."""
+"""Verification of assumed directions of sliding, and of taut strings between sliding bodies."""
 
 from collections.abc import Sequence
 from math import isinf
@@ -7,7 +7,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, told_friction
+from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, told_friction
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
@@ -16,7 +16,7 @@ SLOW = 1e-9  # m/s: nothing slips at the beginning
 
 
 def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
-    """Whether surfaces that slip have no relative velocity yet: only accelerations say which way they will slip."""
+    """Return whether slipping surfaces are still at relative rest, so that accelerations decide the direction."""
     rates = dynamics.segment.v
     slip = dynamics.mechanism.faces[face].slip
     return abs(sum(float(rates[dynamics.mechanism.number[name]]) * radius for name, radius in slip)) < SLOW
@@ -32,10 +32,10 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
         if side and dynamics.newton.alone(face) is None:  # of what is round it is told with the point of contact
             continue
         if side and f"N{face}" in used:
-            ways.setdefault(_way(dynamics, face, -side), []).append(body)
+            ways.setdefault(way_of_slip(dynamics, face, -side), []).append(body)
         elif f"f{face}" in used:
             (force,) = dynamics.names[f"f{face}"].names()
-            way = _way(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
+            way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
             sticking.append(f"Static friction ${force}$ acts on {dynamics.setting.called(body)} {way}.")
     said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
     return [*([f"Friction acts {joined(said)}."] if said else []), *sticking]
@@ -74,10 +74,9 @@ def _tell(dynamics: Dynamics) -> None:
 
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
-    """A lone body that would need more friction than there is."""
+    """Write that a lone body would need more friction than there is to stay at rest or to roll."""
     book, newton, body = dynamics.book, dynamics.newton, dynamics.mechanism.faces[face].subject
-    normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
-    most = multiplied(newton.coefficient(face).expression(), normal.expression())
+    most = limit_of_friction(newton, face)
     needed = needed if book.value(needed) >= 0.0 else -needed
     if book.value(needed) <= book.value(most):  # a limiting case
         return
@@ -86,13 +85,13 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
     told = told_friction(book, step, dynamics.setting.mark(body), needed, most)
     rolls = newton.alone(face) is None
     grip = "roll without slipping" if rolls else "stay at rest"
-    slides = "slips" if rolls else f"slides {_way(dynamics, face, newton.rough[face])}"
+    slides = "slips" if rolls else f"slides {way_of_slip(dynamics, face, newton.rough[face])}"
     step.say(f"To {grip}, {who} would need the friction {told[0]}, more than {told[1]}, so it {slides}.")
     step.close()
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
-    """Bodies that are accelerated relative to what they lie on though friction acts against that."""
+    """Write that bodies accelerate, against friction, relative to the surface on which they lie."""
     book, setting = dynamics.book, dynamics.setting
     if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
         return
@@ -113,7 +112,7 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
     """Return who slides, and which way, for each direction."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
-        body, way = dynamics.mechanism.faces[face].subject, _way(dynamics, face, dynamics.newton.rough[face])
+        body, way = dynamics.mechanism.faces[face].subject, way_of_slip(dynamics, face, dynamics.newton.rough[face])
         under = carriers(dynamics, body)
         on = f" on {dynamics.setting.called(under[0])}" if under else ""
         ways.setdefault((way, on), []).append(body)
@@ -121,12 +120,12 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
     return [f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {way}{on}" for (way, on), who in ways.items()]
 
 
-def _way(dynamics: Dynamics, face: int, sense: int) -> str:
+def way_of_slip(dynamics: Dynamics, face: int, sense: float) -> str:
     """Return the direction in which a body slides on a face if the surfaces slip in a sense, in words."""
     m = dynamics.mechanism
     pairs = [(m.number[name], radius) for name, radius in m.faces[face].slip]
-    k, radius = next((k, r) for k, r in pairs if m.coordinates[k].kind == "slide")
-    return dynamics.moving(k, sense if radius > 0.0 else -sense)
+    slides = [(k, radius) for k, radius in pairs if m.coordinates[k].kind == "slide"]
+    return dynamics.moving(slides[0][0], 1 if sense * slides[0][1] > 0.0 else -1) if slides else ""
 
 
 def _relative(dynamics: Dynamics, face: int) -> Expression | None:

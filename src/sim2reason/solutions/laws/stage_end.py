@@ -1,4 +1,4 @@
-"""What ends a stage of a motion at constant accelerations."""
+"""Ends of the stages of a motion with constant accelerations."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 
 @dataclass(frozen=True, slots=True)
 class End:
-    """What ends a stage: a known time, a distance that a coordinate has moved since it began, or its coming to rest."""
+    """The end of a stage: a known time, a distance moved by a coordinate, or the instant at which it comes to rest."""
 
     time: Symbol | None = None
     coordinate: int = -1

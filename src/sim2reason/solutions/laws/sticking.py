@@ -31,7 +31,7 @@ def verify_sticking(dynamics: Dynamics) -> None:
             _tell(dynamics, number, friction, normal)
 
 
-def _limit(newton: Newton, face: int) -> Expression:
+def limit_of_friction(newton: Newton, face: int) -> Expression:
     """Return µN, where weights alone press on the face."""
     normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
     return multiplied(newton.coefficient(face).expression(), normal.expression())
@@ -62,7 +62,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
     if needed is None:
         step.say(f"{said}.")
     else:
-        friction, most = needed, _limit(newton, face)
+        friction, most = needed, limit_of_friction(newton, face)
         friction = friction if book.value(friction) >= 0.0 else -friction
         exceeds(book, step, friction, most)
         told = told_friction(book, step, setting.mark(body), friction, most)

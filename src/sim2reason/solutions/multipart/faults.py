@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.subscripts import split
 
 
 def naming_fault(parts: Sequence[Solution]) -> str:
-    """The first fault in the names of several parts, in words; empty if there is none.
+    """Return the first fault in the names of several parts, in words; empty if there is none.
 
     A name has one value and one meaning in all parts, and what is introduced in the same words has the same name. A
     result that a part recalls is one that the part from which it is recalled leads to, by the same name.
@@ -19,7 +19,7 @@ def naming_fault(parts: Sequence[Solution]) -> str:
 
 
 def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
-    """Results that a part says to be from a part that does not have them."""
+    """Yield faults: results that a part recalls from a part which does not have them."""
     for label, part in zip(LABELS, parts, strict=False):
         for step in part.steps:
             if step.kind != EARLIER:
@@ -35,7 +35,7 @@ def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
 
 
 def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
-    """Names that two parts have for different things."""
+    """Yield faults: names that have different meanings in two parts."""
     known: dict[str, tuple[str, Solution, str]] = {}
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
@@ -52,7 +52,7 @@ def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
 
 
 def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
-    """Names that two parts introduce in the same words for the same value."""
+    """Yield faults: quantities to which two parts give different names."""
     known: dict[tuple[str, str, str], tuple[str, set[str]]] = {}
     for label, part in zip(LABELS, parts, strict=False):
         own: dict[tuple[str, str, str], set[str]] = {}

@@ -12,7 +12,7 @@ from sim2reason.solutions.writing.subscripts import numbered
 
 
 def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> list[Solution]:
-    """The solutions with names that mean the same in all of them; those in `fixed`, of the text, stay as they are.
+    """Return the solutions renamed so that a name means the same in all; names in `fixed`, of the text, are kept.
 
     Numbers that the question states keep their names. A quantity that several parts find has the first of its names
     that is free, and that no other quantity has in as many parts; where none is, it has a fresh one.
@@ -31,7 +31,7 @@ def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> li
 
 
 class _Naming:
-    """The choice of names."""
+    """The assignment of names to quantities."""
 
     def __init__(self, solutions: Sequence[Solution], found: Sequence[NamedQuantity], fixed: Collection[str]) -> None:
         self._found = found
@@ -46,7 +46,7 @@ class _Naming:
             self._spoken.append(spoken(" ".join(step.text for step in steps)))
 
     def ordered(self) -> Iterator[NamedQuantity]:
-        """Those that the question states, those that the texts use, and those that they leave out."""
+        """Yield quantities in the order of choice: stated in the question, used in the texts, the others."""
         texts = [q for q in self._found if any(name in self._used[part] for part, name in q.members.items())]
         groups = [q for q in texts if q.stated], [q for q in texts if not q.stated]
         yield from chain(*groups)
@@ -62,7 +62,7 @@ class _Naming:
         return name
 
     def _is_free(self, name: str, quantity: NamedQuantity) -> bool:
-        """Whether nothing has a name yet, and no part speaks of anything else by it."""
+        """Return whether a name is not taken and no part uses it for something else."""
         clash = any(
             name != old and name in self._spoken[part] and not self._is_own(part, name)
             for part, old in quantity.members.items()
@@ -73,7 +73,7 @@ class _Naming:
         return any(q.members.get(part) == name for q in self._found)
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
-        """Whether another quantity has a name in all its parts, in no fewer than this one."""
+        """Return whether another quantity has a name in all its parts, at least as many as this one."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
         return any(len(q.members) >= least for q in others)

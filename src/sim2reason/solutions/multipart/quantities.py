@@ -1,4 +1,4 @@
-"""Which names in the solutions of several parts stand for one quantity."""
+"""Identification of names in several parts that denote the same quantity."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -17,7 +17,7 @@ _SAID = re.compile(r"be the [a-z]+ ")
 
 @dataclass
 class NamedQuantity:
-    """What names in several parts stand for, by the number of the part."""
+    """A quantity with its names in several parts, by the number of the part."""
 
     members: dict[int, str]
     stem: str
@@ -29,7 +29,7 @@ class NamedQuantity:
     places: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def has(self, other: "NamedQuantity") -> bool:
-        """Whether another one has the same value and unit, as far as known, and is as well given or found."""
+        """Return whether another one has the same value and unit, as far as known, and is stated if this one is."""
         if self.stated != other.stated or (None not in (self.unit, other.unit) and self.unit != other.unit):
             return False
         if self.value is None or other.value is None:
@@ -38,7 +38,7 @@ class NamedQuantity:
 
 
 def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
-    """All quantities, in the order in which the parts speak of them; names in `fixed` mean the same everywhere."""
+    """Return all quantities in the order of the parts; names in `fixed` mean the same in all and are left out."""
     found: list[NamedQuantity] = []
     for part, solution in enumerate(solutions):
         own = [*_own(part, solution, {*fixed, *solution.constants})]
@@ -59,7 +59,7 @@ def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[Na
 
 
 def meanings(solution: Solution) -> dict[str, str]:
-    """What names stand for in words, where the text introduces them by a sentence of their own."""
+    """Return the meanings of names, in words, that a solution introduces by a sentence."""
     found: dict[str, str] = {}
     for step in solution.steps:
         if step.kind == "names" or step.text.startswith("Let $"):
@@ -69,12 +69,12 @@ def meanings(solution: Solution) -> dict[str, str]:
 
 
 def introduced(text: str) -> list[str]:
-    """The names that a text introduces in words."""
+    """Return the names that a text introduces in words."""
     return [match["name"] for match in _INTRODUCED.finditer(text)]
 
 
 def agree(name: str, one: str, other: str) -> bool:
-    """Whether two introductions of a name, in words, can be those of one quantity.
+    """Return whether two introductions of a name, in words, can be those of one quantity.
 
     They are the same, or both speak of the body after which it is called: a_A *of blocks A and B*, and *of block A*.
     """
@@ -85,7 +85,7 @@ def agree(name: str, one: str, other: str) -> bool:
 
 
 def unit_of(name: str, solution: Solution) -> str:
-    """The unit of a name, in LaTeX; empty where the text says none."""
+    """Return the unit of a name, in LaTeX; empty if the text states none."""
     if name == solution.goal:
         return solution.unit
     return next(
@@ -106,7 +106,7 @@ def names_of(steps: Sequence[Step]) -> Iterator[str]:
 
 
 def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, NamedQuantity]]:
-    """The names that a part has for quantities of its own, those that the question states first."""
+    """Yield the names of a part's quantities, beginning with those that the question states."""
     words, given = meanings(solution), {name for step in solution.steps for name in step.gives}
     for name in dict.fromkeys([*solution.stated, *names_of(solution.steps)]):
         if name not in fixed:
@@ -127,7 +127,7 @@ def _formula(solution: Solution, name: str) -> Expression | None:
 
 
 def _by_number(held: Tree, place: Mapping[str, int]) -> Tree:
-    """A formula with the numbers of quantities in place of their names."""
+    """Return a formula with the indices of quantities in place of their names."""
     if isinstance(held, str):
         return f"#{place[held]}" if held in place else held
     return [held[0], *(_by_number(each, place) for each in held[1:])] if isinstance(held, list) else held
@@ -136,7 +136,7 @@ def _by_number(held: Tree, place: Mapping[str, int]) -> Tree:
 def _known(
     found: Sequence[NamedQuantity], part: int, name: str, held: NamedQuantity, rest: Sequence[NamedQuantity]
 ) -> NamedQuantity | None:
-    """The quantity of earlier parts for which a name stands, by its words, its formula, its name or its value alone."""
+    """Return the quantity of earlier parts that a name denotes, by meaning, formula, name or value; None if new."""
     alike = [q for q in found if part not in q.members and q.stem == held.stem and q.has(held)]
     alike = [q for q in alike if not (q.meaning and held.meaning) or q.meaning == held.meaning or _same(q, held, name)]
     by_words = [q for q in alike if held.meaning and q.meaning == held.meaning]
@@ -155,6 +155,6 @@ def _same(held: NamedQuantity, other: NamedQuantity, name: str) -> bool:
 
 
 def _marks_agree(one: str, other: str) -> bool:
-    """Whether two names, by their subscripts, can be those of one body along one axis."""
+    """Return whether the subscripts of two names allow them to denote one quantity."""
     marks = [{part for part in split(name)[1].split(",") if part.isalpha() and len(part) == 1} for name in (one, other)]
     return not all(marks) or marks[0] == marks[1]

@@ -18,7 +18,7 @@ _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
 
 def quoting(parts: Sequence[Solution]) -> list[Solution]:
-    """The solutions of all parts, each with labels that no other equation has, and without what an earlier part said.
+    """Return the solutions of all parts as one text: unique equation labels, and no sentence that an earlier part has.
 
     Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
     states is not stated again.
@@ -32,7 +32,7 @@ def quoting(parts: Sequence[Solution]) -> list[Solution]:
 
 
 class _Told:
-    """What earlier parts have said: equations with their labels, and sentences."""
+    """A record of the equations, labels and sentences of earlier parts."""
 
     def __init__(self) -> None:
         self._labels: dict[str, str] = {}  # of equations, in LaTeX
@@ -41,7 +41,7 @@ class _Told:
         self._problems: dict[str, str] = {}  # in which part an initial-value problem stands
 
     def added(self, label: str, part: Solution) -> Solution:
-        """A part without what was said, which is said from then on."""
+        """Return a part without sentences of earlier parts, and add its own to the record."""
         names = self._relabelled(label, part.steps)
         steps = [_labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
@@ -55,7 +55,7 @@ class _Told:
         return replace(part, steps=renumbered(kept))
 
     def _relabelled(self, part: str, steps: Sequence[Step]) -> dict[str, str]:
-        """The labels of a part in the text of all: those of equations that were said before, else the next numbers."""
+        """Return new labels by old ones: the known label of an equation stated before, else the next number."""
         names: dict[str, str] = {}
         for label, formula in (pair for step in steps for pair in _DEFINED.findall(step.text)):
             if formula not in self._labels:
@@ -65,7 +65,7 @@ class _Told:
         return names
 
     def _without(self, steps: Sequence[Step], values: Container[str]) -> list[Step]:
-        """Steps without what was said before; the equations among that on which they rest are quoted."""
+        """Return steps without what was said before; equations among it on which they rest are quoted."""
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
         referred = {label for step in left for label in _referred(step.text)}
@@ -80,19 +80,19 @@ class _Told:
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
 
     def _integrated(self, part: str, step: Step) -> Step:
-        """A step of which only the ends are told, where an earlier part has integrated the same problem."""
+        """Return an integration reduced to its results if an earlier part has integrated the same problem."""
         match = _INTEGRATED.fullmatch(step.text) if step.integration is not None else None
         if match is None or (first := self._problems.setdefault(match["problem"], part)) == part:
             return step
         return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
 
     def _is_said(self, step: Step, values: Container[str]) -> bool:
-        """Whether an earlier part has set up the same equations; what gives a result is left out by recalling it."""
+        """Return whether an earlier part has the same step; steps that give results are recalled instead."""
         results = any(name in values for name in step.gives)
         return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
     def _shorter(self, step: Step, referred: set[str]) -> Step:
-        """A step without the sentences that were said before, and without equations to which nothing refers."""
+        """Return a step without sentences said before and without equations that no step refers to."""
         sentences = _SENTENCE.split(step.text)
         if step.kind == "names":
             kept = [said for sentence in sentences if (said := self._new(sentence))]
@@ -107,7 +107,7 @@ class _Told:
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
-        """What a sentence introduces that no earlier one has."""
+        """Return a sentence without the items that an earlier one introduced; empty if none is left."""
         match = _LIST.fullmatch(sentence)
         if sentence in self._sentences or match is None:
             return "" if sentence in self._sentences else sentence
@@ -118,7 +118,7 @@ class _Told:
         return f"{match['noun']}{'s' if len(new) > 1 else ''}: {'; '.join(new)}." if new else ""
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
-        """One step for each earlier part whose equations the steps that are left rest on."""
+        """Yield a step for each earlier part whose equations are used by the remaining steps."""
         text = " ".join(step.text for step in left)
         defined = {label for label, _ in _DEFINED.findall(text)}
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
@@ -143,25 +143,25 @@ def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
 
 
 def _labelled(step: Step, names: Mapping[str, str]) -> Step:
-    """A step with other labels in its text, outside of formulas, and among what it gives."""
+    """Return a step with other labels, in its text outside of formulas and among what it gives."""
     parts = step.text.split("$")
     parts[::2] = [LABEL.sub(lambda match: names.get(match[0], match[0]), part) for part in parts[::2]]
     return replace(step, text="$".join(parts), gives=tuple(names.get(name, name) for name in step.gives))
 
 
 def _referred(text: str) -> list[str]:
-    """The labels to which a text refers."""
+    """Return the labels to which a text refers."""
     begun = {match.start(1) for match in _DEFINED.finditer(text)}
     return [match[0] for match in LABEL.finditer(text) if match.start() not in begun]
 
 
 def _items(text: str) -> list[str]:
-    """What the lists in a text introduce."""
+    """Return the items of the lists in a text."""
     matches = (_LIST.fullmatch(sentence) for sentence in _SENTENCE.split(text))
     return [item for match in matches if match is not None for item in match["items"].split("; ")]
 
 
 def _equations(step: Step) -> Iterator[tuple[str, Relation]]:
-    """The equations of a step by their labels."""
+    """Yield the labels and equations of a step."""
     by_formula = {relation.latex()[1:-1]: relation for relation in step.relations}
     yield from ((label, by_formula[formula]) for label, formula in _DEFINED.findall(step.text) if formula in by_formula)

@@ -18,7 +18,7 @@ _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$
 
 
 def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
-    """The solution with the results of earlier parts, by their labels, in place of the steps that lead to them.
+    """Return a solution that recalls results of earlier parts, by their labels, instead of deriving them.
 
     Names mean the same in all parts. With `whole`, all that the solutions of earlier parts find on their way counts,
     too. It stays as it is where no step can be left out, and where its motion is integrated.
@@ -43,7 +43,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
-    """The steps that lead to the goal from names that are known, and those that verify assumptions, unless `said`.
+    """Return the steps from known names to the goal, and those that verify assumptions, unless `said`.
 
     All where no step can be left out.
     """
@@ -54,7 +54,7 @@ def kept_steps(solution: Solution, known: Collection[str], said: Container[str] 
 
 
 def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """Steps counted from zero, each with those of its needs that are left, and with recalled results it uses."""
+    """Return steps with new numbers, and with needs among the remaining steps and recalled results."""
     place = {step.id: number for number, step in enumerate(steps) if step.id >= 0}
     recalled = {name: number for number, step in enumerate(steps) if step.kind == EARLIER for name in step.gives}
     found: list[Step] = []
@@ -66,13 +66,13 @@ def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
 
 
 def _found(solution: Solution) -> list[str]:
-    """The names that a solution finds on its way."""
+    """Return the names of intermediate results."""
     given = {name for step in solution.steps for name in step.gives}
     return [name for name in solution.values if name in given and name != solution.goal]
 
 
 def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bool:
-    """Whether another solution leads to a name of a solution, or finds it on its way, where `whole` counts that."""
+    """Return whether another solution gives a name with the same value, with `whole` also on its way."""
     if other.answer is None or name not in other.values:
         return False
     found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
@@ -82,7 +82,7 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
 
 
 def _without(step: Step, known: Collection[str], goal: str) -> Step:
-    """A step without those of its results that are known, where it tells several in a row."""
+    """Return a step that lists several results without those that are known."""
     *_, formulas = ["", *re.findall(r"(?:\$[^$]*\$(?:, | and )?)+(?=\.$)", step.text)]
     told = re.findall(r"\$[^$]*\$", formulas)
     rest = [n for n, name in enumerate(step.gives) if name not in known or name == goal]
@@ -109,13 +109,13 @@ def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
-    """The texts that introduce names which the solution uses."""
+    """Yield the texts of steps, of introductions only those of names in use."""
     used = {*names_of(solution.steps)}
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """The steps that lead to the goal if some names are known, and the reasons for them, unless `said`."""
+    """Return the steps that lead to the goal if some names are known, and their reasons, unless `said`."""
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
     waiting, kept = [last] if last is not None else [], dict[int, Step]()
     while waiting:
@@ -130,7 +130,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
 
 
 def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
-    """The steps that give no name but the reason for a kept step, unless they are `said`."""
+    """Yield the steps that give reasons for the kept steps, unless they are `said`."""
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]
         apart = [held for held in needs if held.id not in kept]
@@ -139,18 +139,18 @@ def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], 
 
 
 def _is_reason(step: Step) -> bool:
-    """Whether a step only verifies what was assumed, or says why something is greatest or least."""
+    """Return whether a step only verifies an assumption or gives the reason for an extreme value."""
     return step.kind in SPOKEN or (bool(step.relations) and all(r.role in CHECKS for r in step.relations))
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
-    """Whether all that a step takes from another is known: names that stand in it or of which it speaks, no labels."""
+    """Return whether all names that a step takes from another one are known; labels of equations never are."""
     taken = {*needed.gives} & {*step.symbols()} or {*needed.gives}
     return bool(taken) and taken <= {*known}
 
 
 def given_for(step: Step, used: Collection[str]) -> Step:
-    """The givens of a text, as far as they are used."""
+    """Return the step of givens, reduced to those in use."""
     said = re.findall(r"\$[^$]*\$", step.text)
     if len(said) != len(step.relations):
         return step
@@ -163,7 +163,7 @@ def given_for(step: Step, used: Collection[str]) -> Step:
 
 
 def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
-    """The results of earlier parts: a step for each part."""
+    """Return steps that recall results, one for each earlier part."""
     steps: list[Step] = []
     for label in sorted({*known.values()}):
         names = [name for name in known if known[name] == label]

@@ -23,7 +23,7 @@ Names = Mapping[str, str]
 
 
 def renamed(solution: Solution, names: Names) -> Solution:
-    """The solution with other names; those that `names` lacks stay."""
+    """Return a solution with other names; those that `names` lacks are kept."""
     names = {old: new for old, new in names.items() if old != new}
     if not names:
         return solution
@@ -43,7 +43,7 @@ def renamed(solution: Solution, names: Names) -> Solution:
 
 
 def in_formula(held: Expression, names: Names) -> Expression:
-    """A formula with other names."""
+    """Return a formula with other names."""
     if isinstance(held, Symbol):
         return Symbol(names.get(held.name, held.name))
     if not is_dataclass(held):
@@ -59,12 +59,12 @@ def in_formula(held: Expression, names: Names) -> Expression:
 
 
 def in_relation(relation: Relation, names: Names) -> Relation:
-    """An equation with other names."""
+    """Return an equation with other names."""
     return replace(relation, left=in_formula(relation.left, names), right=in_formula(relation.right, names))
 
 
 def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
-    """A text with other names in its formulas; those that are equations are written as these are."""
+    """Return a text with other names in its formulas; those of given relations are written anew."""
     parts = text.split("$")
     for number in range(1, len(parts), 2):
         part = _in_latex(parts[number], names)
@@ -77,7 +77,7 @@ def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
 
 
 def spoken(text: str) -> frozenset[str]:
-    """All names in the formulas of a text."""
+    """Return all names in the formulas of a text."""
     found: set[str] = set()
     for part in text.split("$")[1::2]:
         for match in TOKEN.finditer(part):
@@ -111,7 +111,7 @@ def _step(step: Step, names: Names) -> Step:
 
 
 def _integration(held: Integration, names: Names) -> Integration:
-    """An initial-value problem with other names."""
+    """Return an initial-value problem with other names."""
 
     def of(name: str) -> str:
         return names.get(name, name)

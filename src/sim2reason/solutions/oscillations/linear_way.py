@@ -127,7 +127,7 @@ class LinearWay(Way):
         return f"the rim of {called}" if self._turns_by_itself(k) else called
 
     def towards(self, k: int, *, forward: bool = True) -> str:
-        """The direction of a coordinate, or the opposite one, in words."""
+        """Return the direction of a coordinate, or the opposite one, in words."""
         held = self.mechanism.coordinates[k]
         if held.kind == "hinge":
             turning = "anticlockwise" if forward else "clockwise"

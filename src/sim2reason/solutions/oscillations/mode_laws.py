@@ -135,7 +135,7 @@ class ModeLaws:
         return found
 
     def _vanishing(self, powers: Sequence[Polynomial], square: Symbol) -> Expression:
-        """The determinant, in numbers where all are known and its coefficients are long."""
+        """Return the characteristic polynomial, in numbers if its coefficients are long and known."""
         held: Expression = ZERO
         long = sum(len(part.expression().latex()) for part in powers) > LONG
         for power, part in reversed([*enumerate(powers)]):
@@ -217,7 +217,7 @@ class ModeLaws:
         return any(self.zeros <= number < mode.number for number in self.told) and mode.number in self.told
 
     def _mark(self, i: int, mode: Mode) -> str:
-        """The subscript of the share of a free coordinate in a mode: of its body where there are several."""
+        """Return the subscript of a component of a mode shape: the mode, after the body if there are several."""
         if self.size == PAIR:
             return str(mode.number + 1)
         own = self.names[i].name.partition("_")[2]
@@ -225,13 +225,13 @@ class ModeLaws:
         return f"{own or i + 1},{mode.number + 1}"
 
     def _shares(self, mode: Mode) -> str:
-        """In which ratio the displacements are."""
+        """Return the mode shape as a ratio of displacements, in words."""
         ratio = " : ".join(part.latex() for part in mode.shape)
         who = joined([f"${name.latex()}$" for name in self.names])
         return f"the displacements {who}, measured from equilibrium, are in the ratio ${ratio}$"
 
 
 def _second(name: Symbol) -> Symbol:
-    """The second derivative of a coordinate by the time."""
+    """Return the symbol of the second time derivative of a coordinate."""
     base, line, mark = name.name.partition("_")
     return Symbol(rf"\ddot{{{base}}}{line}{mark}")

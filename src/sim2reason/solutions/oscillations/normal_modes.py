@@ -149,7 +149,7 @@ class NormalModes(ModeLaws):
         self._tell_course(mode, own, push if self._pushed(mode.number) else ZERO, momentum if moves else ZERO)
 
     def _tell_course(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> None:
-        """How the coordinate of a mode changes with time, and its coefficients."""
+        """Write the coordinate of a mode as a function of time, with its coefficients."""
         if push == ZERO and momentum == ZERO:
             return
         step, mark, said = self.book.open("start"), str(mode.number + 1), list[str]()

@@ -1,9 +1,10 @@
-"""Friction at rest beside a body on springs: where it moves on, where it stays, and what never begins to move."""
+"""Comparisons with static friction for bodies on springs, at turning points and beside them."""
 
 from collections.abc import Sequence
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.sticking import told_friction
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -13,10 +14,10 @@ LIMIT = 1.0 + 1e-9
 
 
 class RestChecks:
-    """Comparisons of forces with the greatest static friction, in numbers; no result rests on them."""
+    """A writer of comparisons of forces with the greatest static friction, in numbers; no result rests on them."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Nothing is written yet."""
+        """Take the setting, and the book into which comparisons are written."""
         self._setting, self._book = setting, book
         self._most = ""  # the symbol of the greatest static friction on what moves, once it is written
 
@@ -94,10 +95,7 @@ class RestChecks:
             raise UnsolvedError("friction could not hold what rests")
         body = motion.mechanism.faces[face].subject
         step, mark = book.open("verify"), self._setting.mark(body)
-        names = [book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
-        for name, held in zip(names, (greatest, most), strict=True):
-            book.observed[name.name] = book.value(held)
-        told = [step.verified(name, held, NEWTONS) for name, held in zip(names, (greatest, most), strict=True)]
+        told = told_friction(book, step, mark, greatest, most)
         step.say(
             f"{capital(self._setting.called(body))} stays at rest: the friction required is at most {told[0]}, within "
             f"the limit of static friction, {told[1]}."

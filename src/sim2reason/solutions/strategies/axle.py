@@ -14,9 +14,10 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way, unasked
+from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.components import BOTH, of_components
+from sim2reason.solutions.swings.asked import unasked
+from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
@@ -190,19 +191,13 @@ class _Turning(SwingAngle):
         rises = self.now * self.turning * self.book.value(self.piece.place) >= 0.0
         return (speed if rises else -speed) * self.sine
 
-    def said(self, quantity: str) -> str:
-        """Return what is said before the formula of a quantity; of an acceleration, which components are left."""
-        if self.vertical or quantity not in BOTH:
-            return super().said(quantity)
-        return of_components(quantity, *self._components, begins=not self.still)
-
     @property
-    def _components(self) -> tuple[Expression, Expression]:
-        """The centripetal and the tangential acceleration of the centre of mass."""
+    def components(self) -> tuple[Expression, Expression]:
+        """Return d ω² and d α of the centre of mass."""
         return self.size * squares([self.rate]), self.size * self.angular_acceleration
 
     def _acceleration(self) -> Expression:
-        inward, along = self._components
+        inward, along = self.components
         if self.vertical:
             sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
             falls = sign * (1.0 if self.falls else -1.0)

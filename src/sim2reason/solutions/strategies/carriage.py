@@ -20,7 +20,8 @@ from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import Way, quantity_of
+from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.swings.asked import quantity_of
 from sim2reason.solutions.swings.carriage import riding
 from sim2reason.solutions.swings.carriage_angle import TWO
 from sim2reason.solutions.swings.carriage_laws import HALF, CarriageLaws

@@ -95,7 +95,7 @@ class EnergyWay(SingleWay):
 
     @property
     def _slides(self) -> bool:
-        """Whether kinetic friction acts, against the way in which it begins to move."""
+        """Return whether kinetic friction acts."""
         return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._i))
 
     def write(self) -> Symbol:

@@ -169,12 +169,12 @@ class _Swinging(Oscillating):
 
     @cached_property
     def _lasting(self) -> list[Symbol]:
-        """The times that swings take, as far as they are written."""
+        """Return the symbols of the durations of swings that are written."""
         return []
 
     @property
     def _begun(self) -> Expression:
-        """How long the swings in `_times` take together; each time is written when it is first needed."""
+        """Return the total duration of the swings in `_times`, and write each that is not written yet."""
         for held, span in self._times[len(self._lasting) :]:
             self._lasting.append(self._lasts(held, span))
         return total(map(Polynomial.of, self._lasting)).expression()

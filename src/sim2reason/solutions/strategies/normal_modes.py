@@ -273,7 +273,7 @@ class _Modal(LinearWay):
         return names
 
     def _told(self, order: int, i: int, base: str, unit: str) -> Polynomial:
-        """A sum of modes at the moment, told once; before a derivative the sum itself."""
+        """Write a sum over modes, or its derivative of some order after the sum itself, once; return its symbol."""
         if (base, i) not in self._known:
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
             name = self.names[i] if base == "x" else self.book.fresh(base, self.setting.mark(body))

@@ -220,7 +220,7 @@ class _Burning(Burning):
         return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
 
     def _burnt(self, risen: Expression, base: str, mark: str) -> Symbol:
-        """The speed that burning gives while it rises for a time."""
+        """Write the speed reached by burning for a time of rising; return its symbol."""
         left = self.dry if self.out else self.left
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
@@ -229,14 +229,14 @@ class _Burning(Burning):
         return self.book.told("velocity", told, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
-        """How far it comes by burning while it rises for a time."""
+        """Write the distance covered under power in a time of rising; return its symbol."""
         path = self._path(self.dry if self.out else self.left, risen)
         said = f"{self._course}; integrated from 0 to ${risen.latex()}$,"
         return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
 
     @property
     def _course(self) -> str:
-        """The velocity as a function of the time for which it has burned, in words."""
+        """Return a clause that gives the velocity as a function of the time of rising."""
         time = self.book.fresh(r"\tau")
         velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
         if self.gravity:
@@ -272,7 +272,7 @@ class _Burning(Burning):
 
     @property
     def _now(self) -> Expression:
-        """For how long it has risen by the moment, at which its engine is on, or burns out."""
+        """Return the time of rising by the moment asked about, at which the engine is on or burns out."""
         return self.rising if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:

@@ -15,7 +15,8 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import EXTREMES, UP, quantity_of
+from sim2reason.solutions.swings.angle import UP
+from sim2reason.solutions.swings.asked import EXTREMES, quantity_of
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
 from sim2reason.solutions.writing.letters import LETTERS

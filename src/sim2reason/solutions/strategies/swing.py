@@ -8,8 +8,9 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, a
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import Way, unasked
-from sim2reason.solutions.swings.components import BOTH, of_components
+from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.swings.asked import unasked
+from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.state import SwingState
 from sim2reason.solutions.swings.total_angle import swept
@@ -65,19 +66,13 @@ class _Angular(SwingState):
         bend = multiplied(self.mass, ratio(self.squared, self.length))
         return added(weight, bend)
 
-    def said(self, quantity: str) -> str:
-        """Return what is said before the formula of a quantity; of an acceleration, which components are left."""
-        if self.vertical or quantity not in BOTH:
-            return super().said(quantity)
-        return of_components(quantity, *self._components, begins=not self.still)
-
     @property
-    def _components(self) -> tuple[Expression, Expression]:
+    def components(self) -> tuple[Expression, Expression]:
         """Return v²/ℓ towards the point about which it swings, and g sin φ along the arc."""
         return ratio(self.squared, self.length), multiplied(self.gravity, self.sine)
 
     def _acceleration(self) -> Expression:
-        inward, along = self._components
+        inward, along = self.components
         if self.vertical:
             return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
         if ZERO in (inward, along):

@@ -15,7 +15,7 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Numb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import quantity_of
+from sim2reason.solutions.swings.asked import quantity_of
 from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.letters import LETTERS

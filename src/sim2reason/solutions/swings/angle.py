@@ -1,7 +1,7 @@
 """At which angle something that swings about a fixed axle is, at the moment that is asked about."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from math import pi
 from typing import ClassVar
 
@@ -21,54 +21,19 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Numb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.oscillations.greatest_value import is_slow_at_greatest
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.swings.asked import EXTREMES, PLACES, quantity_of
+from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
-MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
-EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
-    "greatest speed": ("velocity", "fastest"),
-    "greatest angular speed": ("angular velocity", "fastest"),
-    "greatest kinetic energy": ("kinetic energy", "fastest"),
-    "greatest tension": ("tension", "fastest"),
-    "greatest rod force": ("rod force", "fastest"),
-    "greatest acceleration": ("acceleration", "fastest"),
-    "least tension": ("tension", "slowest"),
-    "least speed": ("velocity", "slowest"),
-    "greatest deflection": ("deflection", "slowest"),
-    "greatest height": ("height", "slowest"),
-    "greatest displacement": ("displacement", "slowest"),
-}
-PLACES = frozenset({"deflection", "height", "displacement"})  # what says by itself where it is greatest
 SLOW, STRAIGHT = 1e-5, 1e-6  # of its greatest speed: none; rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "The angular frequency of small oscillations is"
 PASSED = "Having passed the lowest point, it has turned through"
 Way = tuple[str, str]  # the method that gives a formula, and what is said before it
-
-
-def quantity_of(setting: Setting) -> str:
-    """The quantity that is asked about."""
-    query = setting.query
-    if isinstance(query, StretchQuery):
-        return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
-    return query.target.quantity if query.target is not None else ""
-
-
-def unasked(setting: Setting, quantities: Collection[str]) -> str:
-    """What of a query no way leads to; empty if one does."""
-    query = setting.query
-    if isinstance(query, StretchQuery):
-        if quantity_of(setting) not in quantities:
-            return f"no way to the {query.functional}"
-        if query.kind != "sum":
-            return ""
-    if not isinstance(query.moment, MOMENTS):
-        return "only integration gives the time"
-    known = query.target is None or quantity_of(setting) in quantities
-    return "" if known else f"no way to the quantity {quantity_of(setting)}"
 
 
 class SwingAngle(ABC):
@@ -266,8 +231,15 @@ class SwingAngle(ABC):
             return formula  # an angle that the text says is counted in radians
         return self.book.told("answer", self.said(quantity) or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
 
+    @property
+    def components(self) -> tuple[Expression, Expression] | None:
+        """Return centripetal and tangential acceleration of the centre of mass; None if it moves on no circle."""
+        return None
+
     def said(self, quantity: str) -> str:
-        """Return what is said before the formula of a quantity."""
+        """Return the words before the formula of a quantity; of an acceleration, they name its components."""
+        if quantity in BOTH and not self.vertical and (held := self.components) is not None:
+            return of_components(quantity, *held, begins=not self.still)
         passed = quantity == "angle turned" and self.first != ZERO and self.angle.negative
         return PASSED if passed else self.WAYS[quantity][1]
 

@@ -89,13 +89,13 @@ class Carriage:
 
     @property
     def way(self) -> str:
-        """Forward, in words."""
+        """Return the forward direction of the rail, in words."""
         x, y, z = self.setting.mechanism.body[self.riding.carriage].coordinates[0].axis
         return self.setting.towards((self.forward * x, self.forward * y, self.forward * z))
 
     @property
     def turning(self) -> str:
-        """The sense in which the arm turns that falls from the side on which it begins, in words."""
+        """Return the sense of rotation of the arm as it falls from its initial side, in words."""
         return {"to the right": "clockwise", "to the left": "anticlockwise"}.get(self.way, "downward")
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:

@@ -107,7 +107,7 @@ class CarriageAngle(SwingAngle):
         step.close()
 
     def _tell_where(self, quantity: str) -> None:
-        """Write nothing: the angle, by which the extreme value is found, comes with the place."""
+        """Write nothing here, since the angle at which the extreme value occurs is written with the position."""
         del quantity
 
     def _turned(self) -> Expression:

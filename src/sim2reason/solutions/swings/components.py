@@ -1,4 +1,4 @@
-"""What is said before an acceleration on a circle: which of its components are left, and why."""
+"""Sentences about the centripetal and tangential components of an acceleration."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 

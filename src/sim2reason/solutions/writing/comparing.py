@@ -6,7 +6,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 
 def exceeds(book: Book, step: Writing, left: Expression, right: Expression) -> None:
-    """Note in a step that one formula is larger than another, which its sentence says; UnsolvedError if it isn't."""
+    """Record in a step that one formula is larger than another; UnsolvedError if it is not."""
     if not book.value(left) > book.value(right):
         raise UnsolvedError(f"{left.latex()} does not exceed {right.latex()}")
     step.relations.append(Relation(left, right, "exceeds"))

@@ -1,4 +1,4 @@
-"""Names for what a text finds: each is given to one value only."""
+"""Unused names for the quantities that a solution introduces."""
 
 from collections.abc import Mapping
 from itertools import chain
@@ -11,10 +11,10 @@ MOST_PRIMES = 3
 
 
 class FreshNames:
-    """The names that are taken, and those that are still free."""
+    """The allocation of names: each is given to one value only."""
 
     def __init__(self, called: Mapping[str, str] | None = None) -> None:
-        """Nothing is taken; `called` are the names of the text by those that they would have."""
+        """Start with no name taken; `called` maps names that would be chosen to those of the text."""
         self._called = called
         self._taken: set[str] = set()
 
@@ -23,12 +23,12 @@ class FreshNames:
         self._taken.update(map(canonical, names))
 
     def fresh(self, base: str, mark: str = "") -> Symbol:
-        """A name that nothing has yet: the base with a subscript, and a number where that is taken."""
+        """Return an unused name: the base with a subscript, and with a number if that is taken."""
         name = marked(base, mark)
         return self._take(next(each for each in chain([name], numbered(name)) if self._is_free(each)))
 
     def after(self, base: str, mark: str = "") -> Symbol:
-        """A name for a value just after an impact: v' after the first one, v'' after the second, then by numbers."""
+        """Return an unused name for a value just after an impact: v', then v'' and v''', then numbered ones."""
         name = marked(base, mark)
         names = [primed(name, primes) for primes in range(1, MOST_PRIMES + 1)]
         return self._take(next(each for each in chain(names, numbered(names[0])) if self._is_free(each)))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Labels:
-    """The counter of the equation labels in a text."""
+    """A counter of equation labels."""
 
     used: int = 0
 

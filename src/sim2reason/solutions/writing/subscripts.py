@@ -40,6 +40,6 @@ def numbered(name: str) -> Iterator[str]:
 
 
 def primed(name: str, primes: int = 1) -> str:
-    """A name with primes, before the subscript."""
+    """Return a name with primes before its subscript."""
     base, mark = split(name)
     return marked(base + "'" * primes, mark)

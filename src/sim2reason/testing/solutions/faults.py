@@ -52,7 +52,7 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
 
 
 def holds(relation: Relation, values: Mapping[str, float]) -> bool:
-    """Whether both sides agree, compared with the largest of their terms; of a comparison, whether it is true."""
+    """Return whether an equation holds, relative to its largest term, or whether a comparison is true."""
     left, right = relation.left.value(values), relation.right.value(values)
     if relation.role == "exceeds":
         return left.real > right.real

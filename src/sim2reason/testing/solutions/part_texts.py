@@ -42,7 +42,7 @@ def _recalls(part: str, parts: dict[str, str]) -> list[str]:
 
 
 def _numbers(text: str) -> dict[str, str]:
-    """The names that a text says to equal a number, each with the last number, as written."""
+    """Return the names that a text equates with numbers, each with its last number as written."""
     found: dict[str, str] = {}
     for match in FORMULA.finditer(text):
         name, _, number = match[1].partition("=")

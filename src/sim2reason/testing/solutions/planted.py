@@ -45,7 +45,7 @@ def _copy(data: Mapping[str, Any]) -> Data:
 
 
 def _idle(data: Data) -> list[Data]:
-    """The comparisons, the relations with a name on which nothing else rests, and those on which then nothing rests."""
+    """Return the relations on which nothing rests: comparisons, and those whose names nothing else uses."""
     every = [relation for step in data["steps"] for relation in step["relations"]]
     relations = [relation for relation in every if relation["role"] != COMPARED]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
