@@ -1,5 +1,7 @@
 """The last algebra of an answer in symbols: what the quantities in its formula come to, in terms of what is given."""
 
+from dataclasses import replace
+
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Quotient, Symbol
@@ -55,3 +57,15 @@ def test_of_a_sum_below_a_fraction_the_sum_is_told() -> None:
 def test_nothing_is_repeated_that_one_formula_gives() -> None:
     plain = solution("K", w=V * G, K=M * Symbol("w"))
     assert with_ingredients(plain) == plain
+
+
+def test_what_the_text_has_is_not_repeated() -> None:
+    """A comparison puts all steps together itself before it changes a number."""
+    w, p = Symbol("w"), Symbol("p")
+    held = solution("Q", w=Power(V, 2) + 2.0 * G * H, p=M * w, Q=Quotient(p, H * w))
+    told = with_ingredients(held).steps[-1]
+    assert "p" in [relation.left.latex() for relation in told.relations]
+    whole = next(relation for relation in told.relations if relation.left == p)
+    combined = Step(len(held.steps), "combine", f"Combined, these equations give {whole.latex()}.", (), (), ())
+    again = with_ingredients(replace(held, steps=(*held.steps, combined)))
+    assert whole.latex() not in " ".join(step.text for step in again.steps if step.kind == "ingredients")

@@ -14,12 +14,13 @@ MOST, LONG = 4, 120  # quantities that are told; characters of a formula that no
 def with_ingredients(solution: Solution) -> Solution:
     """Return a solution in symbols with a last step that says what the quantities in the answer's formula come to.
 
-    Those that are given, or that one formula gives in terms of what is given, are not repeated.
+    Those that are given, that one formula gives in terms of what is given, or that the text has, are not repeated.
     """
     formulas = definitions(solution)
     given = {relation.left.latex() for relation in solution.relations if relation.role == "given"}
     given -= solution.constants.keys()
-    relations = [*_told(solution.goal, formulas, given)][:MOST]
+    said = " ".join(step.text for step in solution.steps)
+    relations = [held for held in _told(solution.goal, formulas, given) if held.latex() not in said][:MOST]
     if not relations:
         return solution
     used = {relation.left.latex() for relation in relations}
