@@ -12,7 +12,8 @@ from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution
-from sim2reason.solutions.parts import starting_from
+from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.recall import starting_from
 from worked import derived
 
 G, MASS, STIFFNESS, FRICTION, SPEED, TIME = 9.8, 1.8, 132.0, 0.32, 2.0, 0.58
@@ -103,6 +104,7 @@ def test_a_later_part_says_what_it_counts_from() -> None:
     scene = struck(speed=SPEED)
     first = derived(scene, Query("time_to_event", None, Stopped(cart(scene))))
     later = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
+    first, later = consistent([first, later])
     text = starting_from(later, [("a", first)], whole=True).text
     assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
     assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")

@@ -50,7 +50,12 @@ def kept_steps(solution: Solution, known: Collection[str], said: Container[str] 
     if solution.answer is None or any(step.integration is not None for step in solution.steps):
         return [*solution.steps]
     kept = _needed(solution, known, said)
-    return kept if len(kept) < sum(bool(step.gives) for step in solution.steps) else [*solution.steps]
+    return kept if _results(kept) < _results(solution.steps) else [*solution.steps]
+
+
+def _results(steps: Collection[Step]) -> int:
+    """Return the number of steps that give results; reasons and introductions give none."""
+    return sum(bool(step.gives) for step in steps)
 
 
 def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
@@ -124,7 +129,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
             continue
         kept[step.id] = step
         waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
-    if len(kept) < sum(bool(step.gives) for step in solution.steps):
+    if _results(kept.values()) < _results(solution.steps):
         kept |= {step.id: step for step in _reasons(solution, kept, known, said)}
     return [kept[number] for number in sorted(kept)]
 
