@@ -1,7 +1,7 @@
 """Each slip leads where a textbook says it leads, and each applies to some scene of the catalogue."""
 
-from collections.abc import Iterable
-from math import log, radians, sin, sqrt
+from collections.abc import Callable, Iterable
+from math import log, log10, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -123,6 +123,26 @@ def test_a_rocket_that_keeps_its_mass() -> None:
     assert speed.value(study.trace.sample(np.array([time]))) == pytest.approx(burn.exhaust * log(mass / left))
 
 
+@pytest.mark.parametrize(
+    ("name", "difficulty", "expected"),
+    [
+        ("fuel left out", "easy", lambda m, burnt, u, g, t: u * burnt / (m - burnt)),
+        ("common logarithm", "easy", lambda m, burnt, u, g, t: u * log10(m / (m - burnt))),
+        ("fuel mass for empty mass", "easy", lambda m, burnt, u, g, t: u * log(m / max(burnt, m - burnt))),
+        ("weight along the thrust", "medium", lambda m, burnt, u, g, t: u * log(m / (m - burnt)) + g * t),
+    ],
+)
+def test_slips_about_rockets(name: str, difficulty: Difficulty, expected: Callable[..., float]) -> None:
+    """The speed at burn-out, from the rocket equation and what the slip makes of it."""
+    study, subject = first_of("rocket", [difficulty], name)
+    burn = study.mechanism.burns[0]
+    mass, end = study.mechanism.body[burn.body].mass, burn.until
+    found = SIMPLIFICATIONS[name].simplified(study, subject, 1.01 * end)
+    assert found is not None
+    speed = Target("velocity", burn.body).value(found.trace.sample(np.array([end])))
+    assert speed == pytest.approx(expected(mass, burn.rate * end, burn.exhaust, G, end), rel=1e-5)
+
+
 def two_planets() -> Scene:
     """Two that attract each other, about a star of one solar mass."""
     planets = (
@@ -140,6 +160,10 @@ MADE = {"no friction": ramp(friction=0.2), "no mutual attraction": two_planets()
 def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
     where = {
         "constant mass": "rocket",
+        "common logarithm": "rocket",
+        "fuel left out": "rocket",
+        "fuel mass for empty mass": "rocket",
+        "weight along the thrust": "rocket",
         "from rest": "chain",
         "elastic collisions": "collision",
         "perfectly inelastic collisions": "collision",

@@ -1,0 +1,20 @@
+"""The mass without fuel is taken for the mass of the fuel."""
+
+from dataclasses import replace
+
+from sim2reason.dsl.mechanism import Burn, Mechanism
+from sim2reason.questions.simplifications import simplification
+from sim2reason.questions.simplifications.parts.burning import BurningSlip
+
+
+@simplification
+class FuelAsRest(BurningSlip):
+    """The mass that is left without fuel is taken for the mass of the fuel."""
+
+    name = "fuel mass for empty mass"
+    reason = "the mass of {subject} without fuel is taken for the mass of its fuel"
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return a burn that ejects what should be left."""
+        left = mechanism.body[burn.body].mass - burn.rate * burn.until
+        return replace(burn, until=left / burn.rate)

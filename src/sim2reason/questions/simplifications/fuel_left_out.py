@@ -1,0 +1,27 @@
+"""The mass of the fuel is left out."""
+
+from dataclasses import replace
+
+from sim2reason.dsl.ablation import with_bodies
+from sim2reason.dsl.mechanism import Burn, Mechanism
+from sim2reason.questions.simplifications import simplification
+from sim2reason.questions.simplifications.parts.burning import BurningSlip, without_loss
+
+
+@simplification
+class FuelLeftOut(BurningSlip):
+    """What burns fuel is taken to have the mass from the start that it has without fuel."""
+
+    name = "fuel left out"
+    reason = "the mass of the fuel of {subject} is left out"
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Return the mechanism in which that body has the same thrust, but carries no fuel."""
+        spent = {burn.body: burn.rate * burn.until for burn in mechanism.burns}
+        lighter = with_bodies(mechanism, [subject], lambda body: replace(body, mass=body.mass - spent[subject]))
+        return super().changed(lighter, subject)
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return the same thrust from next to no mass."""
+        del mechanism
+        return without_loss(burn)
