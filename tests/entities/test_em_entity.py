@@ -9,7 +9,9 @@ from pydantic import ValidationError
 from lone_entities import alone, close, drawn, followed, happened, planar
 from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
+from sim2reason.dsl.template import Wordings
 from sim2reason.entities.em_entity import EmEntity
+from sim2reason.entities.parts.fields import ForceField
 from sim2reason.entities.parts.fields.dipole_magnetic import DipoleMagnetic
 from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
 from sim2reason.entities.parts.fields.linear_drag import LinearDrag
@@ -250,3 +252,11 @@ def test_the_number_is_the_size_of_a_charge_and_words_tell_its_sign(sign: str, n
         assert symbol in describe(scene, seed, "symbolic").text
     asked = next(u for u in words_of(describe(scene)).unknowns if u.path == "it.particle.charge")
     assert all("magnitude of the charge" in phrase for phrase in asked.phrases[:-1])
+
+
+@pytest.mark.parametrize("law", [LinearElectric, LinearMagnetic, GrowingElectric])
+def test_the_text_says_which_way_a_changing_field_points(law: type[ForceField]) -> None:
+    """A component alone may be negative; then a question for it can have two answers."""
+    saying = law.says[0]
+    assert isinstance(saying, Wordings)
+    assert all("magnitude {strength}" in told and "{way} direction" in told for told in saying.wordings)

@@ -336,6 +336,14 @@ def test_how_a_hemisphere_is_turned_is_told(faces: str) -> None:
         assert re.search(rf"flat face (faces|facing) {faces}", text)
 
 
+@pytest.mark.parametrize(("tilt", "past"), [(38.0, True), (80.0, False)])
+def test_a_tilted_rod_may_reach_past_the_axle(tilt: float, past: bool) -> None:
+    """Half of 0.67 m times cos 38° is 0.26 m, more than the 0.14 m from the axle to its centre; one along may."""
+    rod = UniformRod(mass=3.3, length=0.67)
+    assert holds_axle(TiltedPiece(body=rod, distance=0.14, tilt=tilt)) is past
+    assert not holds_axle(AxialPiece(body=rod, distance=0.14, axis="along the arm"))
+
+
 def test_no_piece_that_is_drawn_holds_the_axle() -> None:
     """Though one may: a number that the text leaves open may be such that it does."""
     for index in range(100):

@@ -374,7 +374,7 @@ def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> 
 
 OVER_THE_TOP = (
     "From a fixed point a small ball of mass 1.5 kg hangs on a light, rigid rod of length $\\ell$. At the start the "
-    "rod makes an angle of 62° with the downward vertical. Here g = 9.8 m/s². Imagine that at t = 0 the ball is set "
+    "rod makes an angle of 62° with the downward vertical. Here g = 9.8 m/s². Suppose that at t = 0 the ball is set "
     "moving downwards along its arc at speed 2.9 m/s. The time from t = 0 until the ball first reaches the highest "
     "point of its path is 0.915 s. Determine the length $\\ell$. Give your answer in m, to three significant figures, "
     "inside \\boxed{}."

@@ -8,18 +8,22 @@ import pytest
 
 from sim2reason.bodies.ball import Ball, FixedBall
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.spring import NailedSpring
+from sim2reason.bodies.spring import Coil, NailedSpring
+from sim2reason.bodies.track import RoughTrack
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
+from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_block import SpringBlock
+from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.prose.description import describe
@@ -159,6 +163,24 @@ def test_small_oscillations_are_asked_about_without_a_start(mode: str, rate: flo
     else:
         assert found.question.formula is not None
         assert set(found.question.formula.symbols) == {"m_A", "R_A", "m_B", "d_1", "d_2", "g"}
+
+
+@pytest.mark.parametrize("struck", [False, True])
+def test_normal_modes_are_asked_about_without_a_start(struck: bool) -> None:
+    """Neither the blow nor the strain of a spring is told, and the text leads to its answer without them."""
+    chain = SpringMassChain(
+        track=RoughTrack(),
+        carts=(Cart(mass=4.3), Cart(mass=1.9)),
+        ends="right",
+        springs=(Coil(stiffness=155.0), Coil(stiffness=113.0)),
+        strain=Strained(spring=1, way="compressed", by=0.28),
+        blow=Blow(cart=0, toward="right", speed=1.3) if struck else None,
+    )
+    search = QuestionSearch(Scene(entities=(Named(name="it", entity=chain),)), 3)
+    found = search.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "period")
+    assert found is not None
+    assert not re.search(r"0\.28|1\.3 m/s|relaxed|struck|blow|set moving", found.prompt), found.prompt
+    assert parse_prompt(found.prompt).answer == pytest.approx(found.question.answer, rel=1e-9)
 
 
 def test_no_other_text_may_leave_out_its_start() -> None:

@@ -80,6 +80,7 @@ class SpringMassChain(Entity):
             "at t = 0 {blow.cart>carts} is struck and starts off {toward} at speed {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
             "just before t = 0 a blow sends {blow.cart>carts} off {toward} at speed {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
             "{blow.cart>carts} is set moving {toward} at t = 0 with a speed of {blow.speed}{carts:/, while the other is at rest/, while all others are at rest}.",
+            topic="start",
         ),
     )
 

@@ -70,6 +70,7 @@ class SpringMassRing(Entity):
             "at t = 0 {tap.bead>beads} is struck and starts off {tap.toward} at speed {tap.speed}, {beads:/the other being/the others being} at rest.",
             "just before t = 0 a blow sends {tap.bead>beads} off {tap.toward} at speed {tap.speed}, while {beads:/the other is/the others are} at rest.",
             "{tap.bead>beads} is set moving {tap.toward} at t = 0 with a speed of {tap.speed}, while {beads:/the other is/all others are} at rest.",
+            topic="start",
         ),
     )
 

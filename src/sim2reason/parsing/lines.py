@@ -148,10 +148,12 @@ def _at_least(template: str, address: str, state: ParseState) -> ParseState:
     """With the least that is drawn of the numbers that a line which is left out would tell."""
     kind = state.kind(address, Part)
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):
-        name = kind.words[path].parameter if path in kind.words else path
-        held = field_types(kind).get(name)
+        whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
+        owner, _, name = whole.rpartition(".")
+        owners = (kind,) if owner == address else thing_at(state, owner).models
+        held = next((field_types(each)[name] for each in owners if name in field_types(each)), None)
         if held is not None and held.drawn is not None and not held.optional:
-            state = state.with_value(f"{address}.{name}", held.drawn.low) or state
+            state = state.with_value(whole, held.drawn.low) or state
     return state
 
 

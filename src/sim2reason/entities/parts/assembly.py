@@ -29,7 +29,7 @@ from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.solids import Axes, composed
 from sim2reason.dsl.template import Saying
-from sim2reason.entities.parts.pieces import AnyPiece, WeldedPiece
+from sim2reason.entities.parts.pieces import AnyPiece, TiltedPiece, WeldedPiece
 
 Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
@@ -114,8 +114,9 @@ class WeldedArm(Entity):
 
 
 def holds_axle(piece: WeldedPiece) -> bool:
-    """Whether a piece reaches past the axle, which only a thin rod may."""
-    return not isinstance(piece.shape, UniformRod) and piece.span[0] < 0.0 < piece.span[1]
+    """Return whether a piece reaches past the axle, which only a thin rod along the arm may."""
+    along_arm = isinstance(piece.shape, UniformRod) and not isinstance(piece, TiltedPiece)
+    return not along_arm and piece.span[0] < 0.0 < piece.span[1]
 
 
 def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:

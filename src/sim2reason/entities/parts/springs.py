@@ -4,7 +4,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, Word, either
+from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, Word, either, placing
 
 
 class Strained(Part):
@@ -53,4 +53,4 @@ STRAINED = Word(
 )
 """How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
 
-AT_FIRST = either("initially {strained}.", "at the start {strained}.", "to begin with, {strained}.")
+AT_FIRST = placing("initially {strained}.", "at the start {strained}.", "to begin with, {strained}.")

@@ -30,7 +30,7 @@ class QuestionFirst(PromptShape):
     """Like this: “In the set-up below, what is the tension 0.50 s after release? Block A lies …”."""
 
     name = "question_first"
-    share = 0.6
+    share = 0.45
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of questions that begin with the word that asks, and assume nothing of what is not yet told."""

@@ -9,7 +9,6 @@ from sim2reason.prose.description import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     lowered,
-    one_of,
     raised,
     splits,
     text_of,
@@ -17,7 +16,7 @@ from sim2reason.questions.shapes.parts.units import (
     without_assumptions,
 )
 
-FRONTS = ("Suppose that ", "Imagine that ")
+FRONT = "Suppose that "
 
 
 @shape
@@ -29,16 +28,15 @@ class SupposedStart(PromptShape):
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts whose last sentence before the closings on what holds throughout tells a start."""
+        del rng
         facts, closings = without_assumptions(description.sentences)
-        front = one_of(FRONTS, rng)
         if not facts or description.role(facts[-1]) != "start" or facts[-1] in RESTS:
             return None
-        return text_of([*facts[:-1], *closings, front + lowered(facts[-1]), question])
+        return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """What is supposed goes back to before the closings."""
         for story, question in splits(units(text)):
-            front = next((front for front in FRONTS if story and story[-1].startswith(front)), None)
-            if front is not None:
+            if story and story[-1].startswith(FRONT):
                 facts, closings = without_assumptions(story[:-1])
-                yield Draft(text_of([*facts, raised(story[-1].removeprefix(front)), *closings]), question)
+                yield Draft(text_of([*facts, raised(story[-1].removeprefix(FRONT)), *closings]), question)

@@ -28,9 +28,9 @@ class GrowingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field has only a component in the {way} direction: this is {strength} at t = 0 and {trend} at a rate of {growth}.",
-            "there is a uniform electric field with only one component: that in the {way} direction is {strength} at t = 0 and {trend} at a rate of {growth}.",
-            "the component of a uniform electric field in the {way} direction is {strength} at t = 0 and {trend} at a rate of {growth}; the field has no other component.",
+            "a uniform electric field has magnitude {strength} at t = 0 and points in the {way} direction; its component in that direction, the only one, {trend} at a rate of {growth}.",
+            "at t = 0 a uniform electric field of magnitude {strength} points in the {way} direction; its component in that direction {trend} at a rate of {growth}, and it never has another.",
+            "there is a uniform electric field, of magnitude {strength} at t = 0 and in the {way} direction; it has only a component in that direction, which {trend} at a rate of {growth}.",
         ),
     )
 

@@ -34,9 +34,9 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field has only a component in the {way} direction: this is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field parallel to the {axis} axis: its component in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "the component of an electric field in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}; the field has no other component.",
+            "an electric field is parallel to the {axis} axis; at {axis} = 0 it has magnitude {strength} and points in the {way} direction, and its component in that direction {trend} with {axis} at a rate of {slope}.",
+            "at {axis} = 0 an electric field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field of magnitude {strength} in the {way} direction at {axis} = 0; everywhere it has only a component in that direction, which {trend} with {axis} at a rate of {slope}.",
         ),
     )
 

@@ -29,9 +29,9 @@ class LinearMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field has only a component in the {way} direction: this is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is a magnetic field parallel to the z axis: its component in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "the component of a magnetic field in the {way} direction is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}; the field has no other component.",
+            "a magnetic field has magnitude {strength} at {axis} = 0 and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
+            "at {axis} = 0 a magnetic field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
+            "there is a magnetic field of magnitude {strength} in the {way} direction at {axis} = 0; everywhere it has only a component in that direction, which {trend} with {axis} at a rate of {slope}.",
         ),
     )
 
