@@ -26,9 +26,10 @@ OTHERS = 3  # times that other kinds have their turn with these scenes, before n
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
 REFUSED = 6  # questions of one kind that any filter refuses, after which it is asked last, too
 UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
+HOPELESS = 2  # times that all draws of a kind need other means, after which it is asked last: most scenes are alike
 BEYOND = 2  # kinds that need other means, after which a scene is not asked for others
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, BEYOND, ABSENT
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, HOPELESS, BEYOND, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -50,6 +51,7 @@ class ItemSearch:
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._refused: Counter[str] = Counter()  # questions that are refused, by kind
+        self._unsuited: Counter[str] = Counter()  # scenes about which all its draws need other means, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
         self._first = ""  # the first kind of its order that a scene offers
         self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
@@ -72,17 +74,17 @@ class ItemSearch:
     def _order(self, turn: int) -> list[str]:
         """Return the kinds in the order of a turn, each turn beginning with the next one.
 
-        What takes long to draw has its turn when it comes first by its weight, and is no substitute for others.
+        A costly kind is asked only in the turn that begins with it.
         """
         begin = turn % len(self._kinds)
         first, *others = *self._kinds[begin:], *self._kinds[:begin]
-        others = sorted(others, key=lambda kind: KINDS[kind].derivable)
-        return sorted((first, *others), key=lambda kind: self._is_last(kind) or (turn > 0 and KINDS[kind].derivable))
+        others = [kind for kind in others if not KINDS[kind].costly]
+        return sorted((first, *others), key=self._is_last)
 
     def _is_last(self, kind: str) -> bool:
-        """Return whether few scenes offer a kind, few laws answer its questions, or filters refuse most of them."""
+        """Return whether few scenes offer a kind, filters refuse most of its questions, or all need other means."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
-        return known or self._refused[kind] >= REFUSED
+        return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """A question about one of some scenes."""
@@ -155,6 +157,7 @@ class ItemSearch:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]
         self._refused[kind] += refused.total()
+        self._unsuited[kind] += refused[UNSUITED]
         if found is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
             self._problems.add(kind)
         self.rejected.update(refused)

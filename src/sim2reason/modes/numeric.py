@@ -42,7 +42,7 @@ class Numeric(QuestionMode):
         self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         offered = targets(words)
-        drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.derivable else DRAWS))
+        drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.costly else DRAWS))
         found = takewhile(lambda query: query is not None, drawn)
         query = next((query for query in found if query is not None and suits(query, "", None)), None)
         return self.asking(query, study, words, rng) if query is not None else None

@@ -46,6 +46,7 @@ class Kind(ABC):
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
         derivable: whether it is asked only where some worked solution leads to the answer without any integration.
+        costly: whether drawing one takes many motions, so that it is asked by its weight alone, not in place of others.
         beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
         hides: whether its questions leave a number of the text open, which other questions about it may need.
     """
@@ -56,6 +57,7 @@ class Kind(ABC):
     whole: ClassVar[bool] = False
     awaited: ClassVar[bool] = False
     derivable: ClassVar[bool] = False
+    costly: ClassVar[bool] = False
     beyond_laws: ClassVar[bool] = False
     hides: ClassVar[bool] = False
 

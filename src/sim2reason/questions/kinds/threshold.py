@@ -62,6 +62,7 @@ class ThresholdKind(Kind):
 
     name = "threshold"
     share = 0.25
+    costly = True
     hides = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

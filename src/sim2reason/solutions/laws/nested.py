@@ -22,7 +22,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 NEW = r"\text{new}"
-UNSHORTENED = 400  # characters of a formula that hardly becomes short
+UNSHORTENED = 200  # characters of a formula that hardly becomes short
 SHORT = 110  # characters of a formula into which another value is put
 
 

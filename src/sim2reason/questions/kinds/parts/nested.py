@@ -57,6 +57,7 @@ class NestedKind(Kind):
     """
 
     derivable = True
+    costly = True
     inner: ClassVar[tuple[str, ...]] = INNER
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
