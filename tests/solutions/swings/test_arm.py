@@ -53,6 +53,6 @@ def test_of_a_tilted_rod_its_extension_across_the_axle_counts_and_a_ball_is_a_po
     found = released(rod, BallPiece(body=FixedBall(mass=1.4), distance=0.36, side="from the axle, on the other side"))
     assert inertia(found) == pytest.approx(MASS * 1.2**2 * cos(radians(51.0)) ** 2 / 12.0, rel=1e-9)
     assert (
-        r"Only the extension of the rod perpendicular to the axle counts, its length times $\cos\beta$." in found.text
+        r"Only the extension of the rod perpendicular to the axle matters, its length times $\cos\beta$." in found.text
     )
     assert "By the parallel-axis theorem, with ball B as a point mass," in found.text

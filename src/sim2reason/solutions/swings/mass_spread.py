@@ -204,10 +204,10 @@ def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
     along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
     if own == ZERO:
         size = f"its length times ${Call('cos', angle).latex()}$"
-        return across * along, f"Only the extension of the rod perpendicular to the axle counts, {size}."
+        return across * along, f"Only the extension of the rod perpendicular to the axle matters, {size}."
     why = (
-        f"With the axle at $90^\\circ - {angle.latex()}$ to its axis, the moment of inertia across this axis counts "
-        f"with the factor ${along.latex()}$, and that about it with ${beside.latex()}$."
+        f"With the axle at $90^\\circ - {angle.latex()}$ to its axis, the moment of inertia is that across this axis "
+        f"times ${along.latex()}$ plus that about it times ${beside.latex()}$."
     )
     return across * along + own * beside, f"{spread.why_own or spread.why} {why}".lstrip()
 
