@@ -59,3 +59,10 @@ def test_a_long_formula_is_settled_to_numbers_of_what_is_known() -> None:
     short = settled(formula, frozenset({"x"}), lambda held: Number(float(held.value(at).real)))
     assert set(short.symbols()) <= {"x", "c"}
     assert short.value(at | {"x": 0.4}) == pytest.approx(formula.value(at | {"x": 0.4}))
+
+
+def test_a_fraction_has_no_whole_factor_left() -> None:
+    """4 a x = 4 b + 2 c x gives x = 2 b/(2 a − c)."""
+    a, b, c, x = (Symbol(name) for name in "abcx")
+    at = {"a": 3.0, "b": 1.0, "c": 2.0, "x": 0.5}
+    assert solved_for("x", 4.0 * a * x - 2.0 * c * x, 4.0 * b, at).latex() == r"\frac{2\,b}{2\,a - c}"

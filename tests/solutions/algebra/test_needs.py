@@ -11,7 +11,7 @@ import pytest
 import sim2reason.solutions
 from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.elliptic import CompleteElliptic
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.needs import need_of, operation
@@ -53,6 +53,7 @@ def test_every_class_of_expressions_has_a_need() -> None:
         (Chain((("a", Call("arcsin", X)), ("b", Symbol("a") + ONE))), Need.INVERSE_FUNCTION),
         (NumericRoot(KEPLER, "x", 1.5), Need.ROOT),
         (ImplicitRoot(KEPLER, "x", 1.5), Need.ROOT),
+        (QuadraticRoot(Power(X, 2) - 2.0, "x", 1.41), Need.QUADRATIC),
         (ONE + CompleteElliptic(HALF), Need.SPECIAL_FUNCTION),
         (ClosedRoot(KEPLER, "x", 1.5, X, Root(HALF)), Need.QUADRATIC),
         (ClosedRoot(KEPLER, "x", 1.5, X, HALF), Need.ARITHMETIC),

@@ -7,7 +7,7 @@ from math import isclose
 import pytest
 
 from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.trees import tree
@@ -33,6 +33,7 @@ FORMULAS = [
     Product((Worked(Product((Number(2.0), Y)), 3.4), X)),
     NumericRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),
     ImplicitRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),
+    QuadraticRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),
     ClosedRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038, Sum((Power(Symbol("z"), 2), Number(-1.7))), Root(Y)),
 ]
 

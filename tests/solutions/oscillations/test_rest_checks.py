@@ -45,8 +45,9 @@ def test_only_the_time_between_turning_points_is_half_an_oscillation() -> None:
     """The first stage begins with a speed: it takes arctan(v ω/µg)/ω, less than π/2ω."""
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
-    early, late = ("It first turns back after $t_1", "From turning point to turning point is half an oscillation: $t_2")
-    assert found.text.index(early) < found.text.index("Until it turns back again") < found.text.index(late)
+    early = "It first comes to rest after $t_1"
+    late = "From one moment of rest to the next it takes half an oscillation: $t_2"
+    assert found.text.index(early) < found.text.index("Until it next comes to rest") < found.text.index(late)
     assert "This half oscillation" not in found.text
     assert found.values["t_1"] == pytest.approx(atan(SPEED * RATE / (FRICTION * G)) / RATE, rel=1e-9)
     assert found.values["t_2"] == pytest.approx(pi / RATE, rel=1e-9)
@@ -57,6 +58,7 @@ def test_what_begins_at_rest_takes_half_an_oscillation_from_the_start() -> None:
     scene = struck(strain=0.2)
     found = derived(scene, Query("time_to_event", None, Halted(cart(scene))))
     assert found.text.count(r"\frac{\pi}{\omega}") == 1
+    assert "All half oscillations take the same time, so the total time is $t = 2\\,t_1" in found.text
     assert found.answer == pytest.approx(2.0 * pi / RATE, rel=1e-8)
 
 
@@ -78,6 +80,8 @@ def test_what_comes_to_rest_for_good_is_held_by_friction() -> None:
     assert last < LIMIT
     assert "is less than $f_{\\text{max}}$, so it stays." in found.text
     assert "starts to move to the right" in found.text
+    assert "turns back" not in found.text
+    assert found.text.count("comes to rest at") == len(moving)
 
 
 def test_a_body_that_never_moves_is_shown_to_stay() -> None:
@@ -97,6 +101,7 @@ def test_a_distance_is_moved_before_the_first_turning_point() -> None:
     scene = struck(strain=0.1)
     found = derived(scene, Query("time_to_event", None, Moved(cart(scene), 0.05)))
     assert verified(found)["x_1"] == pytest.approx(2.0 * (0.1 - LIMIT / STIFFNESS), rel=1e-9)
+    assert "beyond $x = d_1$, so friction is still constant there." in found.text
 
 
 def test_a_later_part_says_what_it_counts_from() -> None:

@@ -90,6 +90,15 @@ def test_what_a_jerk_takes_is_the_energy_of_the_motion_along_the_string(angle: f
     assert answer("pendulum", scene(angle, speed), query) == pytest.approx(lost, rel=1e-8)
 
 
+def test_why_it_is_fastest_at_the_lowest_point() -> None:
+    """In flight it is above that, and a jerk takes energy."""
+    place = Scene(entities=(Named(name="pendulum", entity=scene(20.0, speed_to(20.0, 0.4))),))
+    query = StretchQuery("extremum", None, WentTaut(HANGER), "greatest speed", BOB)
+    text = by(STRATEGIES["circle and projectile"], asked(place, query)).text
+    assert "By conservation of energy, the speed is greatest at the lowest point." in text
+    assert "is above this point and so slower" in text
+
+
 @settings(max_examples=12, deadline=None)
 @given(st.integers(0, 80), st.floats(0.1, 0.9))
 def test_before_and_after_a_jerk(angle: int, share: float) -> None:

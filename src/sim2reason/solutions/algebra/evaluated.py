@@ -94,6 +94,12 @@ class ImplicitRoot(NumericRoot):
         return self.name
 
 
+class QuadraticRoot(ImplicitRoot):
+    """Such a root of a quadratic equation, which has a closed form."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True, slots=True)
 class Chain(Expression):
     """What the last of several names comes to, each a formula of those before it; it is never written."""

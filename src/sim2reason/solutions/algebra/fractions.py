@@ -1,5 +1,7 @@
 """Fractions of polynomials, without what both of their sides share."""
 
+from math import gcd
+
 from sim2reason.solutions.algebra.expressions import Expression, Quotient
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
@@ -9,11 +11,21 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
     if below.number is None:
         above, below = _cancelled(above, below)
         above, below = _quotient(above, below) or (above, below)
+    above, below = _without_factor(above, below)
     if below.number is not None:
         return above.scaled(1.0 / below.number).factored()
     if all(part < 0.0 for part in below.terms.values()):
         above, below = above.scaled(-1.0), below.scaled(-1.0)
     return Quotient(above.factored(), below.factored())
+
+
+def _without_factor(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """A fraction without the whole number that all terms of both are multiples of."""
+    parts = [*above.terms.values(), *below.terms.values()]
+    if not all(float(part).is_integer() for part in parts):
+        return above, below
+    shared = gcd(*(int(part) for part in parts))
+    return (above.scaled(1.0 / shared), below.scaled(1.0 / shared)) if shared > 1 else (above, below)
 
 
 def _quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:

@@ -5,7 +5,7 @@ from functools import cache
 
 from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot, QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 
@@ -24,6 +24,7 @@ OPERATIONS: Mapping[type[Expression], Need] = {
     Root: Need.QUADRATIC,
     Call: Need.INVERSE_FUNCTION,
     NumericRoot: Need.ROOT,
+    QuadraticRoot: Need.QUADRATIC,
     SpecialFunction: Need.SPECIAL_FUNCTION,
 }
 """What it takes to work out an expression of a class, or of a subclass, once all that is inside it is known."""

@@ -4,6 +4,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -52,6 +53,14 @@ def inertia_words(dynamics: Dynamics, k: int) -> str:
     if radius.symbol is None:
         return ""
     return f", whose moment of inertia is ${(inertia * radius * radius).expression().latex()}$"
+
+
+def rim_inertia_words(newton: Newton, setting: Setting, k: int) -> str:
+    """Return the sentence what the moment of inertia of a body is that turns with a hinge; empty where it has none."""
+    body = setting.mechanism.coordinates[k].body
+    inertia, radius = newton.turning(k, k), radius_of(setting, body)
+    size = f"${inertia.expression().latex()}$ times the square of its {radius}"
+    return f"The moment of inertia of {setting.called(body)} is {size}." if inertia else ""
 
 
 def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:

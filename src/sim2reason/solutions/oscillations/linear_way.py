@@ -11,6 +11,7 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Components
 from sim2reason.solutions.laws.newton import Newton, Row
+from sim2reason.solutions.laws.rolling_words import rim_inertia_words
 from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
@@ -101,6 +102,8 @@ class LinearWay(Way):
             size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
             bound.append(f"{self.who(k)} moves {size} {self.who(i)}")
         step.say(f"{capital(joined(bound))}." if bound else "")
+        turning = [k for k, parts in self.motion.ratios.items() if parts and self._turns_by_itself(k)]
+        step.say(*(rim_inertia_words(self.newton, self.setting, k) for k in turning))
         step.close()
 
     def _moved(self, names: dict[int, Symbol]) -> list[str]:

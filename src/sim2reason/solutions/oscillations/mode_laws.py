@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.cramer import signed_permutations
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power, Root
@@ -40,7 +40,7 @@ class ModeLaws:
         where forces drive it away.
         """
         self.book, self.motion, self.first, self.names = book, motion, list(first), list(names)
-        self.size = len(motion.free)
+        self.size, self.loaded = len(motion.free), loaded
         self.told: frozenset[int] = frozenset()  # the numbers of the modes that the solution shows
         self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
         half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
@@ -78,7 +78,7 @@ class ModeLaws:
         step.close()
 
     @cached_property
-    def _powers(self) -> list[Polynomial]:
+    def powers(self) -> list[Polynomial]:
         """The coefficients of det(K − λM) by the power of λ."""
         found = [NIL] * (self.size + 1)
         for sign, order in signed_permutations(self.size):
@@ -96,8 +96,8 @@ class ModeLaws:
     @cached_property
     def modes(self) -> list[Mode]:
         """All of them, the slowest first; their λ are told."""
-        powers = self._powers[self.zeros :]
-        if any(self._powers[: self.zeros]):
+        powers = self.powers[self.zeros :]
+        if any(self.powers[: self.zeros]):
             raise UnsolvedError("a mode that only these numbers leave free")
         free = [Mode(n, ZERO) for n in range(self.zeros)]
         if len(powers) == 2:
@@ -120,9 +120,15 @@ class ModeLaws:
             mode = self._named(self.zeros + n)
             turned = sign if self.book.value(a) > 0.0 else -sign
             formula = (-b - Number(turned) * Root(Power(b, 2) - 4.0 * a * c)) / (2.0 * a)
-            self._root(mode, powers, self.book.worked(formula))
+            implicit = not self.loaded and self.book.is_hidden(formula) and not self.book.in_symbols
+            self._root(mode, powers, self._implicit(mode, powers) if implicit else self.book.worked(formula))
             found.append(mode)
         return found
+
+    def _implicit(self, mode: Mode, powers: Sequence[Polynomial]) -> Expression:
+        """Return a root by its equation, which is simpler to solve for the number that is unknown."""
+        assert isinstance(mode.square, Symbol)
+        return QuadraticRoot(self._vanishing(powers, mode.square), mode.square.name, float(self.squares[mode.number]))
 
     def _several(self, powers: Sequence[Polynomial]) -> list[Mode]:
         """The roots of an equation of higher degree, found numerically."""
@@ -203,14 +209,24 @@ class ModeLaws:
             said = "They hold only if the determinant of the coefficients of the displacements is zero"
             said += "; apart from the root 0," if self.zeros else ","
             step.say(f"{said} {step.derived(held, ZERO)}.")
-        which = "Another root of the same equation is" if again else "One root is"
+        count, of = len(powers) - 1, " of the same equation" if again else ""
+        which = f"{self._order(mode.number - self.zeros, count)} root{of}"
         if formula is not None:
-            step.say(f"{which} {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+            told = step.result(mode.square, formula, PER_SECOND_SQUARED)
+            implicit = isinstance(formula, QuadraticRoot)
+            step.say(f"Here ${mode.square.latex()}$ is the {which}." if implicit else f"The {which} is {told}.")
         else:
             near = float(self.squares[mode.number])
-            said = f"{which}, by numerical solution," if again else "Solved numerically, one root is"
+            said = f"By numerical solution, the {which} is"
             step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
         step.close()
+
+    @staticmethod
+    def _order(place: int, count: int) -> str:
+        """Return which of several roots one is, in words."""
+        if count == PAIR:
+            return ("smaller", "greater")[place]
+        return "greatest" if place == count - 1 else ("smallest", "second smallest", "third smallest")[place]
 
     def _repeats(self, mode: Mode) -> bool:
         """Return whether the equation for the squares of frequencies is shown with an earlier mode."""

@@ -40,7 +40,7 @@ class PairWay(SingleWay):
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
-        said = "The momentum is zero, so the centre of mass stays at rest. The relative displacement is then"
+        said = f"{self._relative.words.still}. The relative displacement is then"
         return self.book.told("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
@@ -65,6 +65,9 @@ class PairWay(SingleWay):
         apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
         step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
         step.close()
+        frame = held.words.frame if self.kept else f"{held.words.zero}, so"
+        held.called = name.name
+        held.recoils = f"{frame} the velocity of {other} {self.towards(held.other)} is"
 
     @property
     def kept(self) -> Polynomial:
@@ -104,7 +107,8 @@ class PairWay(SingleWay):
             total = total * Polynomial.of(self.clock())
         if not total and not self.along("s"):
             return NIL
-        said = f"The centre of mass moves with constant velocity; with the displacement of {self._partner()}"
+        said = self._relative.words.drifts if self.kept else self._relative.words.still
+        said = f"{said}; with the displacement of {self._partner()}"
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
@@ -113,11 +117,12 @@ class PairWay(SingleWay):
             return self.along("v")
         if not self.kept and not self.along("v"):
             return NIL
-        return self._balanced("v", SPEED, self.kept, f"Momentum is conserved; with the velocity of {self._partner()}")
+        said = f"{self._relative.words.conserved}; with the velocity of {self._partner()}"
+        return self._balanced("v", SPEED, self.kept, said)
 
     def acceleration(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""
         if i != self._relative.other:
             return self.along("a")
-        said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
+        said = f"{self._relative.words.unaccelerated}; with the acceleration of {self._partner()}"
         return self._balanced("a", ACCELERATION, NIL, said)

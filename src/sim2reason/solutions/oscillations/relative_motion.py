@@ -9,14 +9,17 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.springs import SpringLaws
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.momentum_words import MomentumWords
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS
 
+HALF = Number(0.5)
 DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
 
 
@@ -39,6 +42,9 @@ class RelativeMotion:
         kept = 0 if self.way[0] else 1
         self.other, own = motion.free[kept], motion.free[1 - kept]
         self.free = [own]
+        self.words = MomentumWords.of(motion.setting)
+        self.called = "x"  # what the relative displacement is called
+        self.recoils = ""  # begins a sentence with the velocity of what is shared, where the momentum is zero
         share = self.way[1 - kept] if self.way[kept] else 0.0  # how fast the free one goes with the other
         self.shared = share / self.way[kept]
         self.ratios = {
@@ -84,11 +90,20 @@ class RelativeMotion:
 
     @cached_property
     def reduced(self) -> Symbol:
-        """µ, told."""
+        """µ, told: of two bodies along one line the reduced mass, else by the kinetic energy."""
         shared, both, own = self.masses
-        text = "Momentum is conserved along this direction, so the relative motion has the reduced mass"
-        formula = over(own * shared - both * both, shared)
-        return self.book.told("inertia", text, self.book.fresh(r"\mu"), formula, KILOGRAMS)
+        name, square = self.book.fresh(r"\mu"), Power(both.factored(), 2)
+        if both == own:
+            said = f"{self.words.conserved}, so the relative motion has the reduced mass"
+            return self.book.told("inertia", said, name, over(own * shared - both * both, shared), KILOGRAMS)
+        step, rate = self.book.open("inertia"), Symbol(rf"\dot{{{self.called}}}")
+        recoil = -(both.factored() / shared.expression() * rate)
+        step.say(f"{self.recoils} ${recoil.latex()}$. In terms of ${rate.name}$, the total kinetic energy is then")
+        formula = own.expression() - square / shared.expression()
+        energy = (HALF * name * Power(rate, 2)).latex()
+        step.say(f"${energy}$ with the effective mass {step.result(name, formula, KILOGRAMS, law=True)}.")
+        step.close()
+        return name
 
     def mass(self, i: int, j: int) -> Polynomial:
         """µ."""

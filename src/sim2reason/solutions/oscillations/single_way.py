@@ -25,6 +25,11 @@ class SingleWay(LinearWay):
     def name(self) -> Symbol:
         """What the free coordinate is called."""
 
+    @property
+    def standing(self) -> str:
+        """Begin a sentence with where, or when, it is at rest for an instant."""
+        return "It turns back"
+
     @abstractmethod
     def along(self, kind: str) -> Polynomial:
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate at the moment."""

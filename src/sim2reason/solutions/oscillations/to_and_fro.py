@@ -8,6 +8,7 @@ import numpy as np
 
 from sim2reason.simulation.trace import Trace
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.writing.steps import UnsolvedError
@@ -46,3 +47,21 @@ class Travelled(Stretch):
             apart = other - one
             found = found + (apart if book.value(apart) >= 0.0 else -apart)
         return found * abs(part) if abs(part) != 1.0 else found
+
+
+class Rubbing(Travelled):
+    """Swings with friction of one size."""
+
+    def force(self, kind: str, name: str) -> Polynomial:
+        """µN: its work is that along the whole path."""
+        if kind != "f":
+            return super().force(kind, name)
+        newton = self.way.newton
+        number = next(n for n, face in enumerate(self.way.mechanism.faces) if face.subject == name)
+        row = newton.normal(number)
+        found = (row.inertia - row.forces.without((f"N{number}",))).put({f"q{k}": NIL for k in self.way.motion.ratios})
+        return newton.coefficient(number) * found
+
+    def slipped(self, body: str) -> Polynomial:
+        """The whole path."""
+        return Polynomial.of(self.path(body))

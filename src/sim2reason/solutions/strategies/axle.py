@@ -10,7 +10,7 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -19,6 +19,7 @@ from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.swings.asked import unasked
 from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.total_angle import swept
+from sim2reason.solutions.swings.where_extreme import Ends
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_ACCELERATION,
@@ -195,6 +196,14 @@ class _Turning(SwingAngle):
     def components(self) -> tuple[Expression, Expression]:
         """Return d ω² and d α of the centre of mass."""
         return self.size * squares([self.rate]), self.size * self.angular_acceleration
+
+    @property
+    def ends(self) -> Ends:
+        """Return them with the torque of gravity over the moment of inertia, and Iω₀²/2Sg."""
+        moment, inertia, rate = self.arm.moment, self.arm.inertia, self.launch
+        torque = (moment if self.falls else -moment) * self.gravity
+        excess = inertia * Power(rate, 2) / (2.0 * torque) if rate != ZERO else ZERO
+        return self.size * torque / inertia, self.first if self.falls else PI - self.first, excess
 
     def _acceleration(self) -> Expression:
         inward, along = self.components

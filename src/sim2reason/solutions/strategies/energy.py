@@ -24,12 +24,13 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
+from sim2reason.solutions.oscillations.net_force import net_force, power_words, told_extensions, work
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.single_way import SingleWay
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
 HALF = Number(0.5)
@@ -101,7 +102,24 @@ class EnergyWay(SingleWay):
     def write(self) -> Symbol:
         """The time, or the goal."""
         _ = self.name
-        return self._time if self.target is None or self.goal is None else self.goal.write(self.target, self)
+        if self.target is None or self.goal is None:
+            return self._time
+        return self._energy(self.target.subject) if self._is_all else self.goal.write(self.target, self)
+
+    @property
+    def _is_all(self) -> bool:
+        """Return whether the kinetic energy of the only thing that moves is asked for, where work alone gives it."""
+        assert self.target is not None
+        timed = isinstance(self.query.moment, AtTime | AtStart) and not self.greatest
+        moved = {self.mechanism.coordinates[k].body for k, parts in self.motion.ratios.items() if parts}
+        alone = isinstance(self.motion, LinearMotion) and moved == {self.target.subject}
+        return self.target.quantity == "kinetic energy" and alone and not timed and not self._turns
+
+    def _energy(self, body: str) -> Symbol:
+        """Write the kinetic energy of all, by the work that is done."""
+        formula, mark = self._kinetic(self._first) + work(self.motion, self._place), self.setting.mark(body)
+        said = f"By the work-energy theorem, the kinetic energy of {self.setting.called(body)} is"
+        return self.book.told("energy", said, self.book.fresh("K", mark), formula, JOULES)
 
     # ---- the sums
 
@@ -109,18 +127,6 @@ class EnergyWay(SingleWay):
     def _mass(self) -> Expression:
         """That of the whole, as if all moved as x does."""
         return self.motion.mass(self._i, self._i).factored()
-
-    def _work(self, x: Expression) -> Expression:
-        """Of all forces from the start to a place."""
-        found = self.motion.steady(self._i)
-        whole: Expression = found.factored() * x if found else ZERO
-        for n in self.motion.springs:
-            stiffness = self.motion.laws.stiffness(n).expression()
-            strain, part = self.motion.laws.strain(n), self.motion.drawn(n, self._i)
-            there = strain.expression() + (x if part == 1.0 else -x if part == -1.0 else Number(part) * x)
-            before = Power(strain.expression(), 2) if strain else ZERO
-            whole = whole + HALF * stiffness * (before - Power(there, 2))
-        return whole
 
     @cached_property
     def _first(self) -> Expression:
@@ -173,7 +179,7 @@ class EnergyWay(SingleWay):
         """Where all work has used up the kinetic energy of the start."""
         step, name = self.book.open("energy"), self.name
         first = self._kinetic(self._first)
-        law = step.law(first + self._work(name), ZERO)
+        law = step.law(first + work(self.motion, name), ZERO)
         load, stiffness = self.motion.load(self._i), self.motion.stiffness(self._i, self._i)
         if not stiffness:
             formula = -first / load.factored()
@@ -224,13 +230,13 @@ class EnergyWay(SingleWay):
             formula = self._first + self._rise * time
             said = f"At ${time.name}$ its velocity is"
             return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
-        work = self._work(self._place)
-        if work == ZERO:
+        gained = work(self.motion, self._place)
+        if gained == ZERO:
             raise UnsolvedError("nothing does work")
         step, name = self.book.open("energy"), self.book.fresh("v")
         first = self._kinetic(self._first)
-        law = step.law(self._kinetic(name), first + work)
-        inner = 2.0 * work / self._mass
+        law = step.law(self._kinetic(name), first + gained)
+        inner = 2.0 * gained / self._mass
         root = Root(squares([self._first]) + inner)
         step.say(f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}$: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
@@ -240,18 +246,18 @@ class EnergyWay(SingleWay):
     @cached_property
     def _rise(self) -> Symbol:
         """The acceleration of x: the kinetic energy grows at the rate of the power."""
-        pulls = self.motion.load(self._i).factored()
+        place: Expression = ZERO
         if self.motion.springs and not isinstance(self.query.moment, AtStart):
             if isinstance(self.query.moment, AtTime) and not self.greatest:
                 raise UnsolvedError("energy says nothing of times where springs pull")
-            stiffness = self.motion.stiffness(self._i, self._i)
-            pulls = pulls - stiffness.expression() * self._place
+            place = self._place
+        pulls, mass = net_force(self.motion, place), self._mass
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.open("power"), self.book.fresh("a")
-        law = step.law(self._mass * name, pulls)
-        said = "Dividing the rate of change of the energy by the speed gives"
-        step.say(f"{said} {law}, so {step.result(name, pulls / self._mass, ACCELERATION)}.")
+        step.say(told_extensions(self.motion, place, self.setting), *power_words(mass, self.name, name))
+        step.say(f"At any velocity, then, {step.law(mass * name, pulls)},")
+        step.say(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
         step.close()
         return name
 

@@ -18,10 +18,11 @@ from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
-from sim2reason.solutions.oscillations.to_and_fro import Travelled
+from sim2reason.solutions.oscillations.to_and_fro import Rubbing
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
@@ -129,9 +130,9 @@ class _Swinging(Oscillating):
                 self._say(f"{capital(said)}{turned}.")
         step = self.book.open("names")
         step.say(
-            f"Until it turns back again, friction is constant; let ${held.name.name}$ be the displacement from here."
+            f"Until it next comes to rest, friction is constant; let ${held.name.name}$ be the displacement from here."
             if number
-            else "Until it first turns back, friction is constant."
+            else "Until it first comes to rest, friction is constant."
         )
         step.close()
 
@@ -147,8 +148,8 @@ class _Swinging(Oscillating):
         timed = self.query.target is None or isinstance(self.query.moment, AtTime)
         if timed:
             _ = self._begun
-        said = "The turning point is at" if timed else "It first turns back at"
-        said, name = (said, book.fresh("x", "1")) if first else ("It turns back at", held.name)
+        said = "The turning point is at" if timed else "It first comes to rest at"
+        said, name = (said, book.fresh("x", "1")) if first else ("It next comes to rest at", held.name)
         there = book.told("turning", said, name, held.turning(span), METRES)
         if not first:
             said, name = "Its displacement from the start is then", book.fresh("x", str(len(self._places)))
@@ -187,9 +188,9 @@ class _Swinging(Oscillating):
         whole = held.begun == ZERO
         if whole and self._half is not None:
             return self._half
-        said = "From turning point to turning point is half an oscillation:"
+        said = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
-            said = "It first turns back after half an oscillation," if whole else "It first turns back after"
+            said = "It first comes to rest after half an oscillation," if whole else "It first comes to rest after"
         formula = held.angle_of_turning(span) / held.rate
         found = self.book.told("time", said, self._time_name(), formula, SECONDS)
         self._half = found if whole else None
@@ -199,8 +200,9 @@ class _Swinging(Oscillating):
         """Less what the swings before take."""
         left = time
         if self._times:
-            said = "The remaining time is"
-            left = self.book.told("time", said, self._time_name(), time - self._begun, SECONDS)
+            before = self._begun
+            said = capital(f"{self._equal_times()}the remaining time is")
+            left = self.book.told("time", said, self._time_name(), time - before, SECONDS)
         self._turns_later(left)
         return left
 
@@ -220,7 +222,18 @@ class _Swinging(Oscillating):
         if not self._times:
             return time
         whole = total(map(Polynomial.of, (*self._lasting, time))).expression()
-        return self.book.told("time", "The total time is", self.book.fresh("t"), whole, SECONDS)
+        said = capital(f"{self._equal_times(time)}the total time is")
+        return self.book.told("time", said, self.book.fresh("t"), whole, SECONDS)
+
+    def _equal_times(self, *more: Symbol) -> str:
+        """Begin a sentence with the reason why one time stands for several swings, if one does."""
+        whole = [held for held in (*self._lasting, *more) if held == self._half]
+        return "all half oscillations take the same time, so " if len(whole) > 1 else ""
+
+    @property
+    def standing(self) -> str:
+        """Begin a sentence with where, or when, a swing ends: friction may hold the body there."""
+        return f"It {'next' if self._times else 'first'} comes to rest"
 
     # ---- what is verified
 
@@ -231,28 +244,33 @@ class _Swinging(Oscillating):
     def _turns_later(self, left: Symbol) -> None:
         """Write that the last swing takes longer than the time that is left."""
         held, book = self.harmonic, self.book
-        formula, again = held.angle_of_turning(self._ends_after(held)) / held.rate, " again" if self._times else ""
+        formula = held.angle_of_turning(self._ends_after(held)) / held.rate
         if book.is_hidden(formula) or book.is_hidden(left):
             return
         step = book.open("verify")
         if self._half is not None:
             step.rest_on(self._half.name)
-            step.say(f"As ${left.name} < {self._half.name}$, it does not turn back{again} within this time.")
+            again = " again" if self._times else ""
+            step.say(f"As ${left.name} < {self._half.name}$, it does not come to rest{again} within this time.")
         else:
             name = book.fresh("t", r"\text{turn}")
             book.observed[name.name] = book.value(formula)
             told = step.verified(name, formula, SECONDS)
-            step.say(f"It would turn back{again} only after {told}, which is longer than ${left.name}$.")
+            rest = "next" if self._times else "first"
+            step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")
         step.close()
 
     def _turns_beyond(self, held: Harmonic) -> None:
-        """Write that it turns back farther away than where it is at the moment."""
-        formula = held.turning(self._ends_after(held))
-        if self.book.is_hidden(formula):
+        """Write that it first comes to rest farther from its start than where it is at the moment."""
+        formula, place = held.turning(self._ends_after(held)), self._place
+        if self.book.is_hidden(formula) or self.book.is_hidden(place):
             return
-        step, name = self.book.open("verify"), self.book.fresh("x", "1")
-        self.book.observed[name.name] = self.book.value(formula)
-        step.say(f"It first turns back farther away, at {step.verified(name, formula, METRES)}.")
+        step, name, book = self.book.open("verify"), self.book.fresh("x", "1"), self.book
+        book.observed[name.name] = book.value(formula)
+        far, near = (-part if book.value(part) < 0.0 else part for part in (formula, place))
+        exceeds(book, step, far, near)
+        told, there = step.verified(name, formula, METRES), f"{held.name.latex()} = {place.latex()}"
+        step.say(f"It first comes to rest at {told}, beyond ${there}$, so friction is still constant there.")
         step.close()
 
     def _verify_others(self, held: Harmonic) -> None:
@@ -263,7 +281,7 @@ class _Swinging(Oscillating):
             return
         span, places = self._ends_after(held), [*self._places]
         if len(places) == 1:
-            said, name = "It first turns back at", self.book.fresh("x", "1")
+            said, name = "It first comes to rest at", self.book.fresh("x", "1")
             places.append(self.book.told("turning", said, name, held.turning(span), METRES))
         self._checks.others_rest(motion, places, self.book.value(self.begin) + held.where(span)[0])
 
@@ -271,22 +289,4 @@ class _Swinging(Oscillating):
     def stretches(self) -> Sequence[Stretch]:
         """All swings."""
         last = self.whole_place
-        return [_Rubbing(self, [*self._places, last])]
-
-
-class _Rubbing(Travelled):
-    """Swings with friction of one size."""
-
-    def force(self, kind: str, name: str) -> Polynomial:
-        """µN: its work is that along the whole path."""
-        if kind != "f":
-            return super().force(kind, name)
-        newton = self.way.newton
-        number = next(n for n, face in enumerate(self.way.mechanism.faces) if face.subject == name)
-        row = newton.normal(number)
-        found = (row.inertia - row.forces.without((f"N{number}",))).put({f"q{k}": NIL for k in self.way.motion.ratios})
-        return newton.coefficient(number) * found
-
-    def slipped(self, body: str) -> Polynomial:
-        """The whole path."""
-        return Polynomial.of(self.path(body))
+        return [Rubbing(self, [*self._places, last])]

@@ -16,7 +16,6 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
@@ -24,6 +23,7 @@ from sim2reason.solutions.oscillations.linear_motion import fewest_free
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
+from sim2reason.solutions.oscillations.natural_frequency import natural_frequency
 from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes
 from sim2reason.solutions.oscillations.to_and_fro import Travelled, turning_times
 from sim2reason.solutions.setting import Setting, capital, joined
@@ -31,7 +31,7 @@ from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import PAIR, not_driven_back
 from sim2reason.solutions.writing.numeric_roots import told_root, told_roots
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
 LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each the derivative of the one before
@@ -120,7 +120,7 @@ class _Modal(LinearWay):
         """By the kind of the query."""
         query = self.query
         if isinstance(query, PeriodQuery):
-            return self._period(query)
+            return measured_period(self.book, query, natural_frequency(self._all, query))
         self._refuse_roots()
         _ = self._modes
         if self.target is None or self.goal is None:
@@ -135,15 +135,6 @@ class _Modal(LinearWay):
         rates = [n for n in held.shown(self._as_forms(self._sought)) if n >= held.zeros]
         if held.size - held.zeros > PAIR or len(rates) > 1:
             raise UnsolvedError(f"it needs more: {Need.ROOT.label}")
-
-    def _period(self, query: PeriodQuery) -> Symbol:
-        held = self._all
-        if not query.small and held.size - held.zeros > 1:
-            raise UnsolvedError("the motion as a whole has no period")
-        mode = held.modes[held.zeros + (query.rank if query.small else 0)]
-        name = self.book.fresh(r"\omega")
-        rate = self.book.told("rate", "The angular frequency is", name, Root(mode.square), ANGULAR_SPEED)
-        return measured_period(self.book, query, rate)
 
     # ---- the moment
 

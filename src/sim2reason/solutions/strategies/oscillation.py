@@ -179,7 +179,7 @@ class Oscillating(SingleWay):
         """Begin a sentence with what happens at the moment."""
         moment = self.query.moment
         if turns:
-            return "It turns back when"
+            return f"{self.standing} when"
         if isinstance(moment, Moved):
             return f"{capital(self.setting.called(moment.name))} has moved ${self._given_distance}$ when"
         level = self._place == self.harmonic.rest
@@ -203,7 +203,7 @@ class Oscillating(SingleWay):
                 whole = self.moved_to(moment)
                 return whole - self.begin
         if held.turns(self.since_begun):
-            return self.book.told("place", "It turns back at", held.name, held.turning(self.since_begun), METRES)
+            return self.book.told("place", f"{self.standing} at", held.name, held.turning(self.since_begun), METRES)
         if abs(held.where(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.size:
             raise UnsolvedError("the moment is no mark of an oscillation")
         return held.rest

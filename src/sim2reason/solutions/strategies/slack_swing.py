@@ -19,6 +19,7 @@ from sim2reason.solutions.swings.angle import UP
 from sim2reason.solutions.swings.asked import EXTREMES, quantity_of
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
+from sim2reason.solutions.swings.where_extreme import where_extreme
 from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
@@ -195,10 +196,18 @@ class _Slack:
         step, v = self.book.open("energy"), self.book.fresh("v", r"\text{b}")
         square = chain.squared(start) + TWO * chain.gravity * (chain.length + start.y)
         law = step.law(Power(v, 2), square)
-        step.say(f"It is greatest at the lowest point. By conservation of energy, {law}, so")
-        step.say(f"{step.result(v, Root(square), SPEED)}.")
+        superlative, _, noun = query.functional.partition(" ")
+        step.say(where_extreme(self.quantity, noun, superlative, "at the lowest point"), self._later_slower)
+        step.say(f"There {law}, so {step.result(v, Root(square), SPEED)}.")
         step.close()
         return Power(v, 2)
+
+    @property
+    def _later_slower(self) -> str:
+        """Say why nothing greater comes after the string has gone slack."""
+        kinds = {event.kind for event in self.chain.changes}
+        jerk = ", and it loses energy when the string becomes taut again" if "taut" in kinds else ""
+        return f"With the string slack, {self.chain.who} is above this point and so slower{jerk}." if kinds else ""
 
     @property
     def extreme(self) -> bool:

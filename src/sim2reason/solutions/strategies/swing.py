@@ -14,6 +14,7 @@ from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.state import SwingState
 from sim2reason.solutions.swings.total_angle import swept
+from sim2reason.solutions.swings.where_extreme import Ends
 from sim2reason.solutions.writing.steps import Book
 
 
@@ -70,6 +71,12 @@ class _Angular(SwingState):
     def components(self) -> tuple[Expression, Expression]:
         """Return v²/ℓ towards the point about which it swings, and g sin φ along the arc."""
         return ratio(self.squared, self.length), multiplied(self.gravity, self.sine)
+
+    @property
+    def ends(self) -> Ends:
+        """Return them with g and v²/2gℓ."""
+        excess = Power(self.launch, 2) / (2.0 * self.gravity * self.length) if self.launch != ZERO else ZERO
+        return self.gravity, self.first, excess
 
     def _acceleration(self) -> Expression:
         inward, along = self.components

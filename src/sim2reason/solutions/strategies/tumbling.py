@@ -88,7 +88,7 @@ class _Tumbling:
     def own(self) -> Symbol:
         """The moment of inertia about the axis."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
-        said = f"The moment of inertia of {self.who} about its axis is"
+        said = f"As its sides subtend ${self.turn.latex()}$ each, the moment of inertia of {self.who} about its axis is"
         return self.book.told("table", said, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property

@@ -24,6 +24,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.swings.asked import EXTREMES, PLACES, quantity_of
 from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.swings.where_extreme import Ends, tell_other_end, where_extreme
 from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
@@ -227,6 +228,7 @@ class SwingAngle(ABC):
         formula: Expression = getattr(self, self.WAYS[quantity][0])()
         if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
+        self._compare_ends(quantity, formula)
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
         return self.book.told("answer", self.said(quantity) or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
@@ -253,8 +255,23 @@ class SwingAngle(ABC):
         lowest, highest = at.format("lowest"), at.format("highest")
         still = highest if self.goes_round else "at the turning points"
         where, step = lowest if self.extreme == "fastest" else still, self.book.open("extreme")
-        step.say(f"The {noun} is {superlative} {where}.")
+        step.say(where_extreme(quantity, noun, superlative, where))
         step.close()
+
+    def _compare_ends(self, quantity: str, found: Expression) -> None:
+        """Write, once it is known, how great an acceleration is at the other end of a swing that turns back."""
+        ends, book = self.ends, self.book
+        if not self.extreme or quantity != "acceleration" or self.goes_round or ends is None or book.in_symbols:
+            return
+        if book.is_hidden(found) or any(map(book.is_hidden, ends)):
+            book.afterwards.append(lambda: tell_other_end(book, found, ends))
+        else:
+            tell_other_end(book, found, ends)
+
+    @property
+    def ends(self) -> Ends | None:
+        """Return what the accelerations at both ends of a swing follow from; None if it moves on no circle."""
+        return None
 
     @property
     def vertical(self) -> bool:

@@ -1,6 +1,6 @@
 """A rigid body on a horizontal axle, made of pieces: where each is, and its moment of inertia, and those of all."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import atan2, hypot, pi
 
@@ -13,15 +13,20 @@ from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power
+from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
+from sim2reason.solutions.swings.mass_spread import MassSpread, candidates, mass_spread, tilted
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
 
 SAME = 1e-9  # relative
 MOMENT = latex("kg m")
+POINTS = {  # which the text says where they are
+    "Hemisphere": "the centre of its flat face",
+    "SphericalCap": "the centre of its flat face",
+    "Bowl": "the centre of its opening",
+}
 
 
 def lone_axle(m: Mechanism) -> str:
@@ -152,7 +157,8 @@ class Arm:
         if spread is None:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
         name = self.book.fresh("c", self.setting.mark(body))
-        said = f"The distance of the centre of mass of {self.setting.called(body)} from the stated point is"
+        point = POINTS.get(type(shape).__name__, "its own centre")
+        said = f"The distance of the centre of mass of {self.setting.called(body)} from {point} is"
         shift: Expression = self.book.told("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
         whole = self.book.fresh("r", self.setting.mark(body))
@@ -169,18 +175,22 @@ class Arm:
             return ZERO
         shape = self._shape(body)
         spread = mass_spread(shape, self._size(body)) if shape is not None else None
-        found = candidates(spread) if spread is not None else []
-        angles = [Symbol(given.symbol) for given in self.setting.lexicon.givens.values() if given.angle]
-        for angle in angles:
-            along, across = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
-            found += [found[0] * along + found[1] * across] if len(found) >= 2 else []
-        for formula in found:
+        for formula, why in self._inertias(spread):
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 line = "the line through its centre of mass parallel to the axle"
                 said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
-                return self.book.told("table", said, name, mass * formula, INERTIA)
+                return self.book.told("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
         raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
+
+    def _inertias(self, spread: MassSpread | None) -> Iterator[tuple[Expression, str]]:
+        """Yield moments of inertia over the mass about lines along its axes and between, each with its reason."""
+        if spread is None:
+            return
+        yield from zip(candidates(spread), (spread.why, spread.why_own, spread.why), strict=True)
+        for given in self.setting.lexicon.givens.values():
+            if given.angle:
+                yield tilted(spread, Symbol(given.symbol))
 
     # ---- all together
 
@@ -191,7 +201,10 @@ class Arm:
         for body in self.bodies:
             piece = self.piece(body)
             total = total + piece.inertia + piece.mass * _squared(piece.place)
-        said = "By the parallel-axis theorem, the moment of inertia about the axle is"
+        points = [body for body in self.bodies if not any(self.setting.mechanism.body[body].inertia)]
+        as_points = "a point mass" if len(points) == 1 else "point masses"
+        added = f", with {self.setting.listed(points)} as {as_points}" if points else ""
+        said = f"By the parallel-axis theorem{added}, the moment of inertia about the axle is"
         if all(self.piece(body).inertia == ZERO for body in self.bodies):
             said = "The moment of inertia about the axle is"
         return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)

@@ -5,13 +5,14 @@ centre, and the mean squares of the distances along x, y and z from the centre o
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from math import cos, pi, prod
 
 from sim2reason.dsl.shape import Shape
+from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiplied
-from sim2reason.solutions.algebra.functions import Power, squares, summed
+from sim2reason.solutions.algebra.functions import PI, Call, Power, squares, summed
 
 Sizes = Callable[[str], Expression]  # the symbol of a parameter of the body
 
@@ -24,6 +25,9 @@ class MassSpread:
     zz: Expression
     center: Expression = ZERO
     yy: Expression | None = None
+    square: Expression | None = None  # of the distances from a line across its axis, where that is better not summed
+    why: str = ""  # a sentence from where the numbers about a line across its axis are, if tables lack them
+    why_own: str = ""  # the same about its axis
 
     @property
     def yy_or_xx(self) -> Expression:
@@ -69,7 +73,8 @@ def _hollow(size: Sizes) -> MassSpread:
     outer = size("radius")
     inner = outer - size("thickness")
     ratio = (Power(outer, 5) - Power(inner, 5)) / (Power(outer, 3) - Power(inner, 3))
-    return MassSpread(Number(0.2) * ratio, Number(0.2) * ratio)
+    why = "A hollow sphere is a solid ball less the one that would fill it, of the same density."
+    return MassSpread(Number(0.2) * ratio, Number(0.2) * ratio, why=why, why_own=why)
 
 
 def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expression]:
@@ -84,13 +89,21 @@ def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expres
 
 
 def _hemisphere(size: Sizes) -> MassSpread:
-    radius = size("radius")
-    return MassSpread(of(0.2, radius), of(0.2, radius) - of(9.0 / 64.0, radius), Number(3.0 / 8.0) * radius)
+    radius, center = size("radius"), Number(3.0 / 8.0)
+    square = (Number(0.4) - Power(center, 2)) * Power(radius, 2)
+    why = (
+        "About a diameter of its flat face the moment of inertia of a hemisphere is, as that of a ball, "
+        f"${of(0.4, radius).latex()}$ times its mass; about the parallel line through the centre of mass "
+        f"it is less by ${Power(center * radius, 2).latex()}$ times the mass."
+    )
+    along = of(0.2, radius) - of(9.0 / 64.0, radius)
+    return MassSpread(of(0.2, radius), along, center * radius, square=square, why=why)
 
 
 def _cap(size: Sizes) -> MassSpread:
     spread, center = _segment(size("radius"), size("height"))
-    return MassSpread(spread.xx, spread.zz, center)
+    why = "The moments of inertia of a cap follow by integration over thin discs parallel to its flat face."
+    return replace(spread, center=center, why=why, why_own=why)
 
 
 def _bowl(size: Sizes) -> MassSpread:
@@ -100,13 +113,20 @@ def _bowl(size: Sizes) -> MassSpread:
     parts = [_segment(outer, height), _segment(inner, low)]
     rest = volumes[0] - volumes[1]
     shares = [volumes[0] / rest, -(volumes[1] / rest)]
-    return joined([Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)])
+    found = joined([Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)])
+    why = (
+        "A bowl is a solid cap less a smaller one, of the same density; the moments of inertia of caps follow by "
+        "integration over thin discs parallel to their flat faces."
+    )
+    return replace(found, why=why, why_own=why)
 
 
 def _holed_ball(size: Sizes) -> MassSpread:
     outer, inner = size("radius"), size("hole")
     whole, hole = _less(3, outer, inner)
-    return joined([Part(whole, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
+    found = joined([Part(whole, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
+    why = "It is a solid ball less the one that would fill the hole, of the same density."
+    return replace(found, why=why, why_own=why)
 
 
 def _bored(size: Sizes) -> MassSpread:
@@ -118,8 +138,20 @@ def _bored(size: Sizes) -> MassSpread:
     return MassSpread(spread.xx, spread.zz, spread.center, ZERO)
 
 
-def _prism(size: Sizes, sides: int) -> Expression:
-    return of((2.0 + cos(2.0 * pi / sides)) / 12.0, size("radius"))
+def _prism(size: Sizes, sides: int, long: Expression) -> MassSpread:
+    """A regular prism; the numbers of triangles, squares and hexagons are simple."""
+    radius, turn = size("radius"), 2.0 * PI / Number(float(sides))
+    plain = (2.0 + cos(2.0 * pi / sides)) / 12.0
+    square = Number(1.0 / 12.0) * (Number(2.0) + Call("cos", turn)) * Power(radius, 2)
+    general = r"\tfrac{1}{12} \left(2 + \cos\left(\frac{2\,\pi}{n}\right)\right) " + Power(radius, 2).latex()
+    why = (
+        "About any line through its centre and in its plane a thin regular plate with $n$ corners at the distance "
+        f"${radius.latex()}$ from the centre has the moment of inertia ${general}$ times its mass; here $n = {sides}$."
+    )
+    high = f" The height adds ${long.latex()}$ times the mass, as the length of a rod does." if long != ZERO else ""
+    double = " About the axis of the prism it is twice as large, by the perpendicular-axis theorem."
+    found = square if simple_fraction(plain) is None else of(plain, radius)
+    return MassSpread(found, long, why=why + high, why_own=why + double)
 
 
 def _thick(size: Sizes) -> MassSpread:
@@ -154,7 +186,7 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
         long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
-        return MassSpread(_prism(size, getattr(shape, "sides", 4)), long)
+        return _prism(size, getattr(shape, "sides", 4), long)
     found = TABLE.get(name)
     return found(size) if found is not None else None
 
@@ -162,7 +194,22 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
 def candidates(spread: MassSpread) -> list[Expression]:
     """The moment of inertia over the mass about each of its own axes, and across it."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
-    return [_collected(x + z), _collected(x + y), _collected(y + z)]
+    across = spread.square
+    return [across or _collected(x + z), _collected(x + y), across or _collected(y + z)]
+
+
+def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
+    """Return what `candidates` has about a line in the plane of its axis, at 90° less an angle to that; with why."""
+    across, own, _ = candidates(spread)
+    along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
+    if own == ZERO:
+        size = f"its length times ${Call('cos', angle).latex()}$"
+        return across * along, f"Only the extension of the rod perpendicular to the axle matters, {size}."
+    why = (
+        f"With the axle at $90^\\circ - {angle.latex()}$ to its axis, the moment of inertia is that across this axis "
+        f"times ${along.latex()}$ plus that about it times ${beside.latex()}$."
+    )
+    return across * along + own * beside, f"{spread.why_own or spread.why} {why}".lstrip()
 
 
 def _collected(held: Expression) -> Expression:

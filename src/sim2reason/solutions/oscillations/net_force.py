@@ -1,0 +1,63 @@
+"""The net force along the only free coordinate of a motion on springs, its work, and how far springs are stretched."""
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.setting import Setting, capital, joined
+
+HALF = Number(0.5)
+
+
+def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:
+    """Return by how much a spring is stretched where the free coordinate is at a place."""
+    strain, part = motion.laws.strain(number), motion.drawn(number, motion.free[0])
+    return strain.expression() + (place if part == 1.0 else -place if part == -1.0 else Number(part) * place)
+
+
+def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expression:
+    """Return the net force along the free coordinate at a place, each spring's with its own extension."""
+    (i,) = motion.free
+    found = motion.steady(i).factored() if motion.steady(i) else ZERO
+    for n in motion.springs:
+        stretched, part = extension(motion, n, place), -motion.drawn(n, i)
+        if stretched.negative:
+            stretched, part = -stretched, -part
+        pull = motion.laws.stiffness(n).expression() * stretched
+        found = found + (-pull if part == -1.0 else Number(part) * pull)
+    return found
+
+
+def work(motion: LinearMotion | RelativeMotion, place: Expression) -> Expression:
+    """Return the work of all forces along the free coordinate from the start to a place."""
+    (i,) = motion.free
+    found = motion.steady(i)
+    whole = found.factored() * place if found else ZERO
+    for n in motion.springs:
+        stiffness, strain = motion.laws.stiffness(n).expression(), motion.laws.strain(n)
+        before = Power(strain.expression(), 2) if strain else ZERO
+        whole = whole + HALF * stiffness * (before - Power(extension(motion, n, place), 2))
+    return whole
+
+
+def power_words(mass: Expression, place: Symbol, acceleration: Symbol) -> tuple[str, str]:
+    """Return the sentences that the kinetic energy changes at the rate of the power, which has no numbers yet."""
+    rate, along = Symbol(rf"\dot{{{place.name}}}"), f"along ${place.name}$"
+    energy, power = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
+    changes = f"the kinetic energy ${energy}$ changes at the rate ${power}$;"
+    return (
+        f"With the acceleration ${acceleration.name}$ {along}, {changes}",
+        f"this is the power of the forces, ${rate.name}$ times the net force {along}.",
+    )
+
+
+def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: Setting) -> str:
+    """Return the sentence by how much springs are stretched or compressed at a place; empty if none is."""
+    said: list[str] = []
+    for n in motion.springs:
+        stretched = extension(motion, n, place)
+        if place == ZERO or not motion.laws.strain(n):
+            continue  # the text says by how much, or the displacement does
+        size, how = (-stretched, "compressed") if stretched.negative else (stretched, "stretched")
+        said.append(f"{setting.springs[setting.mechanism.lines[n].name]} is {how} by ${size.latex()}$")
+    return f"{capital(joined(said))}." if said else ""

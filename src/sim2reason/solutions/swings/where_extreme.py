@@ -1,0 +1,42 @@
+"""Why quantities of a swing are extreme at the lowest point, at the highest one or at the turning points."""
+
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import ACCELERATION
+
+Ends = tuple[Expression, Expression, Expression]
+"""The tangential acceleration at 90°, the angle at the start from the lowest place, and v²/2gℓ or what is like it."""
+FORCES = {"tension": "string", "rod force": "rod"}  # along what each acts
+QUADRATIC = (
+    "By conservation of energy the centripetal acceleration is linear in $\\cos\\varphi$, where $\\varphi$ is the "
+    "angle from the lowest position, and the tangential one is proportional to $\\sin\\varphi$. The square of the "
+    "acceleration is then quadratic in $\\cos\\varphi$ with a positive leading coefficient, so its greatest value is "
+    "at one end of the range, here"
+)
+
+
+def where_extreme(quantity: str, noun: str, superlative: str, where: str) -> str:
+    """Return the sentence that a quantity has its greatest or least value somewhere, with the reason."""
+    if quantity in FORCES:
+        along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"
+        return f"The {noun} is {superlative} {where}, because the speed and {along} are {superlative} there."
+    if quantity == "acceleration":
+        return f"{QUADRATIC} {where}."
+    return f"By conservation of energy, the {noun} is {superlative} {where}."
+
+
+def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
+    """Write which acceleration there is at the other end of a swing, less than the one that was found."""
+    pull, first, excess = ends
+    cosine = Call("cos", first) if first != ZERO else ONE
+    sine = Call("sin", first) if excess == ZERO else Root(ONE - Power(cosine - excess, 2))
+    lowest, turning = 2.0 * pull * (ONE - cosine + excess), pull * sine
+    less = min(lowest, turning, key=book.value)
+    where = "At the lowest point" if less is lowest else "At a turning point"
+    step, name = book.open("verify"), book.fresh("a", r"\text{end}")
+    exceeds(book, step, found, less)
+    book.observed[name.name] = book.value(less)
+    step.say(f"{where} the acceleration is only {step.verified(name, less, ACCELERATION)}.")
+    step.close()
