@@ -247,13 +247,9 @@ class Stage:
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
         formula = added(begun, multiplied(a, time))
         told = step.result(name, formula, SPEED, law=True)
-        step.say(f"{self._when('At that time')}, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
+        step.say(f"After the time ${time.name}$, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
         step.close()
         return Polynomial.of(name)
-
-    def _when(self, again: str) -> str:
-        """Return the first words of a sentence about the end of the stage: `again` if that instant was named before."""
-        return again if self._moved or self._velocity else f"After the time ${self.time.name}$"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None
@@ -286,7 +282,7 @@ class Stage:
             time = self.time
             step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
-            step.say(f"{self._when('In the same time')}, {what}{told}.")
+            step.say(f"After the time ${time.name}$, {what}{told}.")
         step.close()
         return Polynomial.of(name)
 
