@@ -16,12 +16,12 @@ from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, 
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
+from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
-SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
 Sides = tuple[Expression, Expression]

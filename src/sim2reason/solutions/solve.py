@@ -18,8 +18,8 @@ from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
-from sim2reason.solutions.collisions.order import in_order
-from sim2reason.solutions.reverse import SOLVED, Inversion, forward
+from sim2reason.solutions.collisions.placing import SOLVED, in_order
+from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered

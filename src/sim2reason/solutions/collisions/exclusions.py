@@ -9,13 +9,17 @@ from sim2reason.solutions.setting import joined
 
 @dataclass(frozen=True)
 class Excluded:
-    """A pair that does not meet, in words and by its letters, with the kind of argument and its number."""
+    """A pair that does not meet, in words and by its letters, with the kind of argument and its number.
+
+    `motion` tells its relative position and velocity, from which the number follows.
+    """
 
     kind: str
     who: str
     letters: str
     said: str
     limit: str = ""
+    motion: str = ""
 
 
 def clauses(told: Sequence[Excluded]) -> Iterator[str]:
@@ -36,11 +40,12 @@ def _numbers(held: Sequence[Excluded]) -> str:
 
 
 def _meet_later(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} would meet only after {_numbers(held)}"
+    where = f", with their centres ${held[0].limit}$ apart," if held[0].limit else ""
+    return f"{_pairs(held)} would meet{where} only after {_numbers(held)}"
 
 
 def _pass(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} pass {_numbers(held)} apart, more than ${held[0].limit}$"
+    return f"{_pairs(held)} would be {_numbers(held)} apart where they are closest, more than ${held[0].limit}$"
 
 
 def _part(held: Sequence[Excluded]) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Protocol
 
 from sim2reason.dsl.frames import Frames
@@ -51,7 +52,7 @@ def tell_arcs(book: Book, stages: Sequence[Course], k: int) -> None:
     step, dynamics = book.open("verify"), stages[0].dynamics
     senses = [1.0 if book.value(gain.expression()) > 0.0 else -1.0 for gain in gains]
     arcs = [f"${gain.scaled(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
-    turns = ("further" if now == before else "back" for before, now in zip(senses, senses[1:], strict=False))
+    turns = ("further" if now == before else "back" for before, now in pairwise(senses))
     later = (f", then {way} through {arc}" for way, arc in zip(turns, arcs[1:], strict=True))
     who = dynamics.setting.called(dynamics.mechanism.coordinates[k].body)
     way = rolling_way(dynamics, k, senses[0])
