@@ -8,7 +8,7 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
     """A fraction without what both of its sides share."""
     if below.number is None:
         above, below = _cancelled(above, below)
-        above, below = _quotient(above, below) or (above, below)
+        above, below = quotient(above, below) or (above, below)
     if below.number is not None:
         return above.scaled(1.0 / below.number).factored()
     if all(part < 0.0 for part in below.terms.values()):
@@ -16,7 +16,7 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
     return Quotient(above.factored(), below.factored())
 
 
-def _quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
     """A fraction of two sums, one of which is the other times a single term, without that sum; else None."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):
