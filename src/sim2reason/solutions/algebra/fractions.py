@@ -1,7 +1,11 @@
 """Fractions of polynomials, without what both of their sides share."""
 
+from math import gcd
+
 from sim2reason.solutions.algebra.expressions import Expression, Quotient
 from sim2reason.solutions.algebra.polynomials import Polynomial
+
+WHOLE = 1e-12  # by how much a factor may differ from an integer
 
 
 def over(above: Polynomial, below: Polynomial) -> Expression:
@@ -13,7 +17,17 @@ def over(above: Polynomial, below: Polynomial) -> Expression:
         return above.scaled(1.0 / below.number).factored()
     if all(part < 0.0 for part in below.terms.values()):
         above, below = above.scaled(-1.0), below.scaled(-1.0)
+    shared = _common_number([*above.terms.values(), *below.terms.values()])
+    above, below = above.scaled(1.0 / shared), below.scaled(1.0 / shared)
     return Quotient(above.factored(), below.factored())
+
+
+def _common_number(factors: list[float]) -> float:
+    """Return the greatest integer by which all factors can be divided; one where they are no integers."""
+    whole = [round(factor) for factor in factors]
+    if any(abs(factor - number) > WHOLE for factor, number in zip(factors, whole, strict=True)):
+        return 1.0
+    return float(gcd(*whole)) or 1.0
 
 
 def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:

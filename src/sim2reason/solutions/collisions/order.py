@@ -152,9 +152,11 @@ class CollisionOrder:
         if speed > 0.0:
             exceeds(book, step, rate.expression(), ZERO)
             kind = "wall apart" if len(ways) == 1 else "line apart"
-            return self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
-        distance, change = motion.named("d", gap.expression(), METRES), motion.named("u", rate.expression(), SPEED)
-        return self._approaching(motion, held, -ratio(distance, change))
+            found = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
+            return replace(found, limit=flights.obstacle(held.meeting))
+        motion.named("d", gap.expression(), METRES)
+        motion.named("u", rate.scaled(-1.0).expression(), SPEED)
+        return self._approaching(motion, held, ratio(*motion.names), " and approaching at")
 
     def _thrown(
         self, motion: RelativeMotion, held: Together, course: tuple[Polynomial, Polynomial, Polynomial]
@@ -167,18 +169,18 @@ class CollisionOrder:
         distance = Polynomial.of(motion.named("d", gap.expression(), METRES)) if gap else NIL
         change = Polynomial.of(motion.named("u", rate.expression(), SPEED)) if u else NIL
         if gap:
-            return self._approaching(motion, held, self._flights.root(distance, change, rise))
-        return self._approaching(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
+            span = self._flights.root(distance, change, rise)
+            return self._approaching(motion, held, span, ", a distance that at first changes at the rate")
+        found = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
+        obstacle = self._flights.obstacle(held.meeting)
+        return replace(found, aside=f"which leaves {obstacle} at {joined(motion.told)}", limit=f"{obstacle} again")
 
-    def _approaching(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
+    def _approaching(self, motion: RelativeMotion, held: Together, span: Expression, moving: str) -> Excluded:
         """Return the argument that a distance along a line is zero only after the end of an interval."""
-        setting, pair = self._flights.setting, len(held.legs) > 1
-        who = setting.listed(list(held.legs))
-        what = f"between {who}" if pair else f"of {who} from {self._flights.obstacle(held.meeting)}"
-        told = {"d": "is", "u": "changes at the rate"}
-        said = [f"{told[equation[1]]} {equation}" for equation in motion.told]
-        found = self._later(motion, held, span)
-        return replace(found, motion=f"The distance {what} {self._when(held)} {' and '.join(said)}.")
+        pair, obstacle = len(held.legs) > 1, self._flights.obstacle(held.meeting)
+        apart, *speed = motion.told
+        aside = f"{apart} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
+        return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
 
     def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
         """Return the argument that two bodies would collide only after the end of an interval."""
@@ -187,7 +189,8 @@ class CollisionOrder:
         assert end is not None
         whole = added(self._begin(held).expression(), span)
         exceeds(self._book, motion.step, whole, self._since_start(end).expression())
-        kind = "wall later" if len(held.legs) == 1 else "later"
+        oblique = flights.mechanism.meetings[held.meeting].normal is None
+        kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
         return self._excluded_by(kind, held, motion.concluded("t", span, SECONDS))
 
     def _excluded_by(self, kind: str, held: Together, said: str) -> Excluded:

@@ -16,12 +16,14 @@ class RelativeMotion:
     step: Writing
     letters: str
     told: list[str] = field(default_factory=list[str])
+    names: list[Expression] = field(default_factory=list[Expression])
 
     def named(self, base: str, formula: Expression, unit: str, axis: str = "") -> Expression:
         """Return a name for a number that is told before the argument; what is zero needs none."""
         if not self.book.value(formula):
             return ZERO
-        return self._verified(base, formula, unit, axis, self.told)
+        self.names.append(self._verified(base, formula, unit, axis, self.told))
+        return self.names[-1]
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
         """Return the equation of the number on which the argument ends."""

@@ -126,6 +126,11 @@ class Book(FreshNames):
         return latex(self._units.spell(name))
 
     @property
+    def counts_in_si(self) -> bool:
+        """Whether results are in units of the SI, without prefixes."""
+        return self._units == SI
+
+    @property
     def in_symbols(self) -> bool:
         """Whether no number may be written."""
         return self._called is not None
