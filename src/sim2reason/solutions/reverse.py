@@ -18,6 +18,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
 from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.opposite_sign import exclude_opposite
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
@@ -56,12 +57,13 @@ def forward(setting: Setting) -> Setting:
 class Inversion:
     """From what a goal is given to be, back to the number that is unknown."""
 
-    def __init__(self, book: Book, goal: str, value: float, unknown: str) -> None:
-        """`value` of the goal is in SI units, as the book counts."""
+    def __init__(self, book: Book, goal: str, value: float, unknown: str, *, magnitude: bool = False) -> None:
+        """`value` of the goal is in SI units, as the book counts; the question may give its `magnitude` alone."""
         self.book, self.goal, self.unknown = book, goal, unknown
         if goal not in book.formulas:
             raise UnsolvedError("what is given does not hang on what is unknown")
-        self.stated = value
+        self.stated, self.magnitude = value, magnitude
+        self._found: list[tuple[str, Expression]] = []  # names from the goal to the unknown, with their formulas
         self._together = False  # formulas were put into each other since the last name was found
         self._defined = book.formulas[goal]
 
@@ -277,5 +279,8 @@ class Inversion:
         if not isinstance(found, NumericRoot):
             self._drop(step, name, others)
             self._tell_too_late(step, name, others)
+        self._found.append((name, found))
+        if name == self.unknown and self.magnitude and not self.book.in_symbols:
+            exclude_opposite(self.book, step, self.goal, self._found)
         self._tell_implied(step, names)
         step.close()

@@ -29,6 +29,8 @@ def tidied(formula: Expression, name: str) -> Expression:
         found = over(*_sides(fraction(atoms_worked(plain, name))))
     except OverflowError:
         return plain
+    again = _without_squared_roots(found)  # of roots whose other terms have cancelled
+    found = tidied(again, name) if again != found else found
     return found if len(found.latex()) < len(plain.latex()) else plain
 
 

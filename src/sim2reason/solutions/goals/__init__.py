@@ -213,6 +213,7 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     if isinstance(held, Root | Absolute):
         return held
     if not book.hidden.isdisjoint(held.symbols()):
+        book.sign_chosen = True
         return held if positive else -held
     either = book.in_symbols and of_either_sign
     if positive and not either:
