@@ -268,6 +268,8 @@ class Inversion:
         names = self._leading(self.goal) if name == self.unknown else []
         if equation is not None:
             said, end = step.derived(*equation), "; " if how else ", so "
+            if self._together and given and not how and equation[0].latex() == at:
+                end = f", so for the given ${at}$, "
             lead = self._lead(at, equation) or where.replace("So ", "Hence ", 1)
             where = f"{lead}{said}{self._only_root(name, equation[1], found)}{end}"
             if doubled(equation[1], found, name):
