@@ -144,11 +144,11 @@ class Inversion:
             return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)
         if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
             return self._put_together(name, found, formula, value)
-        sides = stated_equation(name, formula, value, Polynomial.factored)
-        if sides is not None and next(numbers(found), None) is None:
-            return sides
-        short = self._in_numbers(name, formula)
-        sides = stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
+        if next(numbers(found), None) is None:
+            sides = stated_equation(name, formula, value, Polynomial.factored)
+        else:
+            short = self._in_numbers(name, formula)
+            sides = stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
         return sides or self._put_together(name, found, formula, value)
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
