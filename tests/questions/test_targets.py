@@ -14,6 +14,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_box_plane import MassBoxPlane
 from sim2reason.prose.description import describe
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -165,3 +166,10 @@ def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) ->
     assert ("work of a tension" in asked) == (not riding)
     for name in (of_frame | {"greatest kinetic energy", "greatest speed"}) & asked.keys():
         assert ("relative to the ground" in asked[name]) == riding, name
+
+
+def test_of_what_rolls_the_net_angle_is_asked_for() -> None:
+    """A body that slips may turn back on the way."""
+    held = QUANTITIES["angle rolled"]
+    assert "net angle" in held.magnitude
+    assert "net angle" in held.how

@@ -96,11 +96,14 @@ class AngleTurned(Angle):
 
 @quantity
 class AngleRolled(Angle):
-    """The angle from the start, in radians, of a body that rolls or slips as it turns: it may be many turns."""
+    """The angle from the start, in radians, of a body that rolls or slips as it turns: it may be many turns.
+
+    It is said to be the net angle, since a body that slips may turn back on the way.
+    """
 
     name, unit, symbol = "angle rolled", "rad", "φ"
-    magnitude = "the angle through which {body} has turned since the start"
-    how = "through what angle has {body} turned {when}?"
+    magnitude = "the net angle through which {body} has turned since the start"
+    how = "through what net angle has {body} turned {when}?"
     floor, least = 0.1, 1e-2
     from_start = True
     panel, order = "angle turned", 0

@@ -16,12 +16,14 @@ from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, 
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
+from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
+from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.opposite_sign import exclude_opposite
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
-SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
 Sides = tuple[Expression, Expression]
@@ -55,12 +57,14 @@ def forward(setting: Setting) -> Setting:
 class Inversion:
     """From what a goal is given to be, back to the number that is unknown."""
 
-    def __init__(self, book: Book, goal: str, value: float, unknown: str) -> None:
-        """`value` of the goal is in SI units, as the book counts."""
+    def __init__(self, book: Book, goal: str, value: float, unknown: str, *, magnitude: bool = False) -> None:
+        """`value` of the goal is in SI units, as the book counts; the question may give its `magnitude` alone."""
         self.book, self.goal, self.unknown = book, goal, unknown
         if goal not in book.formulas:
             raise UnsolvedError("what is given does not hang on what is unknown")
-        self.stated = value
+        self.stated, self.magnitude = value, magnitude
+        self._found: list[tuple[str, Expression]] = []  # names from the goal to the unknown, with their formulas
+        self._together = False  # formulas were put into each other since the last name was found
         self._defined = book.formulas[goal]
 
     def write(self, spelled: str = "") -> str:
@@ -82,11 +86,11 @@ class Inversion:
             if len(names) == 1 and not isinstance(formula, ImplicitRoot):
                 found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
-                    others = [] if book.in_symbols else other_solutions(names[0], formula, value, book.values)
+                    others = self._others(names[0], formula, value)
                     self._close(names[0], found, at, others, self._equation_behind(names[0], found, formula, value))
                     if names[0] == self.unknown:
                         return self.unknown
-                    at, (formula, value) = names[0], self._equation(names[0])
+                    at, (formula, value), self._together = names[0], self._equation(names[0]), False
                     continue
             if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
                 return self._numerically(at)
@@ -96,7 +100,7 @@ class Inversion:
             if len(formula.latex()) > LONG:
                 return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
-            formula = put(formula, last, book.formulas[last])
+            formula, self._together = put(formula, last, book.formulas[last]), True
         return self._numerically(at)
 
     def _short(self, formula: Expression) -> Expression:
@@ -115,9 +119,23 @@ class Inversion:
         book = self.book
         found = solved_for(name, formula, value, book.values)
         if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
-            short = settled(formula, frozenset({name}), book.worked)
+            short = self._in_numbers(name, formula)
+            power = as_power(short, name, book.worked)
+            if power is not None:
+                return solved_for(name, power, value, book.values)
             found = solved_for(name, short, value, book.values, lambda held: book.worked(held.factored()))
         return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
+
+    def _in_numbers(self, name: str, formula: Expression) -> Expression:
+        """A formula of one unknown name with numbers for all else."""
+        return settled(formula, frozenset({name}), self.book.worked)
+
+    def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
+        """What else a name might be by an equation."""
+        if self.book.in_symbols:
+            return ()
+        found = other_solutions(name, formula, value, self.book.values)
+        return found or other_solutions(name, self._in_numbers(name, formula), value, self.book.values)
 
     def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return both sides of the equation behind a root; None if it is solved by inverse operations alone."""
@@ -125,12 +143,23 @@ class Inversion:
             told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
             return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)
         if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
+            return self._put_together(name, found, formula, value)
+        if next(numbers(found), None) is None:
+            sides = stated_equation(name, formula, value, Polynomial.factored)
+        else:
+            short = self._in_numbers(name, formula)
+            sides = stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
+        return sides or self._put_together(name, found, formula, value)
+
+    def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
+        """Return both sides of the equation that formulas put into each other give; None if it is long."""
+        if not self._together:
             return None
-        sides = stated_equation(name, formula, value, Polynomial.factored)
-        if sides is None or next(numbers(found), None) is None:
-            return sides
-        short = settled(formula, frozenset({name}), self.book.worked)
-        return stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
+        if next(numbers(found), None) is not None:
+            short = self._in_numbers(name, formula)
+            formula = as_power(short, name, self.book.worked) or short
+        formula = tidied(formula, name)
+        return (value, formula) if len(formula.latex()) <= LONG else None
 
     def _only_root(self, name: str, formula: Expression, found: Expression) -> str:
         """Say why an equation that is solved numerically has a single root, if its right side tells."""
@@ -217,21 +246,34 @@ class Inversion:
         """That of a name, also of a goal that is set to zero and so has none any more."""
         return self._defined if name == self.goal else self.book.formulas[name]
 
-    def _close(
-        self, name: str, found: Expression, at: str, others: Sequence[float], equation: Sides | None = None
-    ) -> None:
-        """Say what a symbol is."""
+    def _lead(self, at: str, equation: Sides) -> str:
+        """Return what is said before an equation that several formulas lead to; empty for any other."""
+        if not self._together:
+            return ""
+        numeric = any(next(numbers(side), None) is not None for side in equation)
+        units = f" in {'SI units' if self.book.counts_in_si else 'numbers'}," if numeric else ""
+        given = at == self.goal and self.stated and equation[0].latex() != at
+        what = f"these equations and the given ${at}$" if given else "these equations"
+        return f"Inserting {what} into each other gives{',' if units else ''}{units} "
+
+    def _close(self, name: str, found: Expression, at: str, others: Sequence[float], equation: Sides | None) -> None:
+        """Say what a symbol is, by the equation that determines it."""
         step = self.book.open(SOLVED)
-        where = "So " if at != self.goal else f"With the given ${at}$, "
-        how = "the numerical solution is " if isinstance(found, NumericRoot) else ""
+        given = at == self.goal and bool(self.stated)
+        where, how = f"With the given ${at}$, " if given else "So ", ""
+        if isinstance(found, NumericRoot):
+            how = "the numerical solution is "
         if not self.stated:
-            where = "So "
             step.rest_on(self.goal)
         names = self._leading(self.goal) if name == self.unknown else []
         if equation is not None:
-            end = "; " if isinstance(found, NumericRoot) else ", so "
-            where = f"{where}{step.derived(*equation)}{self._only_root(name, equation[1], found)}{end}"
-            where = where.replace("So ", "Hence ", 1)
+            said, end = step.derived(*equation), "; " if how else ", so "
+            if self._together and given and not how and equation[0].latex() == at:
+                end = f", so for the given ${at}$, "
+            lead = self._lead(at, equation) or where.replace("So ", "Hence ", 1)
+            where = f"{lead}{said}{self._only_root(name, equation[1], found)}{end}"
+            if doubled(equation[1], found, name):
+                where = f"{where}with {joined([step.derived(*sides) for sides in half_angles(name)])}, "
         self.book.values[name] = self.book.value(found)
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])
@@ -239,5 +281,8 @@ class Inversion:
         if not isinstance(found, NumericRoot):
             self._drop(step, name, others)
             self._tell_too_late(step, name, others)
+        self._found.append((name, found))
+        if name == self.unknown and self.magnitude and not self.book.in_symbols:
+            exclude_opposite(self.book, step, self.goal, self._found)
         self._tell_implied(step, names)
         step.close()

@@ -18,8 +18,10 @@ from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
-from sim2reason.solutions.collisions.order import in_order
-from sim2reason.solutions.reverse import SOLVED, Inversion, forward
+from sim2reason.solutions.collisions.placing import SOLVED, in_order
+from sim2reason.solutions.multipart.sequence import times_in_sequence
+from sim2reason.solutions.opposite_sign import is_magnitude
+from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered
@@ -125,7 +127,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         return Solution(strategy.name, reason=str(error))
     steps = book.steps if strategy.integrates else _told(book, goal, late)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
-    found = _found(strategy, setting, book, goal, steps)
+    found = times_in_sequence(_found(strategy, setting, book, goal, steps))
     answer = found.said(book.values[goal])
     if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
@@ -158,7 +160,8 @@ def _inverted(setting: Setting, book: Book, goal: str) -> str:
     assert setting.stated is not None
     value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
-    found = Inversion(book, goal, value, book.sought).write(f"{setting.stated.value:g}{unit}")
+    magnitude = is_magnitude(setting, book, goal)
+    found = Inversion(book, goal, value, book.sought, magnitude=magnitude).write(f"{setting.stated.value:g}{unit}")
     hung = {*book.formulas, book.sought}
     for step in book.steps:
         worked = [part for r in step.relations for side in (r.left, r.right) for part in numbers(side)]

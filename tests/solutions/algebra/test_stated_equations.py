@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
@@ -25,6 +25,14 @@ def test_an_equation_in_the_sine_and_cosine_of_an_angle_is_stated() -> None:
     left, right = sides
     assert left.value(AT) - right.value(AT) == pytest.approx((A * Call("sin", X) - T * Call("cos", X) - W).value(AT))
     assert right == W
+
+
+@pytest.mark.parametrize("function", ["sin", "cos"])
+def test_a_quadratic_equation_in_a_sine_or_cosine_is_stated(function: Function) -> None:
+    atom = Call(function, X)
+    sides = stated_equation("x", A * Power(atom, 2) - T * atom, W, Polynomial.factored)
+    assert sides is not None
+    assert [side.latex() for side in sides] == [rf"a \{function}^{{2}} x - t \{function} x", "w"]
 
 
 @pytest.mark.parametrize("formula", [A * X, A * Power(X, 2), Call("exp", X) + X])

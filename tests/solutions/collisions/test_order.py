@@ -6,6 +6,7 @@ from math import hypot
 import pytest
 
 from sim2reason.bodies.puck import Puck, Table
+from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
@@ -56,7 +57,8 @@ def test_a_bystander_that_passes_is_named_with_its_distance() -> None:
     x, y, u, v = (c - a for a, c in zip(A, C, strict=True))
     apart = abs(x * v - y * u) / hypot(u, v)
     assert found.values["b_{AC}"] == pytest.approx(apart, rel=1e-9)
-    assert "apart, more than $2\\,R$" in found.text
+    assert "apart where they are closest, more than $2\\,R$" in found.text
+    assert "Position and velocity of puck C relative to puck A at t = 0: $x_{AC} = x_C" in found.text
     assert "so pucks A and B meet first" in found.text
     assert "so there is no further collision before $t$" in found.text
 
@@ -68,7 +70,8 @@ def test_a_pair_that_would_meet_later_has_its_time() -> None:
     time = found.values["t_{AC}"]
     assert hypot(x + u * time, y + v * time) == pytest.approx(2.0 * RADIUS, rel=1e-9)
     assert x * u + y * v + (u * u + v * v) * time < 0.0  # they still approach
-    assert "pucks A and C would meet only after" in found.text
+    assert "pucks A and C would meet, with their centres $2\\,R$ apart, only after" in found.text
+    assert "$p_{AC} = u_{x,AC}^{2} + u_{y,AC}^{2} = " in found.text
 
 
 def test_pucks_that_move_apart_are_named() -> None:
@@ -95,6 +98,7 @@ def test_the_last_collision_is_the_last_for_all_times() -> None:
     query = StretchQuery("sum", None, LastCollision(), "energy lost in collisions", "")
     found = solved(asked(place, query))
     assert "so there is no further collision." in found.text
+    assert re.search("After the collision of pucks B and C, [^.]*(pucks A and B|pairs AB)", found.text)
     assert "These collisions occur" not in found.text
 
 
@@ -106,7 +110,9 @@ def test_where_a_number_is_unknown_the_arguments_follow_its_value() -> None:
     stated = StatedResult(f"{plain.answer!r}", "m/s")
     found = solved(Setting(place, plain.words, plain.symbols, plain.study, query, path, stated))
     assert found.answer == pytest.approx(0.5, rel=1e-6)
-    assert found.text.index("With the given") < found.text.index("After the collision of pucks A and B, ")
+    assert found.text.index("the given $") < found.text.index("After the collision of pucks A and B, ")
+    supposed = "This supposes that there is no further collision before $t$, which is verified below."
+    assert found.text.index(supposed) < found.text.index("the given $")
 
 
 def test_a_comparison_that_is_false_is_refused() -> None:
@@ -127,3 +133,10 @@ def test_the_law_that_gives_an_impulse_is_named(restitution: float) -> None:
     found = solved(asked(scene(A, B, restitution=restitution), query))
     law = "restitution along the line of centres" if restitution else "no relative velocity along the line of centres"
     assert law in found.text
+
+
+def test_a_collision_without_influence_is_named() -> None:
+    """C has left B and hits the wall before A, which meets B, could change that."""
+    found = item(recipe="collision", difficulty="hard", mode="symbolic", seed=301913, index=0, solutions=True).solution
+    assert found is not None
+    assert "The collision of balls A and B does not affect ball C before the moment in question." in found.text

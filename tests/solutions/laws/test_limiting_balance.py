@@ -54,3 +54,9 @@ def test_the_solution_has_no_acceleration_that_is_zero() -> None:
     found, _ = solve_prompt(PRISM)
     assert "a_" not in found.text
     assert len(found.text) < 1000
+
+
+def test_it_is_said_which_way_a_body_is_about_to_slip_and_what_slips_with_it() -> None:
+    found, _ = solve_prompt(PRISM)
+    assert "block A is just about to slip down the face: friction on it has its greatest value" in found.text
+    assert "and so has the friction on block B, which the taut string makes slip together with it" in found.text

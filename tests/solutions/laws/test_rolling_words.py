@@ -88,3 +88,22 @@ def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_bef
     assert not faults(found, setting.answer), found.text
     assert "They remain" not in found.text
     assert "now rolls, which on level ground needs no friction" in found.text
+
+
+def test_senses_of_turning_are_stated_and_what_is_turned_back() -> None:
+    """Set spinning as if it rolled up a slope on which it is too steep to stay, a roller turns back in the end."""
+    angle, friction, time = 12.0, 0.21, 1.8
+    scene = pipe(angle, friction, Spinning(spin=16.0, way="up the slope"))
+    found = turned(scene, "angle rolled", time)
+    slope = radians(angle)
+    a, f = G * sin(slope) - friction * G * cos(slope), friction * G * cos(slope)
+    stop = 16.0 * RADIUS / (f - a)
+    assert 0.0 < stop < time
+    up = 16.0 * RADIUS * stop - 0.5 * f * stop**2
+    down = a * stop * (time - stop) + 0.25 * G * sin(slope) * (time - stop) ** 2
+    assert found.answer == pytest.approx(abs(up - down) / RADIUS)
+    assert "counted as positive in the sense of rolling up the slope" in found.text
+    assert "first turns through the arc" in found.text
+    assert "in the sense of rolling up the slope, then back through" in found.text
+    assert "The net angle of rotation" in found.text
+    assert "same time" not in found.text

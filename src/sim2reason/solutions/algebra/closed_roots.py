@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import over, quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common, divided
 
@@ -244,6 +244,11 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) ->
 
 def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expression]:
     """Yield √(a² + b²), first with common factors before the root, which holds where those are positive."""
+    shares = quotient(b, a) if b and written is Polynomial.factored else None
+    if shares is not None:  # b/a is a single term, or one over it
+        above, below = shares
+        whole, rest = (a, above) if below.number is not None else (b, below)
+        yield multiplied(written(whole), Root(written(Polynomial.of(1.0) + rest * rest)))
     shared = common([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
     parts = [divided(held, shared, 1.0) for held in (a, b)] if shared else []
     if parts and None not in parts:

@@ -5,30 +5,32 @@ from math import gcd
 from sim2reason.solutions.algebra.expressions import Expression, Quotient
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
+WHOLE = 1e-12  # by how much a factor may differ from an integer
+
 
 def over(above: Polynomial, below: Polynomial) -> Expression:
     """A fraction without what both of its sides share."""
     if below.number is None:
         above, below = _cancelled(above, below)
-        above, below = _quotient(above, below) or (above, below)
-    above, below = _without_factor(above, below)
+        above, below = quotient(above, below) or (above, below)
     if below.number is not None:
         return above.scaled(1.0 / below.number).factored()
     if all(part < 0.0 for part in below.terms.values()):
         above, below = above.scaled(-1.0), below.scaled(-1.0)
+    shared = _common_number([*above.terms.values(), *below.terms.values()])
+    above, below = above.scaled(1.0 / shared), below.scaled(1.0 / shared)
     return Quotient(above.factored(), below.factored())
 
 
-def _without_factor(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """A fraction without the whole number that all terms of both are multiples of."""
-    parts = [*above.terms.values(), *below.terms.values()]
-    if not all(float(part).is_integer() for part in parts):
-        return above, below
-    shared = gcd(*(int(part) for part in parts))
-    return (above.scaled(1.0 / shared), below.scaled(1.0 / shared)) if shared > 1 else (above, below)
+def _common_number(factors: list[float]) -> float:
+    """Return the greatest integer by which all factors can be divided; one where they are no integers."""
+    whole = [round(factor) for factor in factors]
+    if any(abs(factor - number) > WHOLE for factor, number in zip(factors, whole, strict=True)):
+        return 1.0
+    return float(gcd(*whole)) or 1.0
 
 
-def _quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
     """A fraction of two sums, one of which is the other times a single term, without that sum; else None."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):

@@ -18,7 +18,10 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, divided
 def stated_equation(
     name: str, formula: Expression, value: Expression, written: Written
 ) -> tuple[Expression, Expression] | None:
-    """Return both sides of a x² + b x = c or a sin x + b cos x = c if an equation reduces to one; else None."""
+    """Return both sides of a x² + b x = c or a sin x + b cos x = c if an equation reduces to one; else None.
+
+    The first may also be one in the sine or in the cosine of x.
+    """
     try:
         zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
     except OverflowError:
@@ -26,7 +29,8 @@ def stated_equation(
     least = min((dict(monomial).get(Symbol(name), 0) for monomial in zero.terms), default=0)
     zero = (divided(zero, ((Symbol(name), least),), 1.0) or zero) if least else zero
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
-    for first, second, powers in ((symbol, symbol, (2, 1)), (sine, cosine, (1, 1))):
+    squares = ((atom, atom, (2, 1)) for atom in (symbol, sine, cosine))
+    for first, second, powers in (*squares, (sine, cosine, (1, 1))):
         parts = [coefficient(zero, atom, power) for atom, power in zip((first, second), powers, strict=True)]
         rest = zero
         for part, atom, power in zip(parts, (first, second), powers, strict=True):

@@ -2,20 +2,25 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from sim2reason.solutions.setting import joined
 
 
 @dataclass(frozen=True)
 class Excluded:
-    """A pair that does not meet, in words and by its letters, with the kind of argument and its number."""
+    """A pair that does not meet, in words and by its letters, with the kind of argument and its number.
+
+    The number follows from its relative position and velocity, which `motion` tells in a sentence; on a line, `aside`
+    tells them in a few words.
+    """
 
     kind: str
     who: str
     letters: str
     said: str
     limit: str = ""
+    motion: str = ""
+    aside: str = ""
 
 
 def clauses(told: Sequence[Excluded]) -> Iterator[str]:
@@ -36,11 +41,19 @@ def _numbers(held: Sequence[Excluded]) -> str:
 
 
 def _meet_later(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} would meet only after {_numbers(held)}"
+    return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only after {_numbers(held)}"
+
+
+def _meet_later_in_line(held: Sequence[Excluded]) -> str:
+    return joined([f"{each.who}, {each.aside}, would meet only after {each.said}" for each in held])
+
+
+def _reach_later(held: Sequence[Excluded]) -> str:
+    return joined([f"{each.who}, {each.aside}, would reach {each.limit} only after {each.said}" for each in held])
 
 
 def _pass(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} pass {_numbers(held)} apart, more than ${held[0].limit}$"
+    return f"{_pairs(held)} would be {_numbers(held)} apart where they are closest, more than ${held[0].limit}$"
 
 
 def _part(held: Sequence[Excluded]) -> str:
@@ -52,15 +65,16 @@ def _part_in_line(held: Sequence[Excluded]) -> str:
     return f"{_pairs(held)} move apart at {_numbers(held)}"
 
 
-def _at_walls(held: Sequence[Excluded], verb: str) -> str:
-    return joined([f"{each.who} {verb} {each.said}" for each in held])
+def _leave_walls(held: Sequence[Excluded]) -> str:
+    return joined([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
 
 
 CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
     "later": _meet_later,
-    "wall later": partial(_at_walls, verb="would reach the wall only after"),
+    "line later": _meet_later_in_line,
+    "wall later": _reach_later,
     "pass": _pass,
     "apart": _part,
     "line apart": _part_in_line,
-    "wall apart": partial(_at_walls, verb="moves away from the wall at"),
+    "wall apart": _leave_walls,
 }

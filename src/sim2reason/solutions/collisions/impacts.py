@@ -92,11 +92,12 @@ class Impacts(FreeFlights, ABC):
         """Who meets whom, in words."""
         again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
-            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self._what(impact)}{again}"
+            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
         return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
 
-    def _what(self, impact: Impact) -> str:
-        normal = self.mechanism.meetings[impact.meeting].normal
+    def obstacle(self, meeting: int) -> str:
+        """Return what a body hits that does not move, in words."""
+        normal = self.mechanism.meetings[meeting].normal
         return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
 
     def event(self, time: Symbol) -> str:
@@ -109,8 +110,9 @@ class Impacts(FreeFlights, ABC):
         who = self.setting.listed(list(impact.bodies))
         same = [held.number for held in self.impacts if held.meeting == impact.meeting]
         which = f"{_ordinal(same.index(impact.number) + 1)} " if len(same) > 1 else ""
-        pair = len(impact.bodies) > 1
-        return f"the {which}collision of {who}" if pair else f"the {which}impact of {who} on {self._what(impact)}"
+        if len(impact.bodies) > 1:
+            return f"the {which}collision of {who}"
+        return f"the {which}impact of {who} on {self.obstacle(impact.meeting)}"
 
     def flying_on(self, body: str, number: int, time: Symbol) -> None:
         """Say that a body is still in the air at a time after it rebounded from the ground; nothing rests on it."""

@@ -1,19 +1,19 @@
 """The order of collisions: why no other pair meets before the next one, and none after the last one."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from math import inf
 
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import Excluded, clauses
 from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.solution import Step
+from sim2reason.solutions.collisions.relative import RelativeMotion
+from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Writing
@@ -61,6 +61,7 @@ class CollisionOrder:
                 found = self._excluded(step, stretch) if stretch.begins == begins else None
                 told += [found] if found is not None else []
             if told:
+                step.say(*(each.motion for each in told))
                 step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
                 step.close()
                 self._book.earliest[self._book.steps[-1].id] = self._first
@@ -77,8 +78,13 @@ class CollisionOrder:
 
     def _last(self, meeting: Meeting) -> Impact | None:
         """Return the collision with which the motion that counts ends, if it is one of the partners."""
-        found = (held for held in self._flights.impacts if abs(held.time - self._time) <= 1e-9 * self._time)
-        return next((held for held in found if {*held.bodies} & {*meeting.names}), None)
+        return next((held for held in self._at_end() if {*held.bodies} & {*meeting.names}), None)
+
+    def _at_end(self) -> list[Impact]:
+        """Return the collisions at the instant with which the motion that counts ends; none if it never ends."""
+        if self._time == inf:
+            return []
+        return [held for held in self._flights.impacts if abs(held.time - self._time) <= 1e-9 * self._time]
 
     def _number(self, body: str, begins: Impact | None) -> int:
         if begins is None:
@@ -101,28 +107,31 @@ class CollisionOrder:
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
         """Return why two discs do not collide in an interval."""
         book, d = self._book, self._flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
-        X, u = zip(*self._relative(held, meeting), strict=True)
-        mark, who = self._names(held)
-        along = [multiplied(book.worked(x), book.worked(w)) for x, w in zip(X, u, strict=True)]
-        speed, q = summed(Power(book.worked(w), 2) for w in u), summed(along)
-        if max(abs(book.value(w)) for w in u) < STILL:
+        parts = [part for part in self._relative(held, meeting) if any(map(book.value, part[1:]))]
+        if max((abs(book.value(w)) for _, _, w in parts), default=0.0) < STILL:
             return None
-        if book.value(q) >= 0.0:
-            name = book.fresh("q", mark)
-            exceeds(book, step, q, ZERO)
-            return Excluded("apart", who, mark, self._verified(step, name, q, latex("m^2/s")))
-        aside: Expression = ZERO
-        if len(X) > 1:
-            aside = added(
-                multiplied(book.worked(X[0]), book.worked(u[1])), -multiplied(book.worked(X[1]), book.worked(u[0]))
-            )
-        if abs(book.value(aside)) >= book.value(Root(speed)) * book.value(d):
-            name, apart = book.fresh("b", mark), ratio(Absolute(aside), Root(speed))
+        motion, more = RelativeMotion(book, step, self._letters(held)), RelativeMotion(book, step, self._letters(held))
+        X, u = zip(*((motion.named(a, x, METRES), motion.named("u", w, SPEED, a)) for a, x, w in parts), strict=True)
+        square, along = summed(Power(w, 2) for w in u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+        aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
+        if book.value(along) >= 0.0:
+            exceeds(book, step, along, ZERO)
+            found = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
+        elif abs(book.value(aside)) >= book.value(Root(square)) * book.value(d):
+            apart = ratio(Absolute(aside), Root(square))
             exceeds(book, step, apart, d)
-            return Excluded("pass", who, mark, self._verified(step, name, apart, METRES), d.latex())
-        p, q, c = (book.worked(each) for each in (speed, q, aside))
-        square = added(multiplied(p, Power(d, 2)), -Power(c, 2))
-        return self._later(step, held, ratio(added(-q, -Root(square)), p))
+            found = self._excluded_by("pass", held, motion.concluded("b", apart, METRES))
+        else:
+            p, q, c = (
+                more.named(name, part, latex(unit))
+                for name, part, unit in (("p", square, "m^2/s^2"), ("q", along, "m^2/s"), ("c", aside, "m^2/s"))
+            )
+            root = Root(added(multiplied(p, Power(d, 2)), -Power(c, 2)) if c != ZERO else multiplied(p, Power(d, 2)))
+            found = self._later(motion, held, -ratio(added(q, root), p))
+        one, other = map(self._flights.setting.called, meeting.names)
+        told = f"Position and velocity of {other} relative to {one} {self._when(held)}: {joined(motion.told)}"
+        told += f"; hence {joined(more.told)}." if more.told else "."
+        return replace(found, limit=d.latex(), motion=told)
 
     def _in_line(self, step: Writing, held: Together, *, just_met: bool) -> Excluded | None:
         """Return why two bodies on a line, or a body and a wall, do not collide in an interval."""
@@ -135,52 +144,62 @@ class CollisionOrder:
             a = flights.acceleration(k).scaled(sign)
             gap, rate, rise = gap + place.scaled(sign), rate + velocity.scaled(sign), rise + a
         rate, gap = rate + rise * begin, gap + (rise * begin * begin).scaled(0.5)
-        mark, who = self._names(held)
+        motion, speed = RelativeMotion(book, step, self._letters(held)), book.value(rate.expression())
         if rise:
-            return self._thrown(step, held, (NIL if just_met else gap, rate, rise))
-        speed = book.worked(rate.expression())
-        if just_met or abs(book.value(speed)) < STILL:
+            return self._thrown(motion, held, (NIL if just_met else gap, rate, rise))
+        if just_met or abs(speed) < STILL:
             return None
-        if book.value(speed) > 0.0:
-            exceeds(book, step, speed, ZERO)
-            said = self._verified(step, book.fresh("u", mark), rate.expression(), SPEED)
-            return Excluded("wall apart" if len(ways) == 1 else "line apart", who, mark, said)
-        return self._later(step, held, ratio(book.worked(gap.expression()), -speed))
+        if speed > 0.0:
+            exceeds(book, step, rate.expression(), ZERO)
+            kind = "wall apart" if len(ways) == 1 else "line apart"
+            found = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
+            return replace(found, limit=flights.obstacle(held.meeting))
+        motion.named("d", gap.expression(), METRES)
+        motion.named("u", rate.scaled(-1.0).expression(), SPEED)
+        return self._approaching(motion, held, ratio(*motion.names), " and approaching at")
 
     def _thrown(
-        self, step: Writing, held: Together, motion: tuple[Polynomial, Polynomial, Polynomial]
+        self, motion: RelativeMotion, held: Together, course: tuple[Polynomial, Polynomial, Polynomial]
     ) -> Excluded | None:
         """Return why a body that accelerates relative to a wall does not reach it; None if it never could."""
-        book = self._book
-        gap, rate, rise = (Polynomial.of(book.worked(part.expression())) if part else NIL for part in motion)
-        if not gap:
-            return self._later(step, held, ratio(rate.scaled(-2.0).expression(), rise.expression()))
-        double = multiplied(Number(2.0), multiplied(rise.expression(), gap.expression()))
-        square = Power(rate.expression(), 2)
-        if book.value(rise.expression()) > 0.0 and (
-            book.value(rate.expression()) >= 0.0 or book.value(square) < book.value(double)
-        ):
+        (gap, rate, rise), value = course, self._book.value
+        d, u, a = (value(part.expression()) for part in course)
+        if gap and a > 0.0 and (u >= 0.0 or u * u < 2.0 * a * d):
             return None
-        return self._later(step, held, self._flights.root(gap, rate, rise))
+        distance = Polynomial.of(motion.named("d", gap.expression(), METRES)) if gap else NIL
+        change = Polynomial.of(motion.named("u", rate.expression(), SPEED)) if u else NIL
+        if gap:
+            span = self._flights.root(distance, change, rise)
+            return self._approaching(motion, held, span, ", a distance that at first changes at the rate")
+        found = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
+        obstacle = self._flights.obstacle(held.meeting)
+        return replace(found, aside=f"which leaves {obstacle} at {joined(motion.told)}", limit=f"{obstacle} again")
 
-    def _later(self, step: Writing, held: Together, span: Expression) -> Excluded:
+    def _approaching(self, motion: RelativeMotion, held: Together, span: Expression, moving: str) -> Excluded:
+        """Return the argument that a distance along a line is zero only after the end of an interval."""
+        pair, obstacle = len(held.legs) > 1, self._flights.obstacle(held.meeting)
+        apart, *speed = motion.told
+        aside = f"{apart} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
+        return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
+
+    def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
         """Return the argument that two bodies would collide only after the end of an interval."""
-        book, flights = self._book, self._flights
-        mark, who = self._names(held)
+        flights = self._flights
         end = flights.when(held.ends) if held.ends is not None else self._until
         assert end is not None
-        exceeds(book, step, added(self._begin(held).expression(), span), self._since_start(end).expression())
-        said = self._verified(step, book.fresh("t", mark), span, SECONDS)
-        return Excluded("wall later" if len(held.legs) == 1 else "later", who, mark, said)
+        whole = added(self._begin(held).expression(), span)
+        exceeds(self._book, motion.step, whole, self._since_start(end).expression())
+        oblique = flights.mechanism.meetings[held.meeting].normal is None
+        kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
+        return self._excluded_by(kind, held, motion.concluded("t", span, SECONDS))
 
-    def _verified(self, step: Writing, name: Symbol, formula: Expression, unit: str) -> str:
-        self._book.observed[name.name] = self._book.value(formula)
-        return step.verified(name, formula, unit)
+    def _excluded_by(self, kind: str, held: Together, said: str) -> Excluded:
+        return Excluded(kind, self._flights.setting.listed(list(held.legs)), self._letters(held), said)
 
     # ---- the motion without what gravity adds to all of it
 
-    def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[Expression, Expression]]:
-        """Yield position and velocity of the second body relative to the first, by coordinate, at the beginning."""
+    def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[str, Expression, Expression]]:
+        """Yield each axis with position and velocity of the second body relative to the first at the beginning."""
         flights, begin = self._flights, self._begin(held)
         one, other = meeting.names
         places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
@@ -189,7 +208,8 @@ class CollisionOrder:
             axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
             along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
             (s, v), (r, w) = (self._drift(b, held.legs[b], k, begin) for b, k in ((one, i), (other, j)))
-            yield (lexicon.read(Both(*along)) + r - s).expression(), (w - v).expression()
+            axis = flights.mechanism.coordinates[i].label
+            yield axis, (lexicon.read(Both(*along)) + r - s).expression(), (w - v).expression()
 
     def _drift(self, body: str, number: int, k: int, time: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Return displacement and velocity at a time of a flight without the common terms ½ a t² and a t."""
@@ -216,9 +236,14 @@ class CollisionOrder:
 
     # ---- words
 
-    def _names(self, held: Together) -> tuple[str, str]:
-        setting = self._flights.setting
-        return "".join(map(setting.mark, held.legs)), setting.listed(list(held.legs))
+    def _letters(self, held: Together) -> str:
+        return "".join(map(self._flights.setting.mark, held.legs))
+
+    def _when(self, held: Together) -> str:
+        """Return at which instant an interval begins, in words."""
+        if held.begins is None:
+            return "at t = 0"
+        return f"just after {self._flights.event(self._flights.when(held.begins))}"
 
     def _lead(self, begins: Impact | None) -> str:
         if begins is None:
@@ -234,31 +259,8 @@ class CollisionOrder:
             return ""
         if self._until is None:
             return ", so there is no further collision"
-        return "" if self._last_of_all() else f", so there is no further collision before ${self._until.latex()}$"
+        return "" if self._at_end() else f", so there is no further collision before ${self._until.latex()}$"
 
     def _meet(self, impact: Impact) -> str:
         met = self._flights.met(impact)
         return met[:1].lower() + met[1:]
-
-    def _last_of_all(self) -> bool:
-        """Return whether the question is about the instant of a collision."""
-        return any(abs(held.time - self._time) <= 1e-9 * self._time for held in self._flights.impacts)
-
-
-def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
-    """Put each argument after the last step from which its numbers follow, and after the time of the first collision.
-
-    That is the first one among the steps from a number on, which `earliest` has by the number of the argument.
-    An argument with one of the names that are known only `late`, at the end, stays where it is.
-    """
-    found = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
-    for step in steps:
-        if step in found:
-            continue
-        used = {name for r in step.relations if r.role == "verified" for name in r.right.symbols()}
-        after = [n for n, held in enumerate(found) if used & {*held.gives}]
-        begins = earliest[step.id]
-        times = (n for n, held in enumerate(found) if held.kind == "impact time" and held.id >= begins)
-        first = next(times, next((n - 1 for n, held in enumerate(found) if held.id >= begins), len(found) - 1))
-        found.insert(max([first, *after]) + 1, step)
-    return found

@@ -98,6 +98,10 @@ class Known(Protocol):
         """The moment of inertia over the square of that radius."""
         ...
 
+    def tell_arcs(self, body: str) -> None:
+        """Write through which arcs that rim turns one after the other, if there are several."""
+        ...
+
     def force(self, kind: str, name: str) -> Symbol:
         """The tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
         ...
@@ -209,6 +213,7 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     if isinstance(held, Root | Absolute):
         return held
     if not book.hidden.isdisjoint(held.symbols()):
+        book.sign_chosen = True
         return held if positive else -held
     either = book.in_symbols and of_either_sign
     if positive and not either:

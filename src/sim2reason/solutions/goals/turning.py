@@ -41,6 +41,17 @@ class AngularGoal(AboutAxis):
 
 
 @dataclass(frozen=True, slots=True)
+class AngleGoal(AngularGoal):
+    """The arc through which the rim has turned over its radius."""
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Say first which arcs are turned back, if there are several."""
+        known.rim(self.of, target.subject)
+        known.tell_arcs(target.subject)
+        return AngularGoal.write(self, target, known)
+
+
+@dataclass(frozen=True, slots=True)
 class InertiaTimes(AboutAxis):
     """The moment of inertia, or that times the rate of the rim over its radius: I ω, I α."""
 
@@ -118,7 +129,7 @@ ANGULAR_VELOCITIES = VectorName.of("angular velocity")
 ANGULAR_ACCELERATIONS = VectorName.of("angular acceleration")
 GOALS.add("angular velocity", AngularGoal(ANGULAR_VELOCITIES, "v"))
 GOALS.add("angular acceleration", AngularGoal(ANGULAR_ACCELERATIONS, "a"))
-GOALS.add("angle rolled", AngularGoal(VectorName.of("angle rolled", "angle"), "s"))
+GOALS.add("angle rolled", AngleGoal(VectorName.of("angle rolled", "net angle of rotation"), "s"))
 GOALS.add("moment of inertia", InertiaTimes(VectorName.of("moment of inertia"), ""))
 GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v"))
 GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))

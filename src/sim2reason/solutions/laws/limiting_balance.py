@@ -10,7 +10,9 @@ from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.inverse import put, settled, solved_for
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -102,7 +104,10 @@ class LimitingBalance(LimitingDynamics):
         book.values[hidden.name] = book.value(found)
         book.refresh(hidden.name, book.values[hidden.name])
         who = capital(self.setting.called(self._who))
+        sides = stated_equation(hidden.name, formula, ZERO, Polynomial.factored)
         so = ", so" if formula == plain else ". Together with the equations above, this gives"
+        if sides is not None and all(len(side.latex()) <= LONG for side in sides):
+            so = f"{', that is,' if formula == plain else so} {step.derived(*sides)}, so"
         step.say(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
         step.close()
         return hidden.name
@@ -120,10 +125,42 @@ class LimitingBalance(LimitingDynamics):
             raise UnsolvedError("the limit has no short closed form")
         return found
 
+    def _way(self) -> str:
+        """Return in which direction the body is about to slip, after a space; empty if that has no short name."""
+        sides = self.newton.rough.items()
+        face, side = next((n, s) for n, s in sides if self.mechanism.faces[n].subject == self._who)
+        way = way_of_slip(self, face, side) if side else ""
+        return f" {way}" if way else ""
+
+    def _with_it(self) -> str:
+        """Return on which bodies that still rest friction has its greatest value, too, and why, as an addition."""
+        faces = [self.mechanism.faces[n] for n, side in self.newton.rough.items() if side]
+        still = {self.mechanism.coordinates[k].name for k in self.frozen}
+        others = [f.subject for f in faces if f.subject != self._who and all(name in still for name, _ in f.slip)]
+        if not others:
+            return ""
+        strings, bound = self._bound()
+        why = f"which {strings} slip together with it" if bound.issuperset(others) else "which would slip as it does"
+        return f", and so has the friction on {self.setting.listed(others)}, {why}"
+
+    def _bound(self) -> tuple[str, set[str]]:
+        """Return what makes bodies move together with the one that is about to slip, in words, and which they are."""
+        taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > REST]
+        tied, found = (
+            [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
+            {self._who},
+        )
+        for _ in tied:
+            found.update(body for bodies in tied if not found.isdisjoint(bodies) for body in bodies if body)
+        return "the taut string makes" if len(taut) == 1 else "the taut strings make", found
+
+    def _body_at(self, site: str) -> str | None:
+        return self.mechanism.site[site].body
+
     def _introduce(self, *, slides: bool) -> None:
         """Write what holds in the limiting case."""
         step, who = self.book.open("limit"), self.setting.called(self._who)
-        what = "slip: friction has its greatest value, and" if slides else "rise:"
+        what = f"slip{self._way()}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
         rests = len(self.frozen) == len(self.mechanism.coordinates)
         still = "all bodies are still at rest" if rests else "its acceleration is still zero"
         parent = self.mechanism.body[self._who].parent

@@ -30,17 +30,42 @@ def only_turning(dynamics: Dynamics, shared: Shared) -> str:
     return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
 
 
-def turning_noun(dynamics: Dynamics, body: str) -> str:
-    """Return the name of a rate that is the turning of a body alone, in words."""
+def turning_noun(dynamics: Dynamics, shared: Shared) -> str:
+    """Return the name of a rate that is the turning of a body alone, in words, and in which sense it is positive."""
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
-    return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)} times {rate}"
+    body, sense = only_turning(dynamics, shared), _positive(dynamics, shared)
+    return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)} times {rate}{sense}"
 
 
-def rolling_words(dynamics: Dynamics, body: str, name: str) -> str:
-    """Return the sentence that a body rolls without slipping, and how it turns, `name` being the rate of its centre."""
+def rolling_words(dynamics: Dynamics, body: str, shared: Shared) -> str:
+    """Return the sentence that a body rolls without slipping, and how it turns; later on also in which sense.
+
+    An earlier phase may have counted the opposite sense of turning as positive.
+    """
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     who, radius = capital(dynamics.setting.called(body)), radius_of(dynamics.setting, body)
-    return f"{who} rolls without slipping, so its {radius} times {rate} is ${name}$, too."
+    later = dynamics.segment is not dynamics.setting.motion.segments[0]
+    sense = _positive(dynamics, shared, last=False) if later else ""
+    return f"{who} rolls without slipping, so its {radius} times {rate}{sense} is ${shared.symbol.name}$, too."
+
+
+def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
+    """Return the direction in which a body rolls that turns in a sense, in words; empty where it has no face."""
+    for face in range(len(dynamics.mechanism.faces)):
+        slip = dynamics.newton.slip(face)
+        slides = [j for j in slip if dynamics.mechanism.coordinates[j].kind == "slide"]
+        if k in slip and len(slides) == 1:
+            values = dynamics.book.values
+            way = -sense * slip[k].value(values) * slip[slides[0]].value(values)
+            return dynamics.moving(slides[0], 1 if way > 0.0 else -1)
+    return ""
+
+
+def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
+    """Return in which sense a rate of turning is positive, as an aside after what it is."""
+    hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
+    way = next((rolling_way(dynamics, k, float(sense)) for k, sense in hinges), "")
+    return f", counted as positive in the sense of rolling {way}{'' if last else ','}" if way else ""
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:

@@ -19,6 +19,7 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, t
 from sim2reason.solutions.laws.common_rates import STILL, Shared
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, rim_speed_words
 from sim2reason.solutions.laws.stage_end import End
+from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -126,7 +127,9 @@ class Stage:
             return self._size(self._travelled(shared).expression())
         step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
         formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
-        step.say(f"It turns back where its velocity is zero, at {step.result(name, formula, METRES, law=True)}.")
+        where = f"at {step.result(name, formula, METRES, law=True)}"
+        turned = turned_before(self.book, step, begun.factored(), shared.symbol, self.time)
+        step.say(f"It turns back where its velocity is zero, {where}{turned}.")
         step.close()
         return added(self._size(name), self._size(self._travelled(shared).expression() - name))
 
@@ -218,6 +221,10 @@ class Stage:
             distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
             law = step.law(distance, _path(begun, a, name))
             step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}.")
+            slowed = self.book.value(begun) > 0.0 > self.book.value(a)
+            if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
+                who = self.setting.called(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
+                self.book.afterwards.append(lambda: tell_not_turned(self.book, begun, a, name, who))
         step.close()
         return name
 
@@ -247,13 +254,9 @@ class Stage:
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
         formula = added(begun, multiplied(a, time))
         told = step.result(name, formula, SPEED, law=True)
-        step.say(f"{self._when('At that time')}, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
+        step.say(f"After the time ${time.name}$, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
         step.close()
         return Polynomial.of(name)
-
-    def _when(self, again: str) -> str:
-        """Return the first words of a sentence about the end of the stage: `again` if that instant was named before."""
-        return again if self._moved or self._velocity else f"After the time ${self.time.name}$"
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None
@@ -286,7 +289,7 @@ class Stage:
             time = self.time
             step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
-            step.say(f"{self._when('In the same time')}, {what}{told}.")
+            step.say(f"After the time ${time.name}$, {what}{told}.")
         step.close()
         return Polynomial.of(name)
 

@@ -1,6 +1,8 @@
 """A stage of a motion as sums need it: how long, by which force, how far."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Protocol
 
 from sim2reason.dsl.frames import Frames
@@ -11,8 +13,9 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.rolling_words import rolling_way
 from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 
 class Course(Protocol):
@@ -39,6 +42,24 @@ class Course(Protocol):
     def path(self, k: int) -> Expression:
         """How far to and fro, without a sign."""
         ...
+
+
+def tell_arcs(book: Book, stages: Sequence[Course], k: int) -> None:
+    """Write through which arcs a hinge turns the rim of its body in several stages, and which of them it turns back."""
+    gains = [gain for stage in stages if (gain := stage.gain(k))]
+    if len(gains) < 2:
+        return
+    step, dynamics = book.open("verify"), stages[0].dynamics
+    senses = [1.0 if book.value(gain.expression()) > 0.0 else -1.0 for gain in gains]
+    arcs = [f"${gain.scaled(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
+    turns = ("further" if now == before else "back" for before, now in pairwise(senses))
+    later = (f", then {way} through {arc}" for way, arc in zip(turns, arcs[1:], strict=True))
+    who = dynamics.setting.called(dynamics.mechanism.coordinates[k].body)
+    way = rolling_way(dynamics, k, senses[0])
+    step.say(f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {way}{''.join(later)}.")
+    for name in dict.fromkeys(name for gain in gains for name in gain.names()):
+        step.rest_on(name)
+    step.close()
 
 
 @dataclass(frozen=True, slots=True)

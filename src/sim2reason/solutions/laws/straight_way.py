@@ -177,6 +177,10 @@ class Way(ABC):
             raise UnsolvedError(f"{body} does not turn")
         return self.newton.turning(k, k)
 
+    def tell_arcs(self, body: str) -> None:
+        """Write the arcs of its rim; by default there is one at most."""
+        del body
+
     def axes(self, body: str) -> tuple[str, ...]:
         """What the text calls the room's directions for a body."""
         own = [self.mechanism.coordinates[k].label for k in self._own(body)]

@@ -117,11 +117,11 @@ class DynamicsWriter:
     def _what(self, shared: Shared) -> str:
         """Return what a rate is, after its name: of whom, or, where something only turns, which product."""
         alone = only_turning(self.d, shared)
-        return f", {turning_noun(self.d, alone)}" if alone else f" {self._whose(shared)}"
+        return f", {turning_noun(self.d, shared)}" if alone else f" {self._whose(shared)}"
 
     def _rolling(self, shared: Shared) -> str:
         bodies = rolling_bodies(self.d, shared) if not only_turning(self.d, shared) else []
-        return " ".join(rolling_words(self.d, body, shared.symbol.name) for body in bodies)
+        return " ".join(rolling_words(self.d, body, shared) for body in bodies)
 
     def _whose(self, shared: "Shared") -> str:
         """Of block A downward and of block B up the slope."""

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import SINGULAR
+from sim2reason.solutions.collisions.order import ORDER
 from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
@@ -120,9 +121,13 @@ def _introduced(solution: Solution) -> Iterator[str]:
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """Return the steps that lead to the goal if some names are known, and their reasons, unless `said`."""
+    """Return the steps that lead to the goal if some names are known, and their reasons, unless `said`.
+
+    Why no other collision comes before the moment has to be shown with all that it rests on.
+    """
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
-    waiting, kept = [last] if last is not None else [], dict[int, Step]()
+    orders = [step for step in solution.steps if step.kind == ORDER and step.text not in said]
+    waiting, kept = [*orders, *([last] if last is not None else [])], dict[int, Step]()
     while waiting:
         step = waiting.pop()
         if step.id in kept:

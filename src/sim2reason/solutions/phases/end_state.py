@@ -108,6 +108,10 @@ class EndState(Way):
         axis = max(range(3), key=lambda n: abs(hinge.axis[n]))
         return self.setting.lexicon.read(Both(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
 
+    def tell_arcs(self, body: str) -> None:
+        """Write nothing: the angle itself is followed."""
+        del body
+
     # ---- springs
 
     def spring(self, what: str, line: str) -> Polynomial:

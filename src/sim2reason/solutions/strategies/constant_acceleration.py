@@ -20,7 +20,7 @@ from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage import Stage
 from sim2reason.solutions.laws.stage_end import End
-from sim2reason.solutions.laws.stage_part import StagePart
+from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs
 from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.setting import Setting, capital
@@ -97,6 +97,11 @@ class _Staged(Way):
     def stretches(self) -> Sequence[StagePart]:
         """The stages."""
         return [StagePart(self, stage, stage.dynamics) for stage in self.stages]
+
+    def tell_arcs(self, body: str) -> None:
+        """Stage by stage."""
+        if (k := self.hinge(body)) is not None and not self.stages[-1].uniform:
+            tell_arcs(self.book, self.stages, k)
 
     def force(self, kind: str, name: str) -> Symbol:
         """By its symbol."""

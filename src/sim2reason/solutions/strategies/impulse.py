@@ -26,6 +26,7 @@ from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
 from sim2reason.solutions.collisions.tops import at_top
+from sim2reason.solutions.collisions.uninvolved import tell_uninvolved
 from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
@@ -91,9 +92,10 @@ class _Struck(Way):
             step = self.book.open("moment")
             step.say("At the highest point of the path the vertical velocity is zero.")
             step.close()
-        if self.target is None or self.goal is None:
-            return self.time.name
-        return self.goal.write(self.target, self).name
+        found = self.time if self.target is None or self.goal is None else self.goal.write(self.target, self)
+        met = self.impact.bodies if self.impact is not None else ()
+        tell_uninvolved(self.flights, {*met, *(self.goal.bodies(self.target) if self.goal and self.target else ())})
+        return found.name
 
     def _follow(self) -> None:
         """Write all collisions before the moment in order, and in the end why no others come before them."""
@@ -278,8 +280,7 @@ class _Struck(Way):
         formula = ratio(-Power(v, 2), double)
         top = isinstance(self.query.moment, HighestPoint)
         where = "At the highest point of the path the vertical velocity" if top else "There the velocity"
-        who = self.setting.called(body)
-        step.say(f"{where} of {who} is zero, so {law} and {step.result(name, formula, METRES)}.")
+        step.say(f"{where} of {self.setting.called(body)} is zero, so {law} and {step.result(name, formula, METRES)}.")
         step.close()
         return before + Polynomial.of(name)
 

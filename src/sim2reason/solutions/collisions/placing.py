@@ -1,0 +1,42 @@
+"""Where the arguments about the order of collisions stand among the other steps."""
+
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+
+from sim2reason.solutions.collisions.order import ORDER
+from sim2reason.solutions.solution import Step
+
+LAST = "so there is no further collision"  # ends an argument about the last flights, but for the time until when
+SOLVED = "solve for the unknown"  # the kind of the steps that do so
+
+
+def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
+    """Put each argument after the last step from which its numbers follow, and after the time of the first collision.
+
+    That is the first one among the steps from a number on, which `earliest` has by the number of the argument.
+    An argument with one of the names that are known only `late`, at the end, stays where it is; what it will show is
+    supposed before the unknown is solved for.
+    """
+    found = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
+    for step in steps:
+        if step in found:
+            continue
+        used = {name for r in step.relations if r.role == "verified" for name in r.right.symbols()}
+        after = [n for n, held in enumerate(found) if used & {*held.gives}]
+        begins = earliest[step.id]
+        times = (n for n, held in enumerate(found) if held.kind == "impact time" and held.id >= begins)
+        first = next(times, next((n - 1 for n, held in enumerate(found) if held.id >= begins), len(found) - 1))
+        found.insert(max([first, *after]) + 1, step)
+    return _with_supposition(found)
+
+
+def _with_supposition(steps: Sequence[Step]) -> list[Step]:
+    """Return steps with a sentence before the unknown is solved for that says what is verified only after that."""
+    solved = next((n for n, step in enumerate(steps) if step.kind == SOLVED), len(steps))
+    late = next((step for step in steps[solved:] if step.kind == ORDER and LAST in step.text), None)
+    if late is None:
+        return [*steps]
+    until = late.text.rpartition(LAST)[2]
+    text = f"This supposes that there is no further collision{until.removesuffix('.')}, which is verified below."
+    said = Step(max(step.id for step in steps) + 1, "supposition", text, (), (), ())
+    return [*steps[:solved], said, *steps[solved:]]

@@ -1,0 +1,39 @@
+"""The motion of a pair that does not meet, in named numbers from which the reason follows."""
+
+from dataclasses import dataclass, field
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.writing.steps import Book, Writing
+
+LONG = 160  # characters of a formula whose number alone is written
+
+
+@dataclass(frozen=True)
+class RelativeMotion:
+    """The numbers of one pair in a step, with the letters of the pair as a subscript; nothing else rests on them."""
+
+    book: Book
+    step: Writing
+    letters: str
+    told: list[str] = field(default_factory=list[str])
+    names: list[Expression] = field(default_factory=list[Expression])
+
+    def named(self, base: str, formula: Expression, unit: str, axis: str = "") -> Expression:
+        """Return a name for a number that is told before the argument; what is zero needs none."""
+        if not self.book.value(formula):
+            return ZERO
+        self.names.append(self._verified(base, formula, unit, axis, self.told))
+        return self.names[-1]
+
+    def concluded(self, base: str, formula: Expression, unit: str) -> str:
+        """Return the equation of the number on which the argument ends."""
+        said: list[str] = []
+        self._verified(base, formula, unit, "", said)
+        return said[0]
+
+    def _verified(self, base: str, formula: Expression, unit: str, axis: str, told: list[str]) -> Expression:
+        name = self.book.fresh(base, f"{axis},{self.letters}" if axis else self.letters)
+        self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(unit))
+        short = len(formula.latex()) <= LONG
+        told.append(self.step.verified(name, formula if short else self.book.worked(formula), unit))
+        return name

@@ -1,0 +1,79 @@
+"""Why a quantity of which only the magnitude is given has the sign with which its equations were solved."""
+
+from collections.abc import Iterator, Sequence
+from functools import reduce
+
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Absolute, Call, Root
+from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import with_unit
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, Writing
+
+SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # of no sign
+SINES = {"arcsin": "sine", "arccos": "cosine"}
+
+
+def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
+    """Return whether a question gives the magnitude of a goal whose sign was chosen when its formula was written."""
+    target = setting.target
+    if target is None or target.sense is not None or target.quantity in SQUARES:
+        return False
+    slides = goal in book.formulas and any(name.startswith(r"\mu") for name in book.formulas[goal].symbols())
+    return book.sign_chosen or (target.quantity == "friction force" and not slides)
+
+
+def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> None:
+    """Say why the opposite sign of a goal leads to no possible value, where the formulas `found` from it show that.
+
+    They give names one after the other, of which the last one is the unknown.
+    """
+    values: dict[str, Expression] = {goal: -Symbol(goal)}
+    for number, (name, held) in enumerate(found):
+        try:
+            formula = reduce(lambda whole, pair: put(whole, *pair), values.items(), held)
+        except TypeError:  # a number that is not written as a formula
+            return
+        reason = _impossible(book, step, name, formula)
+        if reason is None and number == len(found) - 1:
+            reason = _out_of_range(book, step, name, formula)
+        if reason is not None:
+            only = "Only a magnitude is given; with"
+            step.say(f"{only} $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
+            return
+        values[name] = formula
+
+
+def _impossible(book: Book, step: Writing, name: str, formula: Expression) -> str | None:
+    """Return why a formula has no value, in words; empty if it has two, as a root of two signs; None if it has one."""
+    for part in _inner_first(formula):
+        if isinstance(part, Root):
+            if book.value(part.inside) >= 0.0:
+                return ""
+            exceeds(book, step, ZERO, part.inside)
+            return f"${name}$ would not be real, as what stands under the square root would be negative"
+        if isinstance(part, Call) and part.function in SINES and abs(book.value(part.argument)) > 1.0:
+            size = book.value(part.argument)
+            exceeds(book, step, Absolute(part.argument), ONE)
+            return f"there would be no angle ${name}$, as its {SINES[part.function]} would be ${with_unit(size, '')}$"
+    return None
+
+
+def _out_of_range(book: Book, step: Writing, name: str, formula: Expression) -> str:
+    """Return that an unknown would be negative, or a coefficient of restitution more than one; else nothing."""
+    value = book.value(formula)
+    would = f"${name}$ would be ${with_unit(value, book.units[name])}$"
+    if value < 0.0 < book.values[name]:
+        exceeds(book, step, ZERO, formula)
+        return f"{would}, which is negative"
+    if name.partition("_")[0] == "e" and not book.units[name] and value > 1.0 >= book.values[name]:
+        exceeds(book, step, formula, ONE)
+        return f"{would}, which is more than 1"
+    return ""
+
+
+def _inner_first(held: Expression) -> Iterator[Expression]:
+    for part in held.parts:
+        yield from _inner_first(part)
+    yield held
