@@ -58,7 +58,7 @@ def test_what_begins_at_rest_takes_half_an_oscillation_from_the_start() -> None:
     scene = struck(strain=0.2)
     found = derived(scene, Query("time_to_event", None, Halted(cart(scene))))
     assert found.text.count(r"\frac{\pi}{\omega}") == 1
-    assert "All half oscillations take the same time, so the total time is $t = 2\\,t_1" in found.text
+    assert "All half oscillations take the same time, so the total time is $t_1 = 2\\,t" in found.text
     assert found.answer == pytest.approx(2.0 * pi / RATE, rel=1e-8)
 
 
