@@ -80,9 +80,7 @@ def test_a_rocket_has_a_name_where_it_waits_and_comes_to_rest_only_after_burnout
     (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
     text = solve(asked(scene, Query("time_to_event", None, Stopped(body)))).text
     assert "The probe stays on the ground until the thrust equals its weight" in text
-    assert (
-        "the thrust exceeds the weight, so the speed grows and the probe can come to rest only after burnout" in text
-    )
+    assert "the thrust exceeds the weight, so the speed grows and the probe can come to rest only after burnout" in text
 
 
 @pytest.mark.parametrize("place", [DeepSpace(), LevelGround()])
