@@ -94,7 +94,7 @@ class Fields:
         if number is None:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
-        said = "The magnetic force is perpendicular to the velocity and turns it with the angular velocity"
+        said = "The magnetic force rotates the velocity with the angular velocity"
         said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise)"
         return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
@@ -211,8 +211,8 @@ class Fields:
             rf"$\dot{{v}}_{axis} = {with_plain_signs(side).latex()}$" for axis, side in zip(AXES, sides, strict=True)
         ]
         both = f"${vx.latex()}$ and ${vy.latex()}$"
-        step.say(f"Let {both} be the components of the velocity at the time ${self.clock.latex()}$.")
-        step.say(f"The equations of motion are {joined(told)}, by Newton's second law divided by the mass.")
+        step.say(f"Let {both} be the components of the velocity.")
+        step.say(f"The equations of motion are {joined(told)}, by Newton's second law.")
         step.label(LAW)
         step.close()
         return LAW

@@ -115,9 +115,9 @@ class KeplerOrbit:
     def anomaly(self) -> Symbol:
         """The name of the eccentric anomaly, which this introduces."""
         step, name = self.book.open("names"), self.named("E")
-        said = f"Let ${name.latex()}$ be the eccentric anomaly of {self.setting.called(self.body)}, counted from the"
-        step.say(f"{said} point nearest to {self.setting.called(self.center)} in the direction of motion, and")
-        step.say(f"${self.oval.latex()}$ be the eccentricity.")
+        whose = f" of {self.setting.called(self.body)}" if self._mark else ""
+        step.say(f"Let ${name.latex()}$ be the eccentric anomaly{whose}, zero at the nearest point,")
+        step.say(f"and ${self.oval.latex()}$ the eccentricity.")
         step.close()
         return name
 
@@ -165,7 +165,7 @@ class KeplerOrbit:
         near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
         step = self.book.open("Kepler's equation")
         law = step.law(n * time, right)
-        step.say(f"{self._mean(name)} Hence the increase ${name.latex()}$ satisfies {law}.")
+        step.say(f"{self._mean(name)}, so {law}.")
         step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "The numerical solution is"))
         step.close()
         return name
@@ -178,18 +178,17 @@ class KeplerOrbit:
             said = "From one end of the major axis to the other it takes half a period,"
             return self.book.told("time", said, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
-        return self.book.told("time", f"{self._mean(grown)} So the time is", self.named("t"), formula, SECONDS)
+        return self.book.told("time", f"{self._mean(grown)}, so the time is", self.named("t"), formula, SECONDS)
 
     def _mean(self, angle: Expression) -> str:
         """Return how the mean anomaly grows while the eccentric one grows by an angle."""
-        product = rf"{self.oval.latex()} \sin {self.anomaly.latex()}"
+        E, product = self.anomaly.latex(), rf"{self.oval.latex()} \sin {self.anomaly.latex()}"
         grown = self.along * Call("sin", angle) + self.across * Call("cos", angle)
-        said = rf"By Kepler's equation, the mean anomaly ${self.anomaly.latex()} - {product}$ increases at the rate"
         said = (
-            f"{said} ${self.mean_motion.latex()}$. After an increase of ${self.anomaly.latex()}$ by ${angle.latex()}$,"
+            rf"By Kepler's equation, ${E} - {product}$ increases at the rate ${self.mean_motion.latex()}$. When ${E}$"
         )
-        said = f"{said} ${product}$ is ${grown.latex()}$"
-        return f"{said}, and at the start it was ${self.across.latex()}$." if self.across != ZERO else f"{said}."
+        said = f"{said} has increased by ${angle.latex()}$, ${product}$ has changed from ${self.across.latex()}$ to"
+        return f"{said} ${grown.latex()}$"
 
     def _grown(self, angle: Expression) -> Expression:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))

@@ -140,9 +140,7 @@ class Turning(FieldMotion):
             what = "a drift velocity"
         elif ZERO in names:
             axis = 1 - drive.axis
-            return (
-                f"A particular solution is a constant drift velocity ${names[axis].latex()}$ along {AXES[axis]}, with"
-            )
+            return f"Their constant solution is the drift velocity ${names[axis].latex()}$ along {AXES[axis]}, with"
         else:
             what = "a constant drift velocity"
         parts = [self._kept_as(drive, names[n], n, self.fields.clock).latex() for n in (0, 1)]
@@ -184,11 +182,12 @@ class Turning(FieldMotion):
                 said = step.result(name, formula, SPEED, law=True)
             told.append(f"the {axis} component {said}")
         decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
-        who = "The velocity" if self.drive is None else "The velocity is this one plus a solution of the equations"
-        who = who if self.drive is None else f"{who} without the electric field, which"
-        step.say(f"{who} rotates with the angular velocity ${self.turning.latex()}${decays}.")
-        part = "It" if self.drive is None else "The rotating part"
-        step.say(f"{part} initially has {joined(told)}.")
+        turns = f"rotates with the angular velocity ${self.turning.latex()}${decays}"
+        if self.drive is None:
+            step.say(f"The velocity {turns}.")
+        else:
+            step.say(f"Added to it is a velocity that, as without the electric field, {turns}.")
+        step.say(f"It initially has {joined(told)}.")
         step.close()
         return found
 

@@ -39,13 +39,12 @@ class Turned(OrbitPlace):
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
             begun = (self._rectum / orbit.radius - ONE).latex()
             said = rf"{self._conic}, so initially ${e} \cos\nu$ is ${begun}$. Half a turn later the cosine has the"
-            said = f"{said} opposite sign, and the distance is"
+            said = f"{said} opposite sign:"
         else:
             formula = self._rectum / (ONE - self._across)
             swift = (self.orbit.parameter / self._swift).latex()
             said = rf"{self._conic}. The radial velocity is ${swift}\,{e} \sin\nu$, so initially ${e} \sin\nu$ is"
-            said = rf"{said} ${self._across.latex()}$. A quarter turn later the cosine is what $-\sin\nu$ was, and"
-            said = f"{said} the distance is"
+            said = rf"{said} ${self._across.latex()}$. A quarter turn later, $-\sin\nu$ replaces the cosine:"
         return orbit.book.told("conic", said, orbit.named("r"), formula, METRES)
 
     @property
@@ -62,11 +61,8 @@ class Turned(OrbitPlace):
     def _conic(self) -> str:
         """A sentence without its end that says what the equation of the ellipse is."""
         e, rectum = self.orbit.oval.latex(), self._rectum.latex()
-        said = (
-            rf"By the equation of the ellipse, the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, where ${e}$ is"
-        )
-        said = rf"{said} the eccentricity and $\nu$ the angle, in the direction of motion, from the point nearest to"
-        return f"{said} {self._star}"
+        said = rf"On the ellipse the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity ${e}$"
+        return rf"{said} and the angle $\nu$ turned since the nearest point"
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step that gives the direction, or the components of the velocity."""
