@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.ball import Ball, FixedBall
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.bodies.plane import Plane
@@ -16,7 +16,9 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.grading import formula
 from sim2reason.prose.formula_numbers import said_in
@@ -25,8 +27,10 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
+from sim2reason.questions.regimes.side_of_center_of_mass import SideOfCenterOfMass
 from sim2reason.questions.trial import Trial
 from sim2reason.simulation.scenes import simulate
+from sim2reason.solutions import Setting, solve
 
 SYMBOLIC = MODES["symbolic"]
 
@@ -92,6 +96,45 @@ def test_a_rod_that_goes_right_round_is_at_rest_on_top() -> None:
     query = limit("goes_round", "p.hanger", "p.speed", "m/s", about, greatest=True)
     _, found = completed(pendulum(LightRod(length=1.2), 29.0, 2.0), query)
     assert equal(found, r"\sqrt{2 g \ell (1 + \cos\theta)}")
+
+
+def arm(first: float, other: float) -> Scene:
+    """A light arm with ball A 0.3 m from the axle and ball B 0.5 m on the other side, turning at 3 rad/s from 40°."""
+    sides = (first, 0.3, FIRST), (other, 0.5, OTHER)
+    balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for m, d, side in sides)
+    return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=40.0, rate=3.0)),))
+
+
+@pytest.mark.parametrize(("masses", "same", "greatest"), [((1.0, 2.0), False, False), ((4.0, 1.0), True, True)])
+def test_a_limit_of_an_arm_says_on_which_side_its_centre_of_mass_is(
+    masses: tuple[float, float], same: bool, greatest: bool
+) -> None:
+    """½ I ω₀² = |S| g (1 ± cos θ): the least angle if B is the heavier side, the greatest if A is."""
+    (a, b), spin = masses, 3.0 if not same else 5.0
+    scene = arm(a, b).having("arm.rate", spin)
+    moment, inertia = abs(0.3 * a - 0.5 * b), 0.09 * a + 0.25 * b
+    level = 0.5 * inertia * spin**2 / (moment * 9.8) - 1.0
+    about = degrees(acos(level if same else -level))
+    query = limit("goes_round", "arm.arm", "arm.angle", "deg", about, greatest=greatest)
+    search, found = completed(scene, query)
+    assert [held for held in found.assumed if isinstance(held, SideOfCenterOfMass)] == [
+        SideOfCenterOfMass("arm.pieces.0.body", same)
+    ]
+    side = "on the same side of the axle as" if same else "on the side of the axle opposite to"
+    assert f"Assume that the centre of mass of all that turns is {side} ball A." in found.text
+    study = search.study
+    text = solve(Setting.of(found, study, search.words, search.description)).text
+    assert f"By assumption, the centre of mass is on {'this' if same else 'the opposite'} side, so $S" in text
+    assert "The arm goes right round if $K$ is positive." in text
+
+
+def test_a_limit_of_a_mass_assumes_nothing_of_the_centre_of_mass_that_hangs_on_it() -> None:
+    scene = arm(1.0, 2.0)
+    study, held = Study(scene, simulate(scene)), SideOfCenterOfMass("arm.pieces.0.body", same=False)
+    assert held.regardless_of(study, "arm.angle")
+    assert held.regardless_of(study, "arm.rate")
+    assert not held.regardless_of(study, "arm.pieces.1.body.mass")
+    assert not held.regardless_of(study, "arm.pieces.0.distance")
 
 
 def test_an_angle_is_asked_for_in_radians() -> None:

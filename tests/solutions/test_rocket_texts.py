@@ -1,6 +1,7 @@
 """Solutions about rockets write the velocity as a function of time before they integrate it."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket, StartingPla
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.questions import Query, Target
+from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
@@ -71,3 +72,39 @@ def test_the_time_of_a_distance_comes_from_the_integral_of_the_velocity() -> Non
     found = solve(asked(scene, Query("time_to_event", None, Moved(body, 1000.0))))
     assert VELOCITY.search(found.text)
     assert found.text.index("its velocity") < found.text.index("By integration")
+
+
+def test_a_rocket_has_a_name_where_it_waits_and_comes_to_rest_only_after_burnout() -> None:
+    rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=LIGHT)
+    scene = Scene(entities=(Named(name="e", entity=rocket),))
+    (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
+    text = solve(asked(scene, Query("time_to_event", None, Stopped(body)))).text
+    assert "The probe stays on the ground until the thrust equals its weight" in text
+    assert "the thrust exceeds the weight, so the speed grows and the probe can come to rest only after burnout" in text
+
+
+@pytest.mark.parametrize("place", [DeepSpace(), LevelGround()])
+def test_a_far_distance_is_covered_after_burnout(place: StartingPlace) -> None:
+    rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=place, exhaust=0.6, rate=HEAVY)
+    scene = Scene(entities=(Named(name="e", entity=rocket),))
+    (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
+    high = flight(place, HEAVY, BurnedOut).answer
+    assert high is not None
+    found = solve(asked(scene, Query("time_to_event", None, Moved(body, 1.2 * high))))
+    assert r"As $d > s_{\text{out}}$, the probe covers this distance only after burnout." in found.text
+    assert any(relation.role == "exceeds" and relation.left.latex() == "d" for relation in found.relations)
+    assert ("The earlier of the two times, on the way up," in found.text) == isinstance(place, LevelGround)
+
+
+def test_what_is_assumed_of_an_unknown_rocket_is_verified_in_the_end() -> None:
+    """The mass without fuel, from a speed after burnout."""
+    rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=LIGHT)
+    scene = Scene(entities=(Named(name="e", entity=rocket),))
+    (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
+    setting = asked(scene, Query("state", Target("velocity", body), AtTime(46.0)))
+    assert setting.answer is not None
+    stated = StatedResult(repr(setting.answer), "m/s")
+    found = solve(replace(setting, unknown="e.rocket.dry", stated=stated))
+    assert "Assume that at $t$ no fuel is left and that the probe is moving up." in found.text
+    assert found.text.index("With the given $v$") < found.text.index("so at $t$ the engine is off.")
+    assert any(r.role == "exceeds" and r.left.latex() == "t" for r in found.relations)

@@ -15,6 +15,7 @@ from sim2reason.quantities.subjects.springs import springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.need import Need
+from sim2reason.questions.regimes import Regime
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.trace import happened
@@ -39,6 +40,7 @@ class Setting:
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
     sought: float | None = None  # the time that is asked for, where a result at that time is given
     formula: Formula | None = None  # the answer, where the numbers of the text are symbols
+    assumed: tuple[Regime, ...] = ()  # what the text says of the motion where its numbers are symbols
     most: Need = Need.INTEGRATION  # what a solution may need; one that needs more is none
 
     @classmethod
@@ -51,7 +53,7 @@ class Setting:
         if question.formula is not None:
             symbols = {path: symbol for path, symbol in symbols.items() if path in description.told}
         asked = question.query, question.unknown, question.given
-        return cls(study.scene, words, symbols, study, *asked, formula=question.formula)
+        return cls(study.scene, words, symbols, study, *asked, formula=question.formula, assumed=question.assumed)
 
     @property
     def mechanism(self) -> Mechanism:

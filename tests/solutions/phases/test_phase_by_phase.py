@@ -4,13 +4,18 @@ from math import cos, radians, sin
 
 import pytest
 
-from sim2reason.questions import Query
+from sim2reason.dsl.scene import Scene
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.scene_files import loads
-from sim2reason.solutions import STRATEGIES, by
+from sim2reason.solutions import STRATEGIES, Solution, by
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 SLABS = (
@@ -58,3 +63,68 @@ def test_what_has_no_numbers_in_the_text_is_refused_in_words() -> None:
     found = by(STRATEGIES["phase by phase"], setting)
     assert found.answer is None
     assert "no numbers" in found.reason
+
+
+SPINNING, SLIDING = "{kind: spinning, way: to the right, spin: 12.0}", "{kind: sliding, way: to the right, speed: 2.1}"
+
+
+def rolling(start: str, angle: float = 0.0, friction: float = 0.3) -> Scene:
+    """A pipe that is set down on a plane."""
+    return loads(f"""
+scene:
+  entities:
+  - name: roller
+    type: RollingEntity
+    parameters:
+      body: {{kind: thick_pipe, mass: 2.0, radius: 0.2, bore: 0.1}}
+      plane: {{angle: {angle}}}
+      grip: {{kind: rough, friction: {friction}}}
+      start: {start}
+""")
+
+
+def phases(scene: Scene, moment: Moment, quantity: str = "") -> Solution:
+    target = Target(quantity, "roller.body") if quantity else None
+    kind = "time_to_event" if target is None else "event" if isinstance(moment, StoppedSlipping) else "state"
+    setting = asked(scene, Query(kind, target, moment))
+    found = by(STRATEGIES["phase by phase"], setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    assert not read(found.text).broken
+    return found
+
+
+def test_a_phase_says_which_way_friction_acts_and_solves_its_laws() -> None:
+    """As the point of contact slips to the left, µ m g acts to the right, and slows the rotation."""
+    found = phases(rolling(SPINNING), StoppedSlipping("roller.body"))
+    text = found.text
+    assert "has turned clockwise" in text
+    assert "slips to the left at the point of contact, so the friction on it acts to the right;" in text
+    assert "is $N_1$. The moment of inertia of the " in text
+    assert r"about its axis is $\tfrac{1}{2} m R^{2} + \tfrac{1}{2} m r^{2}$." in text
+    assert r"$a_1 = \mu g = 2.9400\ \text{m/s}^2$" in text
+    assert r"$\alpha_1 = -\frac{2\,\mu R g}{R^{2} + r^{2}}" in text
+    assert text.index("so the friction on it") < text.index("By Newton's second law and the law of torques")
+
+
+def test_only_symbols_that_are_used_are_declared() -> None:
+    found = phases(rolling(SPINNING), StoppedSlipping("roller.body"))
+    assert r"and let $a = \ddot{s}$ and $\alpha = \ddot{\psi}$." in found.text
+    assert r"\dot{\psi}$" not in found.text.replace(r"\ddot{\psi}$", "")
+    assert r"\tau" not in found.text  # the time at the end of the first phase needs no second name
+
+
+def test_a_velocity_has_another_letter_than_a_given_one() -> None:
+    found = phases(rolling(SLIDING), AtTime(0.7), "displacement")
+    assert r"$u = \dot{s}$" in found.text
+    assert "v_1" not in found.text
+    assert r"$a_1 = -\mu g" in found.text
+
+
+def test_what_begins_to_roll_on_a_slope_is_held_by_static_friction() -> None:
+    """Rolling down, α R = −a, so a = g sin θ/(1 + I/(m R²))."""
+    scene = rolling("{kind: sliding, way: down the slope, speed: 2.1}", 10.0, 0.4)
+    found = phases(scene, AtTime(2.0), "displacement")
+    assert "rolls without slipping; the static friction on it, counted positive up the slope, is $f_2$." in found.text
+    assert any(r.left.latex() == "a_2" and r.role == "derived" for r in found.relations)

@@ -216,7 +216,7 @@ class FormulaValidity:
         own, *others = self._near
         found = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
-            found = [held for held in found if held.at_start]
+            found = [held for held in found if held.regardless_of(own.study, own.query.hides)]
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:

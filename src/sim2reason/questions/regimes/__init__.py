@@ -48,6 +48,11 @@ class Regime(ABC):
         del study
         return False
 
+    def regardless_of(self, study: Study, path: str) -> bool:
+        """Whether it is of where things are at the start, whatever the number at an address is."""
+        del study, path
+        return self.at_start
+
     def is_lost(self, study: Study) -> bool:
         """Whether another motion may have no answer because it is not so at some time; by default that says nothing."""
         del study

@@ -2,9 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isclose
 from typing import Self
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import inner
+from sim2reason.errors import SceneError
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.swinging_lines import (
     carries_on_both_sides,
@@ -16,6 +19,8 @@ from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
+SHIFTED, SAME = 1.01, 1e-9  # by what a number is multiplied to see what hangs on it; relative
+
 
 @REGIMES.register("side_of_center_of_mass")
 @dataclass(frozen=True, slots=True)
@@ -23,6 +28,7 @@ class SideOfCenterOfMass(Regime):
     """The first body on a light arm is on the side on which the centre of mass of all of them is, or on the other."""
 
     of = Bodies()
+    at_start = True
     stage = 0
 
     same: bool
@@ -38,9 +44,24 @@ class SideOfCenterOfMass(Regime):
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so in another motion."""
         del until
-        body = study.mechanism.body[self.name]
-        side = inner(load_center(study.mechanism, study.mechanism.body[body.parent or ""]), body.at)
+        side = self._side(study.mechanism)
         return side > 0.0 if self.same else side < 0.0
+
+    def _side(self, mechanism: Mechanism) -> float:
+        """How far on the side of the body the centre of mass is, times the distance of the body, m²."""
+        body = mechanism.body[self.name]
+        return inner(load_center(mechanism, mechanism.body[body.parent or ""]), body.at)
+
+    def regardless_of(self, study: Study, path: str) -> bool:
+        """Whether a number has nothing to do with where the centre of mass is, as an angle or a speed has not."""
+        value = study.scene.value(path)
+        if not value:
+            return False
+        try:
+            other = study.scene.having(path, value * SHIFTED).mechanism
+        except SceneError:
+            return False
+        return isclose(self._side(other), self._side(study.mechanism), rel_tol=SAME)
 
     def clause(self, words: Words) -> str:
         """As in: the centre of mass of all that turns is on the same side of the axle as disc A."""

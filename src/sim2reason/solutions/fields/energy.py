@@ -53,9 +53,9 @@ class FieldEnergy:
     def work(self) -> Symbol:
         """What the electric field does."""
         if self.fields.damping is None:
+            formula = self._gained()
             said = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
             said = said if self.fields.turning is not None else "By the work-energy theorem,"
-            formula = self._gained()
         else:
             said, formula = "The work of the electric force is", self.potential()
         return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)

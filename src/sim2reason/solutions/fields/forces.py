@@ -3,17 +3,20 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from sim2reason.bodies.charge import ChargedBead
 from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.algebra.signs import with_plain_signs
+from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
 
 AXES = ("x", "y")
+LAW = "Newton's second law"
 TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x
 
 
@@ -49,6 +52,7 @@ class Fields:
         self.coordinates = [m.number[c.name] for c in m.body[body].coordinates]
         self.launch = [self._read(lambda m, k=k: m.coordinates[k].speed).expression() for k in self.coordinates]
         self.mass = self._read(lambda m: m.body[body].mass).expression()
+        self.velocity = [Symbol(f"v_{axis}") for axis in AXES]
         self._checked()
 
     def _checked(self) -> None:
@@ -71,14 +75,27 @@ class Fields:
     # ---- what acts
 
     @cached_property
+    def clock(self) -> Symbol:
+        """The time since the start."""
+        return self.book.fresh("t")
+
+    @cached_property
+    def _charge(self) -> str:
+        """A sentence for the sign of a charge of which the text says the magnitude; empty if it is positive."""
+        body, given = self.setting.scene.bodies[self.body], self.setting.given(f"{self.body}.charge")
+        if given is None or not isinstance(body, ChargedBead) or body.sign == "positive":
+            return ""
+        return f"The charge of {self.setting.called(self.body)} is $-{given.symbol}$. "
+
+    @cached_property
     def turning(self) -> Symbol | None:
         """Ω = qB/m: how fast the magnetic field turns the velocity, clockwise if positive."""
         number = self._of(Magnetic)
         if number is None:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
-        said = "The magnetic force is perpendicular to the velocity and turns it with the angular velocity"
-        said += " (positive if clockwise)"
+        said = "The magnetic force rotates the velocity with the angular velocity"
+        said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise)"
         return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
     @cached_property
@@ -121,26 +138,42 @@ class Fields:
         assert isinstance(law, Push)
         axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
         strength = self._part(number, "value", axis) / self.mass
-        first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
-        who = self.setting.called(self.body)
-        said = f"The electric force gives {who}{first} an acceleration whose {AXES[axis]} component is"
+        who, where = self.setting.called(self.body), self._where(law.profile)
+        said = f"the electric force gives {who} an acceleration whose {AXES[axis]} component is"
+        said = f"{self._charge}{where}{said if where else capital(said)}"
         name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
             return Drive(axis, name, frequency=frequency)
         if profile.rate:
-            growth, more = self._part(number, "rate", axis) / self.mass, "Its rate of change is"
+            growth = self._part(number, "rate", axis) / self.mass
+            more = "The rate of change of this acceleration is"
             return Drive(axis, name, growth=self.book.told("field", more, self.book.fresh("j"), growth, latex("m/s^3")))
         if profile.slope:
             along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
             slope, more = (
                 self._part(number, "slope", axis) / self.mass,
-                f"Its derivative with respect to {AXES[along]} is",
+                f"The derivative of this acceleration with respect to {AXES[along]} is",
             )
             slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
             return Drive(axis, name, slope=slope, along=along)
         return Drive(axis, name)
+
+    @property
+    def has_field(self) -> bool:
+        """Whether an electric field acts."""
+        return self._of(Push) is not None
+
+    def _where(self, profile: Profile) -> str:
+        """When or where the electric field has the strength that the text says; empty if it has it always."""
+        if profile.uniform:
+            return ""
+        given = self.setting.given(f"{self.body.rpartition('.')[0]}.electric.strength")
+        where, there = ("at the origin", "there") if profile.steady else ("at the start", "then")
+        if given is not None and profile.frequency:
+            return f"${given.symbol}$ is the amplitude of the electric field; at the start "
+        return f"${given.symbol}$ is the electric field {where}; {there} " if given is not None else f"{where}, "
 
     def _part(self, number: int, field: str, axis: int) -> Expression:
         """A number of the profile of a push, signed along an axis."""
@@ -151,6 +184,38 @@ class Fields:
             return float(getattr(law.profile, field)) * law.direction[axis]
 
         return self._read(signed).expression()
+
+    @cached_property
+    def places(self) -> list[Symbol]:
+        """The coordinates as functions of time."""
+        return [self.book.fresh(axis) for axis in AXES]
+
+    @cached_property
+    def law(self) -> str:
+        """Write the equations of motion; return the label of that step, on which what solves them rests."""
+        step = self.book.open("equations of motion")
+        if self.resists:
+            factor = (ONE + self.drag * self.clock).latex()
+            turns = "" if self.turning is None else ", and the magnetic force only rotates the velocity"
+            step.say("The drag is proportional to the square of the speed, so the reciprocal of the speed grows")
+            step.say(
+                f"uniformly with time: at the time ${self.clock.latex()}$ the speed is that at the start, divided by"
+            )
+            step.say(f"${factor}${turns}.")
+            step.label(LAW)
+            step.close()
+            return LAW
+        (vx, vy), places = self.velocity, self.places
+        sides = [self.acceleration(n, self.clock, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)]
+        told = [
+            rf"$\dot{{v}}_{axis} = {with_plain_signs(side).latex()}$" for axis, side in zip(AXES, sides, strict=True)
+        ]
+        both = f"${vx.latex()}$ and ${vy.latex()}$"
+        step.say(f"Let {both} be the components of the velocity.")
+        step.say(f"The equations of motion are {joined(told)}, by Newton's second law.")
+        step.label(LAW)
+        step.close()
+        return LAW
 
     def acceleration(
         self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]

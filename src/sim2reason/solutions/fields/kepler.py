@@ -14,11 +14,13 @@ from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.fields.initial_anomaly import InitialAnomaly
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.numeric_roots import told_root
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
 
 PARAMETER, AREAL, AREA = latex("m^3/s^2"), latex("m^2/s"), latex("m^2")
@@ -99,30 +101,45 @@ class KeplerOrbit:
     def momentum(self) -> Symbol:
         """The angular momentum per unit of mass, positive about z."""
         formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
-        said = "The angular momentum per unit mass about the centre is"
+        said = f"The angular momentum per unit mass about {self.setting.called(self.center)} is"
         return self.book.told("angular momentum", said, self.named("h"), formula, AREAL)
 
     @cached_property
     def along(self) -> Symbol:
         """Of the product e cos E₀, the value."""
-        said = r"With the eccentric anomaly $E$, the initial value of $e \cos E$ is"
-        return self.book.told("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
+        E, e, a, star = self.anomaly.latex(), self.oval.latex(), self.axis, self.setting.called(self.center)
+        said = rf"The distance from {star} is ${a.latex()} \left(1 - {e} \cos {E}\right)$, so the initial value of"
+        return self.book.told("anomaly", rf"{said} ${e} \cos {E}$ is", self.named("p"), ONE - self.radius / a)
+
+    @cached_property
+    def anomaly(self) -> Symbol:
+        """The name of the eccentric anomaly, which this introduces."""
+        step, name = self.book.open("names"), self.named("E")
+        whose = f" of {self.setting.called(self.body)}" if self._mark else ""
+        step.say(f"Let ${name.latex()}$ be the eccentric anomaly{whose}, zero at the nearest point,")
+        step.say(f"and ${self.oval.latex()}$ the eccentricity.")
+        step.close()
+        return name
 
     @cached_property
     def across(self) -> Expression:
         """Of the product e sin E₀, the value."""
         if self.dot == ZERO:
             return ZERO  # it begins at an apsis
-        formula = self.dot / Root(self.parameter * self.axis)
-        return self.book.told(
-            "anomaly", r"With the eccentric anomaly $E$, the initial value of $e \sin E$ is", self.named("q"), formula
-        )
+        E, e, root = self.anomaly.latex(), self.oval.latex(), Root(self.parameter * self.axis)
+        said = rf"The distance times the radial velocity is ${root.latex()}\,{e} \sin {E}$, so the initial value of"
+        return self.book.told("anomaly", rf"{said} ${e} \sin {E}$ is", self.named("q"), self.dot / root)
+
+    @cached_property
+    def oval(self) -> Symbol:
+        """The name of the eccentricity, which need not be known."""
+        return self.named("e")
 
     @cached_property
     def eccentricity(self) -> Symbol:
         """From energy and angular momentum."""
         formula = Root(ONE - Power(self.momentum, 2) / (self.parameter * self.axis))
-        return self.book.told("eccentricity", "The eccentricity is", self.named("e"), formula)
+        return self.book.told("eccentricity", "The eccentricity is", self.oval, formula)
 
     def apsis(self, *, far: bool) -> Symbol:
         """The greatest or the least distance."""
@@ -134,13 +151,9 @@ class KeplerOrbit:
         """Write why it comes to an apsis within half a turn: it moves towards it; nothing where that is not so."""
         if self.dot == ZERO or self.book.is_hidden(self.dot) or (self._at(self.dot) > 0.0) != far:
             return
-        step, (x, y), (u, v) = self.book.open("extreme"), self.place, self.rate
-        sign, moves = (">", "recedes") if far else ("<", "approaches")
-        product = (x * u + y * v).latex()
-        step.say(
-            f"At first {self.setting.called(self.body)} {moves}, as ${product} {sign} 0$, so within half a turn it"
-        )
-        step.say(f"comes to the {'greatest' if far else 'least'} distance.")
+        step = self.book.open("extreme")
+        said, which = capital(self._radial(step)), "greatest" if far else "least"
+        step.say(f"{said}, so within half a turn it comes to the {which} distance.")
         step.close()
 
     # ---- how far it has come
@@ -152,7 +165,7 @@ class KeplerOrbit:
         near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
         step = self.book.open("Kepler's equation")
         law = step.law(n * time, right)
-        step.say(f"By Kepler's equation, the increase ${name.latex()}$ of $E$ satisfies {law}.")
+        step.say(f"{self._mean(name)}, so {law}.")
         step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "The numerical solution is"))
         step.close()
         return name
@@ -162,10 +175,20 @@ class KeplerOrbit:
         if grown == TWO * PI:
             return self.period
         if grown == PI:
-            said = "From one apsis to the other takes half a period,"
+            said = "From one end of the major axis to the other it takes half a period,"
             return self.book.told("time", said, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
-        return self.book.told("time", "By Kepler's equation, the time is", self.named("t"), formula, SECONDS)
+        return self.book.told("time", f"{self._mean(grown)}, so the time is", self.named("t"), formula, SECONDS)
+
+    def _mean(self, angle: Expression) -> str:
+        """Return how the mean anomaly grows while the eccentric one grows by an angle."""
+        E, product = self.anomaly.latex(), rf"{self.oval.latex()} \sin {self.anomaly.latex()}"
+        grown = self.along * Call("sin", angle) + self.across * Call("cos", angle)
+        said = (
+            rf"By Kepler's equation, ${E} - {product}$ increases at the rate ${self.mean_motion.latex()}$. When ${E}$"
+        )
+        said = f"{said} has increased by ${angle.latex()}$, ${product}$ has changed from ${self.across.latex()}$ to"
+        return f"{said} ${grown.latex()}$"
 
     def _grown(self, angle: Expression) -> Expression:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
@@ -178,20 +201,28 @@ class KeplerOrbit:
         begins = self._begins
         turn = PI if far else TWO * PI if self._at(begins) > 0.0 else ZERO
         formula = turn - begins
-        where = "farthest" if far else "nearest"
-        which = r"180^\circ" if far else "0"
-        said = f"It is {where} where $E$ is ${which}$, up to whole turns, so $E$ has increased by"
+        where = "farthest from" if far else "nearest to"
+        which, E = r"180^\circ" if far else "0" if turn == ZERO else r"360^\circ", self.anomaly.latex()
+        said = f"{capital(self.setting.called(self.body))} is next {where} {self.setting.called(self.center)}"
+        said = f"{said} where ${E}$ is ${which}$, so ${E}$ has increased by"
         return self.book.told("apsis", said, self.named(r"\eta"), formula, RADIANS)
 
-    @property
-    def _begins(self) -> Expression:
-        """The eccentric anomaly at the start, by that function which small errors of p and q change the least."""
-        p, q = self._at(self.along), self._at(self.across)
-        if abs(p) < abs(q):
-            size = Call("arccos", self.along / Root(Power(self.along, 2) + Power(self.across, 2)))
-            return size if q > 0.0 else -size
-        least = Call("arctan", self.across / self.along)
-        return least if p > 0.0 else least + PI if q > 0.0 else least - PI
+    @cached_property
+    def _begins(self) -> Symbol:
+        """The eccentric anomaly at the start."""
+        p, q = self.along, self.across
+        found = InitialAnomaly(self.book, p, q, ONE - self.radius / self.axis, self._radial)
+        return found.write(self.named("E", "0"), self.anomaly)
+
+    def _radial(self, step: Writing) -> str:
+        """Return a clause that says whether the body recedes at first, by a comparison if numbers are known."""
+        recedes = self._at(self.dot) > 0.0
+        said = f"{self.setting.called(self.body)} at first {'recedes' if recedes else 'approaches'}"
+        (x, y), (u, v) = self.place, self.rate
+        if self.book.is_hidden(self.dot):
+            return said
+        exceeds(self.book, step, *((self.dot, ZERO) if recedes else (ZERO, self.dot)))
+        return f"{said} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
 
     def to_distance(self, distance: Symbol) -> Symbol:
         """By how much it has grown when the body is first so far from where it began."""
@@ -202,7 +233,7 @@ class KeplerOrbit:
         step = self.book.open("distance")
         law = step.law(square, Power(distance, 2))
         who = capital(self.setting.called(self.body))
-        step.say(f"{who} first reaches this distance when the increase ${name.latex()}$ of $E$ satisfies {law}.")
+        step.say(f"{self._lagrange(name)} {who} first reaches the distance ${distance.latex()}$ when {law}.")
         residual = square - Power(distance, 2)
         step.say(told_root(self.book, step, name, residual, near, RADIANS, "The numerical solution is"))
         step.close()
@@ -222,23 +253,27 @@ class KeplerOrbit:
         rates = [turned * rate - self.axis / self.radius * sine * place for place, rate in both]
         residual = ways[0] * rates[0] + ways[1] * rates[1]
         square = self._away(angle)
-        steps = [2.0 * pi * (number + 0.5) / PIECES for number in range(PIECES)]
-        there = max(steps, key=lambda x: square.value({**self.book.values, angle.name: x}).real)
+        angles = (2.0 * pi * (number + 0.5) / PIECES for number in range(PIECES))
+        there = max(angles, key=lambda x: square.value({**self.book.values, angle.name: x}).real)
         near = NumericRoot(residual, angle.name, there).value(self.book.values).real
         step = self.book.open("farthest")
         law = step.law(residual, ZERO)
-        said = f"When $E$ has increased by ${angle.latex()}$, the displacement is perpendicular to the velocity if"
-        step.say(f"{said} {law}.")
+        step.say(f"{self._lagrange(angle)} It is perpendicular to the velocity if {law}.")
         step.say(told_root(self.book, step, angle, residual, near, RADIANS, "The numerical solution is"))
         step.close()
         return self.book.told("distance", "There the distance is", name, Root(square), METRES)
 
+    def _lagrange(self, angle: Expression) -> str:
+        """Return what the displacement is when the anomaly has grown by an angle."""
+        less, more = self.weights(angle)
+        said = f"When ${self.anomaly.latex()}$ has increased by ${angle.latex()}$, the displacement is, by Lagrange's"
+        said = f"{said} formulas, the sum of the initial position times ${less.latex()}$ and the initial velocity times"
+        return f"{said} ${more.latex()}$."
+
     def _away(self, angle: Expression) -> Expression:
         """The square of the displacement, when the anomaly has grown by an angle."""
         less, more = self.weights(angle)
-        return Power(less * self.place[0] + more * self.rate[0], 2) + Power(
-            less * self.place[1] + more * self.rate[1], 2
-        )
+        return squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
 
     def weights(self, angle: Expression) -> tuple[Expression, Expression]:
         """Of place and velocity at the start in the displacement."""

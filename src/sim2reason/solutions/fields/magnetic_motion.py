@@ -5,8 +5,9 @@ from functools import reduce
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
+from sim2reason.solutions.fields.forces import AXES, TURNS, Drive, Fields
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, PER_SECOND_SQUARED, SPEED
 
@@ -39,8 +40,10 @@ class Crossed(Driven):
         """Less what the magnetic force takes."""
         assert self._drive.slope is not None
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
-        said = f"The magnetic force changes the velocity along {across} in proportion to the displacement along"
-        said = f"{said} {along}; the derivative of the acceleration with respect to {along} is"
+        turned = self._turning * self.fields.places[self._drive.axis] * TURNS[1 - self._drive.axis]
+        other = (self.launch[1 - self._drive.axis] + turned).latex()
+        said = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the derivative of the"
+        said = f"{said} acceleration along {along} with respect to {along} is"
         return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
@@ -100,46 +103,105 @@ class Turning(FieldMotion):
         drive = self.drive
         if drive is None:
             return found
-        i, j, f, turns = drive.axis, 1 - drive.axis, drive.strength, self.turning
-        along, across = AXES[i], AXES[j]
+        i, f, turns = drive.axis, drive.strength, self.turning
         if self.fields.damping is not None:
             both = Power(self.fields.damping, 2) + Power(turns, 2)
-            found[i] = self.named(
-                f"The terminal velocity along {along} is", "u", along, self.fields.damping * f / both, SPEED
-            )
-            said = f"The drift velocity along {across} is"
-            found[j] = self.named(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
+            found[i], found[1 - i] = self.fields.damping * f / both, -(turns * f / both) * TURNS[i]
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
-            said = f"The forced velocity along {along} is proportional to the sine of the phase, with the amplitude"
-            found[i] = self.named(said, "u", along, f * drive.frequency / gap, SPEED)
-            said = f"The forced velocity along {across} is proportional to the cosine, with the amplitude"
-            found[j] = self.named(said, "u", across, f * turns / gap * TURNS[i], SPEED)
+            found[i], found[1 - i] = f * drive.frequency / gap, f * turns / gap * TURNS[i]
         else:
-            first = "" if drive.growth is None else " at first"
-            said = f"The electric and magnetic forces cancel{first} for the drift velocity along {across}"
-            found[j] = self.named(said, "u", across, -(f / turns) * TURNS[i], SPEED)
+            found[1 - i] = -(f / turns) * TURNS[i]
             if drive.growth is not None:
-                said = f"Since this drift velocity changes, there is also one along {along},"
-                found[i] = self.named(said, "u", along, drive.growth / Power(turns, 2), SPEED)
+                found[i] = drive.growth / Power(turns, 2)
+        return self._told_drift(drive, found)
+
+    def _told_drift(self, drive: Drive, formulas: list[Expression]) -> list[Expression]:
+        """Write what the fields keep up and why, from the equations of motion; return it by its names."""
+        step = self.book.open("motion")
+        step.rest_on(self.fields.law)
+        names: list[Expression] = [self.book.fresh("u", AXES[n]) if formulas[n] != ZERO else ZERO for n in (0, 1)]
+        laws = [step.law(*sides) for sides in self._kept_laws(drive, names) if sides[0] != sides[1]]
+        step.say(f"{self._said_drift(drive, names)} {joined(laws)},")
+        told = [
+            step.result(name, formula, SPEED)
+            for name, formula in zip(names, formulas, strict=True)
+            if isinstance(name, Symbol)
+        ]
+        step.say(f"so {joined(told)}.")
+        step.close()
+        return names
+
+    def _said_drift(self, drive: Drive, names: list[Expression]) -> str:
+        """Return the beginning of a sentence that says of what form the velocity is that the fields keep up."""
+        if drive.frequency is not None:
+            what = "a forced velocity"
+        elif drive.growth is not None:
+            what = "a drift velocity"
+        elif ZERO in names:
+            axis = 1 - drive.axis
+            return f"Their constant solution is the drift velocity ${names[axis].latex()}$ along {AXES[axis]}, with"
+        else:
+            what = "a constant drift velocity"
+        parts = [self._kept_as(drive, names[n], n, self.fields.clock).latex() for n in (0, 1)]
+        return (
+            f"A particular solution is {what} with the components ${parts[0]}$ along x and ${parts[1]}$ along y, where"
+        )
+
+    def _kept_laws(self, drive: Drive, names: list[Expression]) -> list[tuple[Expression, Expression]]:
+        """Return both equations of motion for the velocity that the fields keep up, without what depends on time."""
+        found: list[tuple[Expression, Expression]] = []
+        for axis in (0, 1):
+            right: Expression = drive.strength if axis == drive.axis else ZERO
+            right = right + self.turning * names[1 - axis] * TURNS[axis]
+            if self.fields.damping is not None:
+                right = right - self.fields.damping * names[axis]
+            if drive.frequency is not None:
+                left = drive.frequency * names[axis]
+                found.append((left if axis == drive.axis else -left, right))
+            elif drive.growth is not None and axis != drive.axis:
+                found.append((-(drive.growth / self.turning) * TURNS[drive.axis], right))
+            else:
+                found.append((right, ZERO))
         return found
 
     @cached_property
     def _turned(self) -> list[Expression]:
         """What of the velocity turns, at the start."""
         still = [self._kept(axis, None) for axis in (0, 1)]
+        formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
+        step, told = self.book.open("motion"), list[str]()
+        step.rest_on(self.fields.law)
         found: list[Expression] = []
-        for axis, begins in enumerate(self.launch):
-            part = "The velocity" if self.drive is None else "The rotating part of the velocity"
-            said = f"{part} initially has the {AXES[axis]} component"
-            found.append(self.named(said, "w", AXES[axis], begins - still[axis], SPEED))
+        for axis, formula in zip(AXES, formulas, strict=True):
+            if formula == ZERO or isinstance(formula, Symbol):
+                found.append(formula)
+                said = "zero" if formula == ZERO else f"${formula.latex()}$"
+            else:
+                found.append(name := self.book.fresh("w", axis))
+                said = step.result(name, formula, SPEED, law=True)
+            told.append(f"the {axis} component {said}")
+        decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
+        turns = f"rotates with the angular velocity ${self.turning.latex()}${decays}"
+        if self.drive is None:
+            step.say(f"The velocity {turns}.")
+        else:
+            step.say(f"Added to it is a velocity that, as without the electric field, {turns}.")
+        step.say(f"It initially has {joined(told)}.")
+        step.close()
         return found
+
+    def _left(self, time: Expression) -> Expression:
+        """The factor by which a medium has reduced what rotates."""
+        assert self.fields.damping is not None
+        return Call("exp", -(self.fields.damping * time))
 
     def _kept(self, axis: int, time: Expression | None) -> Expression:
         """The velocity that the fields keep up; at the start without a time."""
-        drive, drift = self.drive, self._drift[axis]
-        if drive is None:
-            return ZERO
+        return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
+
+    def _kept_as(self, drive: Drive, drift: Expression, axis: int, time: Expression | None) -> Expression:
+        """Return a component of the velocity that the fields keep up, by its constant."""
         if drive.frequency is not None:
             if time is None:
                 return ZERO if axis == drive.axis else drift
@@ -174,16 +236,26 @@ class Turning(FieldMotion):
             return None
         return (reduce(multiplied, x[:-1]), one.argument) if (one.function, other.function) == ("cos", "sin") else None
 
+    def told(self, kind: str, axis: int, time: Expression) -> str:
+        """Without an electric field or a medium, the velocity only changes its direction."""
+        if kind == "v" and self._heading is not None:
+            return f"The magnetic force only rotates the velocity, so its {AXES[axis]} component is"
+        return super().told(kind, axis, time)
+
     def rate(self, axis: int, time: Expression) -> Expression:
         """What is kept up, and what turns."""
         if self._heading is not None:
             speed, angle = self._heading
             return speed * Call("sin" if axis else "cos", angle - self.turning * time)
+        return self.course(axis, time)
+
+    def course(self, axis: int, time: Expression) -> Expression:
+        """The same, by components at the start."""
         here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
         if self.fields.damping is not None:
-            turned = Call("exp", -(self.fields.damping * time)) * turned
+            turned = self._left(time) * turned
         return self._kept(axis, time) + turned
 
     def moved(self, axis: int, time: Expression) -> Expression:
@@ -193,7 +265,7 @@ class Turning(FieldMotion):
         sine, cosine = Call("sin", phase), Call("cos", phase)
         if damping is None:
             return self.carried(axis, time) + (here * sine + other * (ONE - cosine)) / turns
-        left, both = Call("exp", -(damping * time)), Power(damping, 2) + Power(turns, 2)
+        left, both = self._left(time), Power(damping, 2) + Power(turns, 2)
         even = damping - left * (damping * cosine - turns * sine)
         odd = turns - left * (turns * cosine + damping * sine)
         return self.carried(axis, time) + (here * even + other * odd) / both

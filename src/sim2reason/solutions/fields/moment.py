@@ -13,7 +13,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.numeric_roots import told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
@@ -37,7 +37,7 @@ class FieldMoment:
     @cached_property
     def time(self) -> Symbol:
         """When the moment is."""
-        moment, name = self.setting.query.moment, self.book.fresh("t")
+        moment, name = self.setting.query.moment, self.fields.clock
         if isinstance(moment, AtTime):
             self.book.say_given(name.name, moment.after, SECONDS)
             return name
@@ -52,7 +52,9 @@ class FieldMoment:
         step = self.book.open("time")
         law = step.law(square, level)
         who = capital(self.setting.called(self.fields.body))
-        step.say(f"{who} first reaches this distance when {law}.")
+        step.rest_on(self.fields.law)
+        step.say(self._course(moved=True))
+        step.say(f"{who} first reaches the distance ${distance.latex()}$ when {law}.")
         step.say(
             told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "The numerical solution is")
         )
@@ -83,6 +85,14 @@ class FieldMoment:
             step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "The numerical solution is"))
         step.close()
         return name
+
+    def _course(self, *, moved: bool = False) -> str:
+        """Return a sentence that gives the velocity as a function of time, with `moved` for its integral."""
+        time = self.fields.clock
+        parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
+        told = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
+        said = f"At the time ${time.latex()}$ the velocity is {joined(told)}"
+        return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
 
     def _distance(self, time: Symbol) -> Expression:
         """Of the distance from the start."""
@@ -172,18 +182,19 @@ class FieldMoment:
 
     def _farthest(self) -> Symbol:
         """Where the displacement is square to the velocity."""
-        time = self.book.fresh("t")
+        time = self.fields.clock
         parts = [self.motion.moved(axis, time) for axis in (0, 1)]
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
-        self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is perpendicular to its velocity")
+        said = "The distance is extreme where the displacement is perpendicular to the velocity"
+        self._turned(parts, 1.0, kept[0] + kept[1], said, moved=True)
         return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
         """Where the forces that do work do none: the magnetic one never does."""
-        time, drive = self.book.fresh("t"), self.fields.drive
+        time, drive = self.fields.clock, self.fields.drive
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         near = self._sampled(time, rates, sign)
         if drive is None:
@@ -192,24 +203,27 @@ class FieldMoment:
         at = {**self.book.values, time.name: near}
         if self.fields.damping is not None:
             work = pull * rates[drive.axis] - self.fields.damping * squares(rates)
-            self._turned(time, rates, sign, work, "electric force and the medium do no work together")
+            said = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
+            self._turned(rates, sign, work, said)
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
             halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
-            said = "Its speed is extreme when the electric force passes through zero, at"
+            said = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
             self.book.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
             if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
                 return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
+            said = f"The speed is extreme where the {along}"
             if not slow and drive.growth is not None:
                 step = self.book.open("extremum")
                 law = step.law(pull, ZERO)
                 found = step.result(time, -(drive.strength / drive.growth), SECONDS)
-                step.say(f"It is extreme where the {along}: {law}, so {found}.")
+                step.rest_on(self.fields.law)
+                step.say(self._course(), f"{said}: {law}, so {found}.")
                 step.close()
             else:
-                self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
+                self._turned(rates, sign, rates[drive.axis] if slow else pull, said)
         return self.book.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
 
     @property
@@ -221,21 +235,27 @@ class FieldMoment:
         turning, along = self.fields.turning, AXES[axis]
         assert turning is not None
         said = (
-            f"It is fastest at the far end of the oscillation along {along}, whose centre is where the force is zero:"
+            "The speed is greatest at the far end of the oscillation along "
+            f"{along}, whose centre is where the force is zero:"
         )
         far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
         across = turning * far
-        said = f"There its velocity along {along} is zero; across it, the angular velocity times the displacement gives"
+        said = f"There the velocity along {along} is zero; across it, the angular velocity times the displacement gives"
         formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
         return self.book.told("extremum", said, self.book.fresh("v"), formula, SPEED)
 
-    def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
-        """When something vanishes, near where a vector is longest or shortest."""
+    def _turned(
+        self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
+    ) -> None:
+        """When something vanishes, near where a vector is longest or shortest; with `moved`, that is a displacement."""
+        time = self.fields.clock
         start = self._sampled(time, parts, sign)
         near = NumericRoot(residual, time.name, start).value(self.book.values).real
         step = self.book.open("extremum")
         law = step.law(residual, ZERO)
-        step.say(f"It is extreme where the {said}: {law}.")
+        step.rest_on(self.fields.law)
+        step.say(self._course(moved=moved))
+        step.say(f"{said}: {law}.")
         step.say(told_root(self.book, step, time, residual, near, SECONDS, "The numerical solution is"))
         step.close()
 
@@ -250,7 +270,7 @@ def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
     """The motion in some fields; UnsolvedError where it has no closed form here."""
     if fields.resists:
         return Slowed(fields, launch)
-    drive = fields.drive
+    drive = fields.drive  # first, so that its sentence stands first
     if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
         return Crossed(fields, launch)
     if fields.turning is not None:

@@ -26,15 +26,42 @@ class FieldMotion(ABC):
     def rate(self, axis: int, time: Expression) -> Expression:
         """The velocity along an axis after a time."""
 
+    def told(self, kind: str, axis: int, time: Expression) -> str:
+        """Return the beginning of a sentence that says a velocity ``v`` or a displacement ``s`` along an axis."""
+        who, rate = self.fields.setting.called(self.fields.body), self.course(axis, time)
+        if kind == "v":
+            return f"The velocity of {who} along {AXES[axis]} is"
+        if {*time.symbols()}.isdisjoint(rate.symbols()):
+            return f"The displacement of {who} along {AXES[axis]} is"
+        course = f"The velocity along {AXES[axis]}, ${rate.latex()}$, integrated from 0 to ${time.latex()}$,"
+        return f"{course} gives the displacement of {who} along {AXES[axis]},"
+
+    def course(self, axis: int, time: Expression) -> Expression:
+        """The velocity along an axis as it is integrated."""
+        return self.rate(axis, time)
+
     def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
         """A constant of the motion, by a name unless it is zero or a name already."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
-        return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit)
+        return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)
 
 
 class Driven(FieldMotion):
     """An electric field alone."""
+
+    def told(self, kind: str, axis: int, time: Expression) -> str:
+        """By an integral, or by a solution of a linear equation that has the initial values."""
+        drive = self.fields.drive
+        if drive is None or drive.axis != axis:
+            return super().told(kind, axis, time)
+        who, along = self.fields.setting.called(self.fields.body), AXES[axis]
+        if drive.slope is not None and drive.along == axis:
+            noun = "velocity" if kind == "v" else "displacement"
+            return f"The solution that has the initial values gives the {noun} of {who} along {along},"
+        if kind == "v":
+            return f"Integrated from 0 to ${time.latex()}$, the equation of motion gives the velocity along {along},"
+        return super().told(kind, axis, time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """Integrated twice."""
@@ -94,9 +121,9 @@ class Driven(FieldMotion):
     def _frequency(self) -> Expression:
         along = AXES[self._drive.axis]
         if self.swings:
-            said = f"The motion along {along} is a harmonic oscillation with the angular frequency"
+            said = f"Along {along} this is the equation of a harmonic oscillation with the angular frequency"
             return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
-        said = f"Along {along} the distance from where the force is zero is a sum of exponentials with the rate"
+        said = f"Along {along} its solutions are a constant and exponentials that grow and decay at the rate"
         return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property

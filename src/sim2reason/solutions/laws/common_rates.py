@@ -7,7 +7,7 @@ from sim2reason.solutions.algebra.expressions import Number, Product, Symbol
 from sim2reason.solutions.algebra.functions import PI, Power
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.writing.steps import Book
-from sim2reason.solutions.writing.unit_latex import ACCELERATION
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, latex
 
 STILL = 1e-9
 
@@ -55,6 +55,7 @@ def gravitational_constant(book: Book, value: float) -> Symbol:
         mantissa, _, power = f"{value:.8g}".partition("e")
         said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
         plain = isclose(value, 4.0 * pi**2)
-        book.stated["G"] = r"4 \pi^{2}" if plain else said
+        unit = latex("au^3/(Msun yr^2)" if plain else "N m^2/kg^2")
+        book.stated["G"] = (r"4 \pi^{2}" if plain else said) + unit
         book.constants["G"] = Product((Number(4.0), Power(PI, 2))) if plain else Number(value)
     return Symbol("G")

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
 from sim2reason.dsl.vectors import Vector
@@ -11,6 +13,8 @@ from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
 
@@ -81,7 +85,7 @@ class Burning(Way):
             self._tell_rising()
             return self.first
         thrust = self.rate_of_burning * self.exhaust
-        said = "It stays on the ground until the thrust equals its weight, at the mass"
+        said = f"{self.who} stays on the ground until the thrust equals its weight, at the mass"
         return self.book.told(
             "wait", said, self.book.fresh("m", r"\text{lift}"), thrust / self.gravity.expression(), KILOGRAMS
         )
@@ -112,29 +116,76 @@ class Burning(Way):
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
 
+    @property
+    def who(self) -> str:
+        """The rocket, as a sentence begins with it."""
+        return capital(self.name)
+
+    @property
+    def name(self) -> str:
+        """The rocket, within a sentence."""
+        return self.setting.called(self.burn.body)
+
+    def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
+        """Write a check at once if the numbers are known, or at the end; return whether it is written."""
+        if not any(map(self.book.is_hidden, held)):
+            write()
+            return True
+        if not self.book.in_symbols:
+            self.book.afterwards.append(write)
+        return False
+
     def _tell_rising(self) -> None:
         """Say that the thrust exceeds the weight from the start; nothing rests on it."""
-        thrust, weight = self.rate_of_burning * self.exhaust, self.first * self.gravity.expression()
-        known = not (self.book.is_hidden(thrust) or self.book.is_hidden(weight))
-        if not self.gravity or not known or self.mechanism.attractions:
-            return
+        if self.gravity and not self.mechanism.attractions:
+            thrust, weight = self.rate_of_burning * self.exhaust, self.first * self.gravity.expression()
+            self.told_when_known(lambda: self._verify_rising(thrust, weight), thrust, weight)
+
+    def _verify_rising(self, thrust: Expression, weight: Expression) -> None:
         step = self.book.open("verify")
         names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
         pairs = [*zip(names, (thrust, weight), strict=True)]
         self.book.observed |= {name.name: self.book.value(held) for name, held in pairs}
         told = [step.verified(name, held, NEWTONS) for name, held in pairs]
-        step.say(f"It rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
+        exceeds(self.book, step, thrust, weight)
+        step.say(f"{self.who} rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
         step.close()
 
-    def tell_spent(self, time: Symbol) -> None:
-        """Say that no fuel is left at a time; nothing rests on it."""
+    def assumed_at(self, time: Symbol) -> str:
+        """Return a sentence about a time, what is verified in the end or what the problem assumes."""
+        if self.book.in_symbols:
+            return f"By assumption, no fuel is left at ${time.latex()}$. "
+        rises = self.setting.motion.state(np.array([self.setting.time])).v[0, 0] > 0.0
+        moving = f"{self.name} is moving {'up' if rises else 'down'}"
+        return f"Assume that at ${time.latex()}$ no fuel is left and that {moving}. "
+
+    def tell_spent(self, time: Symbol) -> bool:
+        """Say that no fuel is left at a time, on which nothing rests; return whether it can be said already."""
         formula = (self.first - self.dry) / self.rate_of_burning
-        if self.book.is_hidden(formula):
-            return
+        return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
+
+    def _verify_spent(self, time: Symbol, formula: Expression) -> None:
         step, name = self.book.open("verify"), self.book.fresh("t", r"\text{out}")
+        exceeds(self.book, step, time, formula)
         self.book.observed[name.name] = self.book.value(formula)
         told = step.verified(name, formula, SECONDS)
         step.say(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
+        step.close()
+
+    def verify_burning(self, time: Symbol, spent: Expression) -> None:
+        """Write that the fuel lasts for longer than a time."""
+        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{out}")
+        exceeds(self.book, step, spent, time)
+        self.book.observed[name.name] = self.book.value(spent)
+        step.say(f"The fuel lasts for {step.verified(name, spent, SECONDS)}, so the engine is still on at this time.")
+        step.close()
+
+    def verify_farther(self, distance: Symbol, high: Expression) -> None:
+        """Write that a distance is covered only after burnout."""
+        step = self.book.open("verify")
+        exceeds(self.book, step, distance, high)
+        step.say(f"As ${distance.latex()} > {high.latex()}$, {self.name} covers this distance")
+        step.say("only after burnout.")
         step.close()
 
 

@@ -1,5 +1,6 @@
 """Coordinates for equations of motion: positions and angles that the text gives, otherwise displacements."""
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from math import atan2, pi
 
@@ -14,7 +15,7 @@ from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.setting import LEVEL, Setting, joined
 from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import Book
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.subscripts import marked, split
 from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
@@ -47,6 +48,31 @@ class ChosenCoordinates:
 
     names: Names
     sentence: str
+    descriptions: tuple[str, ...]
+
+    def used(self, names: AbstractSet[str]) -> str:
+        """Return a sentence for phases in closed form: the coordinates, and those derivatives of which some are used.
+
+        `names` are those of the phases, with the number of one as the last part of their subscripts.
+        """
+        stems = {_without_phase(name) for name in names}
+        own, held = [*zip(self.names.places, self.names.rates, self.names.accelerations, strict=True)], list[int]()
+        held = [n for n, symbols in enumerate(own) if any(symbol.name in stems for symbol in symbols)]
+        if not held:
+            return ""
+        said = [f"${own[n][0].name}$ be {self.descriptions[n]}" for n in held]
+        derived: list[str] = []
+        for n in held:
+            q, v, a = own[n]
+            rated = v.name in stems
+            derived += [f"${v.name} = {_dotted(q)}$"] if rated else []
+            after = _dotted(v) if rated else _dotted(q, r"\ddot")
+            derived += [f"${a.name} = {after}$"] if a.name in stems else []
+        followed = f", and let {joined(derived)}" if derived else ""
+        counted = (
+            "A number in a subscript is that of the phase in which an acceleration or a force acts, or at whose end"
+        )
+        return f"Let {joined(said)}{followed}. {counted} another value holds."
 
 
 def choose(setting: Setting, book: Book) -> ChosenCoordinates:
@@ -63,11 +89,16 @@ def choose(setting: Setting, book: Book) -> ChosenCoordinates:
         marks = ",".join(part for part in (choice.marks, label) if part)
         choices.append(choice)
         places.append(book.fresh(choice.letter, choice.marks))
-        rates.append(book.fresh(r"\omega" if hinge else "v", marks))
+        rates.append(book.fresh(r"\omega" if hinge else _velocity(setting, marks), marks))
         accelerations.append(book.fresh(r"\alpha" if hinge else "a", marks))
     senses, origins = tuple(c.sense for c in choices), tuple(c.origin for c in choices)
     names = Names(tuple(places), tuple(rates), tuple(accelerations), book.fresh("t"), senses, origins)
-    return ChosenCoordinates(names, _introduction(names, choices))
+    return ChosenCoordinates(names, _introduction(names, choices), tuple(choice.description for choice in choices))
+
+
+def _velocity(setting: Setting, marks: str) -> str:
+    """Return a letter for velocities, another one where the text has v for a number."""
+    return "u" if setting.is_given(marked("v", marks)) else "v"
 
 
 def _introduction(names: Names, choices: list[_Choice]) -> str:
@@ -78,9 +109,15 @@ def _introduction(names: Names, choices: list[_Choice]) -> str:
     return f"Let {joined(said)}; {whose} {', '.join(derived)}."
 
 
-def _dotted(symbol: Symbol) -> str:
+def _dotted(symbol: Symbol, dots: str = r"\dot") -> str:
     base, mark = split(symbol.name)
-    return rf"\dot{{{base}}}" + (f"_{{{mark}}}" if mark else "")
+    return rf"{dots}{{{base}}}" + (f"_{{{mark}}}" if mark else "")
+
+
+def _without_phase(name: str) -> str:
+    """Return a name without the last part of its subscript, the number of a phase."""
+    base, mark = split(name)
+    return marked(base, ",".join(mark.split(",")[:-1]))
 
 
 def _slide(setting: Setting, k: int) -> _Choice:
@@ -194,6 +231,8 @@ def _turned(setting: Setting, coordinate: Coordinate) -> _Choice:
     speeds = [c.speed for c in setting.mechanism.coordinates if c.kind == "hinge"]
     sense = -1.0 if max(speeds, key=abs) < 0.0 else 1.0  # one sense for all
     description = f"the angle through which {setting.called(coordinate.body)} has turned"
+    if abs(coordinate.axis[1]) > 1.0 - LEVEL:
+        description += f" {'clockwise' if sense * coordinate.axis[1] > 0.0 else 'counter-clockwise'}"
     return _Choice(r"\psi", NIL, sense, description, setting.mark(coordinate.body))
 
 

@@ -131,6 +131,20 @@ class PhaseEquations:
             loads[k] = loads[k] + part * friction
         return equations
 
+    def is_round(self, face: int) -> bool:
+        """Return whether what lies on a face can roll on it."""
+        return any(self.mechanism.coordinates[k].kind == "hinge" for k in self._slipping(face))
+
+    def turning_inertia(self, face: int) -> str:
+        """Return the moment of inertia of what can roll on a face, in LaTeX; empty if it has no place in the laws."""
+        turning = [k for k in self._slipping(face) if self.mechanism.coordinates[k].kind == "hinge"]
+        held = self.motion.mass(turning[0], turning[0]) if len(turning) == 1 else Polynomial({})
+        return held.expression().latex() if held else ""
+
+    def _slipping(self, face: int) -> list[int]:
+        """Return the numbers of the coordinates whose rates are slip."""
+        return [self.mechanism.number[name] for name, _ in self.mechanism.faces[face].slip]
+
     def pressing(self, face: int) -> Polynomial:
         """Return the normal force on a face as Newton's second law gives it."""
         lifted = total(self.motion.lifted(n, face) * self.force("row", n) for n in self.rows)

@@ -9,7 +9,6 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments import Happening
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.laws.common_rates import gravitational_constant
@@ -17,6 +16,7 @@ from sim2reason.solutions.laws.equations_of_motion import UNREAD, Names
 from sim2reason.solutions.phases.accumulated import RATES, rate_of, value_of
 from sim2reason.solutions.phases.asked_quantity import write_quantity
 from sim2reason.solutions.phases.conditions import event_condition, located, moment_conditions, said
+from sim2reason.solutions.phases.contacts import with_used_contacts
 from sim2reason.solutions.phases.coordinates import HINGE_UNITS, SLIDE_UNITS, choose
 from sim2reason.solutions.phases.equations import PhaseEquations, amid
 from sim2reason.solutions.phases.extremes import rate_formulas, refined
@@ -26,7 +26,7 @@ from sim2reason.solutions.phases.jumps import write_jump
 from sim2reason.solutions.phases.numerical import tell_end, tell_problem
 from sim2reason.solutions.phases.pruning import pruned
 from sim2reason.solutions.phases.steady import SteadyPhase
-from sim2reason.solutions.phases.stretches import Stretch, asked_time, stretches
+from sim2reason.solutions.phases.stretches import Stretch, asked_time, moment_words, stretches
 from sim2reason.solutions.phases.values import formula_of
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
@@ -51,7 +51,7 @@ class IntegratedPhases:
         self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)
-        self.names, self._introduction = chosen.names, chosen.sentence
+        self.names, self._chosen = chosen.names, chosen
         self._forces = ForceSymbols(setting, book)
         self.time = asked_time(setting)
         self._begin: Expression = Number(0.0)
@@ -92,7 +92,7 @@ class IntegratedPhases:
         if constant is not None:
             gravitational_constant(book, constant)
         step = book.open("names")
-        step.say(self._introduction)
+        step.say(self._chosen.sentence)
         if self.setting.unknown:
             name = Symbol(book.sought)
             book.hidden.discard(name.name)
@@ -110,7 +110,7 @@ class IntegratedPhases:
             conditions = [event_condition(inner, event) for event in stretch.events]
             formulas, happens = [formula for formula, _ in conditions], joined([said for _, said in conditions])
         else:
-            formulas, happens = self._moment_formulas(inner), self._moment_words()
+            formulas, happens = self._moment_formulas(inner), moment_words(self.setting)
         sides = [side for law in inner.laws for side in (law.left, law.right)]
         self._refuse_unread(name for formula in (*formulas, *sides) for name in formula.symbols())
         for name, value, unit in inner.stated:
@@ -180,13 +180,6 @@ class IntegratedPhases:
             value = radians(setting.stated.value) if unit == DEGREES else setting.stated.value
             return [formula_of(inner, setting.target) - said(inner, "c", value, unit)]
         return moment_conditions(inner, query.moment)
-
-    def _moment_words(self) -> str:
-        moment = self.setting.query.moment
-        if self.setting.query.kind == "extremum":
-            return ""
-        clause = moment.clause(self.setting.words) if isinstance(moment, Happening) else None
-        return clause.statement if clause is not None else ""
 
     def _ended(self, inner: PhaseEquations, stretch: Stretch) -> tuple[Names, dict[str, Symbol]]:
         """Name the values at the end of a phase, before what changes there; the book learns them from the engine."""
@@ -277,9 +270,15 @@ class IntegratedPhases:
             step = self.book.steps[number]
             self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
         self.book.steps[:] = pruned(self.book.steps, answer, self.book.values)
+        step = self.book.steps[self._introduced]
         if self._composed:
-            step = self.book.steps[self._introduced]
             self.book.steps[self._introduced] = replace(step, text=f"{INTRODUCTION} {step.text}")
+        else:
+            names = {name for step in self.book.steps for name in step.symbols()} | {answer}
+            own = {name for name in names if not self.setting.is_given(name)}
+            text = step.text.replace(self._chosen.sentence, self._chosen.used(own)).strip()
+            self.book.steps[self._introduced] = replace(step, text=text)
+            self.book.steps[:] = with_used_contacts(self.book.steps)
 
     # ---- the answer
 

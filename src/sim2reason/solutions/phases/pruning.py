@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Step, with_unit
+from sim2reason.solutions.writing.subscripts import split
 
 LAWS, STATE = "steady laws", "steady state"  # the kinds of steps of which parts may be left out
 HELD = 1e-9  # of the largest weight: rounding
@@ -19,14 +20,25 @@ def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str
     """Return the sentences about laws, and what they lead to where they do not give it by themselves."""
     laws = [relation for relation in relations if relation.role == "law"]
     found = [r for r in relations if r.role != "law" and values[_name(r)]]
-    text = f"The accelerations are constant: {joined([law.latex() for law in laws])}."
+    turns = any(split(name)[0] == r"\alpha" for law in laws for name in law.symbols())
+    by = "By Newton's second law and the law of torques" if turns else "By Newton's second law"
+    text = f"{by}, the accelerations are constant: {joined([law.latex() for law in laws])}."
     if not found or all(isinstance(law.left, Symbol) for law in laws):
         return text
-    return f"{text} Hence {joined([f'${_name(r)} = {with_unit(values[_name(r)], r.unit)}$' for r in found])}."
+    return f"{text} Hence {joined([_told(r, values[_name(r)]) for r in found])}."
+
+
+def _told(found: Relation, value: float) -> str:
+    """Return a name with its number, and with the formula that it has."""
+    if isinstance(found.right, Number):
+        return f"${_name(found)} = {with_unit(value, found.unit)}$"
+    return found.latex(value)
 
 
 def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
     """Return the sentence about the state at the end of a phase."""
+    if not relations:
+        return ""
     return f"At that instant, {joined([relation.latex(values[_name(relation)]) for relation in relations])}."
 
 
@@ -41,7 +53,7 @@ def pruned(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> lis
                 step,
                 relations=relations,
                 gives=tuple(_name(r) for r in relations),
-                text=state_text(relations, values) if relations else "",
+                text=state_text(relations, values),
             )
         elif step.kind == LAWS:
             kept = _with_needed_laws(step, used, values)

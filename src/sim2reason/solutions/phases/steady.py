@@ -7,9 +7,12 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import put, solved_for
 from sim2reason.solutions.laws.equations_of_motion import Names
+from sim2reason.solutions.phases.contacts import tell_contacts
 from sim2reason.solutions.phases.equations import PhaseEquations
+from sim2reason.solutions.phases.explicit import explicit
 from sim2reason.solutions.phases.pruning import LAWS, STATE, laws_text, state_text
 from sim2reason.solutions.setting import capital
+from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
@@ -37,10 +40,12 @@ class SteadyPhase:
         Raises:
             UnsolvedError: the formula contains a force or an acceleration.
         """
+        tell_contacts(self._inner, book, forces)
         self._accelerate(book, names, forces)
         span = self._last(book, names, formula, said)
         step = book.open(STATE)
-        step.defined(names.time, added(self._begin, span))
+        if span != names.time:
+            step.defined(names.time, added(self._begin, span))
         for k in range(len(names.places)):
             step.defined(names.places[k], self._place(k, names, span))
             step.defined(names.rates[k], self._rate(k, names, span))
@@ -58,15 +63,19 @@ class SteadyPhase:
         for symbol in found:
             step.label(symbol.name)
         plain = all(isinstance(relation.left, Symbol) for relation in step.relations)
+        formulas = explicit(step.relations, [symbol.name for symbol in found], book.values) if not plain else {}
         for symbol in found if not plain else ():
-            if book.values[symbol.name]:
+            if symbol.name in formulas and book.values[symbol.name]:
+                step.relations.append(Relation(symbol, formulas[symbol.name], "derived", book.units[symbol.name]))
+            elif book.values[symbol.name]:
                 step.stated(symbol, book.units[symbol.name])
         step.say(laws_text(step.relations, book.values))
         step.close()
 
     def _last(self, book: Book, names: Names, formula: Expression, said: str) -> Symbol:
         """Write how long the phase lasts."""
-        span = book.fresh(r"\tau")
+        first = self._begin == ZERO  # what lasts until an instant is its time
+        span = names.time if first else book.fresh(r"\tau")
         near = book.values[names.time.name] - book.value(self._begin)
         for k, (place, rate) in enumerate(zip(self._names.places, self._names.rates, strict=True)):
             formula = put(put(formula, rate.name, self._rate(k, names, span)), place.name, self._place(k, names, span))
@@ -79,7 +88,7 @@ class SteadyPhase:
         step = book.open("duration")
         law = step.law(formula, ZERO)
         step.say(f"{self._how()} for a time ${span.name}$, until {said}: {law},")
-        step.say(f"so that {step.result(span, found, SECONDS)}.")
+        step.say(f"so that {step.closed(span, found) if first else step.result(span, found, SECONDS)}.")
         step.close()
         return span
 

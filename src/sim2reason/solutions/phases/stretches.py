@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Happening
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.phases.extremes import top
@@ -52,3 +53,12 @@ def stretches(setting: Setting, time: float) -> list[Stretch]:
     if not found or len(found) > MOST_PHASES:
         raise UnsolvedError(f"the motion has {len(found)} phases")
     return found
+
+
+def moment_words(setting: Setting) -> str:
+    """Return what happens at the moment asked about, as a statement; empty if the question has no words for it."""
+    moment = setting.query.moment
+    if setting.query.kind == "extremum" or not isinstance(moment, Happening):
+        return ""
+    clause = moment.clause(setting.words)
+    return clause.statement if clause is not None else ""

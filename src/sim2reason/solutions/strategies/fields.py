@@ -180,8 +180,21 @@ class _InFields(Way):
             return distance if self.book.value(formula) > 0.0 else -distance
         if formula == ZERO or isinstance(formula, Symbol) or (kind == "v" and formula == self.fields.launch[axis]):
             return formula
-        said = f"Its {NOUNS[kind].said} along {AXES[axis]} is"
-        return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, NOUNS[kind].unit)
+        name = self.fields.velocity[axis] if kind == "v" else self.book.fresh(kind, AXES[axis])
+        said, law = self._said(kind, axis)
+        return self.book.told("component", said, name, formula, NOUNS[kind].unit, rests=law)
+
+    def _said(self, kind: str, axis: int) -> tuple[str, str]:
+        """Return the beginning of a sentence that says a component, and the label of the law on which it rests."""
+        who, along = self.setting.called(self.body), AXES[axis]
+        if isinstance(self.query.moment, AtStart):
+            return f"By Newton's second law, the acceleration of {who} along {along} at the start is", ""
+        if kind == "a":
+            return f"By the equation of motion, the acceleration of {who} along {along} is", self.fields.law
+        if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
+            said = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
+            return f"{said}, which along {along} is", self.fields.law
+        return self.motion.told(kind, axis, self.time), self.fields.law
 
     def vector(self, kind: str, body: str) -> Components:
         """Its size alone, where that is all that is asked for and is known without its components."""

@@ -18,6 +18,7 @@ from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
+STEP = 1e-6  # relative: by how much a number is changed to see what grows with it
 TAUT = "The string stays taut if the body turns back below the fixed point."
 BELOW = f"{TAUT} By conservation of energy, the square of the speed at that height is"
 TENSE = "At the top the string stays taut if the centripetal force required is greater than the weight."
@@ -48,7 +49,7 @@ class LimitingSwing(Strategy):
         """What is left of the energy in the limiting case, which is nothing; then the number."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
         step = book.open("limit")
-        step.say(f"In the limiting case this is zero: {step.law(left, ZERO)}.")
+        step.say(f"In the limiting case, {step.law(left, ZERO)}.")
         step.close()
         return Inversion(book, left.name, 0.0, book.sought).write()
 
@@ -59,8 +60,24 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
     first: Expression = Call("cos", arm.first)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
-    said = "At the highest point of the centre of mass the kinetic energy is"
-    return book.told("energy", said, book.fresh("K"), formula, JOULES)
+    said, name = "At the highest point of the centre of mass the kinetic energy is", book.fresh("K")
+    book.told("energy", said, name, formula, JOULES)
+    step = book.open("extreme")
+    changes = "increases" if _grows(book, name, formula) else "decreases"
+    step.say(
+        f"{arm.noun()} goes right round if ${name.name}$ is positive. Near the limiting case ${name.name}$ {changes}"
+    )
+    step.say(f"when ${book.sought}$ increases.")
+    step.close()
+    return name
+
+
+def _grows(book: Book, name: Symbol, formula: Expression) -> bool:
+    """Whether a formula increases with the number that is looked for."""
+    draft = book.copy()
+    draft.formulas = {**book.formulas}
+    draft.refresh(book.sought, book.values[book.sought] * (1.0 + STEP))
+    return draft.value(formula) > book.values[name.name]
 
 
 def _of_body(setting: Setting, book: Book) -> Symbol:

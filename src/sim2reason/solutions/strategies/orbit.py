@@ -14,7 +14,8 @@ from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
-from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace, Turned
+from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace
+from sim2reason.solutions.fields.turned_line import Turned
 from sim2reason.solutions.goals import GOALS, modulus
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way

@@ -101,9 +101,9 @@ class _Burning(Burning):
         law = step.law(given, g * risen)
         formula = given / g + self._wait if self.waits else given / g
         velocity = (given - g * risen).latex()
-        said = "After burnout, by the rocket equation with gravity, its velocity at"
-        step.say(f"{said} ${name.latex()}$ is ${velocity}$.")
-        step.say(f"It comes to rest when {law},")
+        step.say("While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and")
+        step.say(f"{self.name} can come to rest only after burnout. By the rocket equation with gravity, its velocity")
+        step.say(f"is then ${velocity}$ at the time ${name.latex()}$. {self.who} comes to rest when {law},")
         step.say(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
@@ -117,10 +117,11 @@ class _Burning(Burning):
         step.say(f"{course}.")
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
-        who = self.setting.called(self.burn.body)
-        step.say(f"By integration, {who} has covered the distance ${distance.latex()}$ when {law};")
+        step.say(f"By integration, {self.name} has covered the distance ${distance.latex()}$ when {law};")
         step.say(f"the numerical solution is {step.result(name, root, SECONDS)}.")
         step.close()
+        spent = (self.first - self.dry) / self.rate_of_burning
+        self.told_when_known(lambda: self.verify_burning(name, spent), name, spent)
         return name
 
     @cached_property
@@ -131,27 +132,30 @@ class _Burning(Burning):
         if isinstance(moment, Stopped) or isinstance(self.query, StretchQuery):
             return self.book.told("time", "Gravity then stops it after a further", name, fast / g, SECONDS)
         if isinstance(moment, AtTime):
-            said = "It then moves with its engine off for"
+            if self.book.is_hidden(self.time - self.burned):
+                self.tell_spent(self.time)
+            said = f"{self.who} then moves with its engine off for"
             return self.book.told("time", said, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
         distance = self.book.fresh("d")
         self.book.say_given(distance.name, moment.value, METRES)
         rest = distance - high
+        self.told_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
-            return self.book.told(
-                "time", "It covers the rest of the distance at this speed, in", name, rest / fast, SECONDS
-            )
+            said = f"{self.who} covers the rest of the distance ${distance.latex()}$ at this speed, in"
+            return self.book.told("time", said, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
         root = Root(Power(fast, 2) - 2.0 * g * rest)
-        return self._fallen(name, distance, (fast + root if falls else fast - root) / g)
+        which = "later of the two times, on the way down," if falls else "earlier of the two times, on the way up,"
+        return self._fallen(name, distance, (fast + root if falls else fast - root) / g, which)
 
-    def _fallen(self, name: Symbol, distance: Symbol, formula: Expression) -> Symbol:
+    def _fallen(self, name: Symbol, distance: Symbol, formula: Expression, which: str) -> Symbol:
         """Thrown up with the speed that it has at the end."""
         step = self.book.open("time")
         law = step.law(distance, self._thrown(name))
-        step.say("With its engine off it moves under gravity alone and has covered this distance when")
-        step.say(f"{law}, so {step.result(name, formula, SECONDS)}.")
+        step.say(f"With its engine off {self.name} moves under gravity alone and has covered")
+        step.say(f"the distance ${distance.latex()}$ when {law}. The {which} is {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
 
@@ -171,7 +175,7 @@ class _Burning(Burning):
             return self.dry
         step, name = self.book.open("mass"), self.book.fresh("m", r"\text{left}")
         formula = added(self.first, -multiplied(self.rate_of_burning, self.time))
-        step.say(f"Its mass is then {step.result(name, formula, KILOGRAMS, law=True)}.")
+        step.say(f"The mass of {self.name} is then {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
 
@@ -201,7 +205,7 @@ class _Burning(Burning):
     @cached_property
     def _a(self) -> Symbol:
         if self.out:
-            said, formula = "With its engine off it falls freely:", -self.gravity.expression()
+            said, formula = "With its engine off, gravity alone acts:", -self.gravity.expression()
             return self.book.told("newton", said, self.book.fresh("a"), formula, ACCELERATION)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
         force = multiplied(self.rate_of_burning, self.exhaust)
@@ -219,14 +223,14 @@ class _Burning(Burning):
         mark = r"\text{out}"
         return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
 
-    def _burnt(self, risen: Expression, base: str, mark: str) -> Symbol:
+    def _burnt(self, risen: Expression, base: str, mark: str, before: str = "") -> Symbol:
         """Write the speed reached by burning for a time of rising; return its symbol."""
         left = self.dry if self.out else self.left
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
             formula = formula - self.gravity.expression() * risen
         told = "By the rocket equation," if not self.gravity else "By the rocket equation, with gravity,"
-        return self.book.told("velocity", told, self.book.fresh(base, mark), formula, SPEED)
+        return self.book.told("velocity", f"{before}{told}", self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered under power in a time of rising; return its symbol."""
@@ -249,8 +253,8 @@ class _Burning(Burning):
         if not self.out:
             return self._burnt(self._now, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
-            self.tell_spent(self.time)
-            return self._burnt(self._risen(self.time), "v", "")
+            said = "" if self.tell_spent(self.time) else self.assumed_at(self.time)
+            return self._burnt(self._risen(self.time), "v", "", said)
         fast = self._at_end[0]
         if not self.gravity:
             return fast
@@ -266,9 +270,10 @@ class _Burning(Burning):
             return self._gone(self._now, "")
         name, (fast, high) = self.book.fresh("s"), self._at_end
         if isinstance(self.query.moment, Stopped) or isinstance(self.query, StretchQuery):
-            said, top = "With its engine off it rises on to", high + Power(fast, 2) / (2.0 * self.gravity.expression())
-            return self.book.told("distance", said, name, top, METRES)
-        return self.book.told("distance", "Its distance is then", name, self._thrown(self.coast), METRES)
+            said, fall = f"With its engine off {self.name} rises on to", 2.0 * self.gravity.expression()
+            return self.book.told("distance", said, name, high + Power(fast, 2) / fall, METRES)
+        said = f"The distance of {self.name} from its starting point is then"
+        return self.book.told("distance", said, name, self._thrown(self.coast), METRES)
 
     @property
     def _now(self) -> Expression:

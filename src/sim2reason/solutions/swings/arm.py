@@ -12,6 +12,7 @@ from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
+from sim2reason.questions.regimes.side_of_center_of_mass import SideOfCenterOfMass
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import Setting, capital
@@ -224,8 +225,10 @@ class Arm:
         step, first = self.book.open("moment"), self.setting.called(self.bodies[0])
         counted = f"distances on the side of {first} being counted as positive,"
         step.say(f"{said[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
-        if self.book.in_symbols or not self.book.is_hidden(total):
-            sign, side = ("> 0", "this") if self.book.value(name) > 0.0 else ("< 0", "the opposite")
+        sign, side = ("> 0", "this") if self.book.value(name) > 0.0 else ("< 0", "the opposite")
+        if any(isinstance(held, SideOfCenterOfMass) for held in self.setting.assumed):
+            step.say(f"By assumption, the centre of mass is on {side} side, so ${name.name} {sign}$.")
+        elif not self.book.is_hidden(total):
             step.say(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
         step.close()
         return name

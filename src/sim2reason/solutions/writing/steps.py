@@ -153,9 +153,12 @@ class Book(FreshNames):
         """Begin a step."""
         return Writing(self, kind)
 
-    def told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "") -> Symbol:
-        """A step of one sentence that ends with a law by itself; gives back the name."""
+    def told(
+        self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "", *, rests: str = ""
+    ) -> Symbol:
+        """A step of one sentence that ends with a law by itself and `rests` on a label; gives back the name."""
         step = self.open(kind)
+        step.rest_on(rests)
         step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
         step.close()
         return name

@@ -1,0 +1,58 @@
+"""The eccentric anomaly at the start of an orbit, with the reason for the quadrant in which it lies."""
+
+from collections.abc import Callable
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.unit_latex import RADIANS
+
+
+class InitialAnomaly:
+    """The anomaly whose cosine and sine, times the eccentricity, are p and q, by the function least sensitive to them.
+
+    `formula` is that of p; `radial` returns a clause that says whether the body recedes or approaches at first.
+    """
+
+    def __init__(
+        self, book: Book, p: Symbol, q: Expression, formula: Expression, radial: Callable[[Writing], str]
+    ) -> None:
+        """Nothing is written yet."""
+        self._book, self._p, self._q, self._formula, self._radial = book, p, q, formula, radial
+
+    def write(self, name: Symbol, anomaly: Symbol) -> Symbol:
+        """Write the value of the anomaly at the start under a name of its own."""
+        p, q = self._book.value(self._p), self._book.value(self._q)
+        step = self._book.open("anomaly")
+        if abs(p) < abs(q):
+            size = Call("arccos", self._p / Root(Power(self._p, 2) + Power(self._q, 2)))
+            formula, reasons = size if q > 0.0 else -size, [self._radial(step)]
+            limits = (0, 180) if q > 0.0 else (-180, 0)
+        else:
+            least = Call("arctan", self._q / self._p)
+            formula = least if p > 0.0 else least + PI if q > 0.0 else least - PI
+            reasons = [self._sign(step)] if p > 0.0 else [self._sign(step), self._radial(step)]
+            limits = (-90, 90) if p > 0.0 else (90, 180) if q > 0.0 else (-180, -90)
+        low, high = (rf"${limit}^\circ$" for limit in limits)
+        said = f"As {' and '.join(reasons)}, the initial value ${name.latex()}$ of ${anomaly.latex()}$ lies between"
+        step.say(f"{said} {low} and {high}: {step.result(name, formula, RADIANS, law=True)}.")
+        step.close()
+        return name
+
+    def _sign(self, step: Writing) -> str:
+        """Return a clause about the sign of p; what is not known yet is verified in the end."""
+        positive = self._book.value(self._p) > 0.0
+        sides: tuple[Expression, Expression] = (self._p, ZERO) if positive else (ZERO, self._p)
+        if not self._book.is_hidden(self._p):
+            exceeds(self._book, step, *sides)
+        elif not self._book.in_symbols:
+            self._book.afterwards.append(lambda: self._verify(*sides))
+        return f"${self._p.latex()} {'>' if positive else '<'} 0$"
+
+    def _verify(self, larger: Expression, smaller: Expression) -> None:
+        """Write what p comes to in the end, which has the sign that was assumed."""
+        step = self._book.open("verify")
+        exceeds(self._book, step, larger, smaller)
+        step.say(f"Indeed {step.verified(self._p, self._formula, '')} has the sign that was assumed.")
+        step.close()

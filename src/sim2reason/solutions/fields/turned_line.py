@@ -1,0 +1,154 @@
+"""Where a body on an ellipse is when the line to it has turned through one right angle or two."""
+
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.fields.kepler import TWO, KeplerOrbit
+from sim2reason.solutions.fields.orbit_place import OrbitPlace
+from sim2reason.solutions.writing.unit_latex import METRES, RADIANS, SPEED
+
+DIRECTION, VELOCITY = "direction of the line", "components of the velocity"  # labels of steps
+
+
+class Turned(OrbitPlace):
+    """Where the line to a body has turned through a right angle, or through two: the equation of its conic."""
+
+    def __init__(self, orbit: KeplerOrbit, quarters: int) -> None:
+        """`quarters` of a turn: 1 or 2."""
+        super().__init__(orbit)
+        self._quarters = quarters
+        self._sense = 1.0 if orbit.book.value(orbit.momentum) > 0.0 else -1.0
+
+    @cached_property
+    def _rectum(self) -> Symbol:
+        orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
+        said = "The semi-latus rectum of the ellipse is"
+        return orbit.book.told("conic", said, orbit.named(r"\ell"), formula, METRES)
+
+    @cached_property
+    def _outward(self) -> Symbol:
+        """How fast it recedes at the start."""
+        orbit = self.orbit
+        said = "The initial radial velocity is"
+        return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
+
+    def _distance(self) -> Symbol:
+        """ℓ/r = 1 + e cos ν: ahead by 180° the cosine has the other sign, by 90° it is minus the sine."""
+        orbit, e = self.orbit, self.orbit.oval.latex()
+        if self._quarters == 2:
+            formula = self._rectum / (TWO - self._rectum / orbit.radius)
+            begun = (self._rectum / orbit.radius - ONE).latex()
+            said = rf"{self._conic}, so initially ${e} \cos\nu$ is ${begun}$. Half a turn later the cosine has the"
+            said = f"{said} opposite sign:"
+        else:
+            formula = self._rectum / (ONE - self._across)
+            swift = (self.orbit.parameter / self._swift).latex()
+            said = rf"{self._conic}. The radial velocity is ${swift}\,{e} \sin\nu$, so initially ${e} \sin\nu$ is"
+            said = rf"{said} ${self._across.latex()}$. A quarter turn later, $-\sin\nu$ replaces the cosine:"
+        return orbit.book.told("conic", said, orbit.named("r"), formula, METRES)
+
+    @property
+    def _across(self) -> Expression:
+        """The product e sin ν at the start."""
+        return self._swift * self._outward / self.orbit.parameter
+
+    @property
+    def _swift(self) -> Expression:
+        """The size of the angular momentum per unit of mass."""
+        return self.orbit.momentum if self._sense > 0.0 else -self.orbit.momentum
+
+    @property
+    def _conic(self) -> str:
+        """A sentence without its end that says what the equation of the ellipse is."""
+        e, rectum = self.orbit.oval.latex(), self._rectum.latex()
+        said = rf"On the ellipse the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity ${e}$"
+        return rf"{said} and the angle $\nu$ turned since the nearest point"
+
+    def _reason(self, kind: str) -> str:
+        """Return the label of the step that gives the direction, or the components of the velocity."""
+        return {"s": DIRECTION, "v": VELOCITY}.get(kind, "")
+
+    @cached_property
+    def _told_direction(self) -> str:
+        """Write where the body is seen from the star; return the label of that step."""
+        step, (x, y) = self.orbit.book.open("direction"), self._direction
+        line = f"The line from {self._star} to {self._who} then has the direction of"
+        step.say(rf"{line} $\left({x.latex()}, {y.latex()}\right)$, which has the length ${self.orbit.radius.name}$.")
+        step.label(DIRECTION)
+        step.close()
+        return DIRECTION
+
+    @cached_property
+    def _told_velocity(self) -> str:
+        """Write along which directions the velocity has which components; return the label of that step."""
+        label, outward, step = self._told_direction, self._outward_now, self.orbit.book.open("direction")
+        step.rest_on(label)
+        across = self.orbit.momentum / self.radius
+        if self._quarters == 2:
+            step.say("The radial velocity is the opposite of the initial one, since the sine has the opposite sign.")
+        step.say(f"The velocity is ${outward.latex()}$ along the line from {self._star} and, by the conservation of")
+        step.say(f"angular momentum, ${across.latex()}$ at right angles to it, counter-clockwise.")
+        step.label(VELOCITY)
+        step.close()
+        return VELOCITY
+
+    @cached_property
+    def _outward_now(self) -> Expression:
+        """How fast it recedes there."""
+        if self._quarters == 2:
+            return -self._outward
+        orbit = self.orbit
+        cosine, e = self._rectum / orbit.radius - ONE, orbit.oval.latex()
+        formula = orbit.parameter / self._swift * cosine
+        said = rf"The sine is what $\cos\nu$ was, and ${e} \cos\nu$ was ${cosine.latex()}$, so the radial"
+        return orbit.book.told("recedes", f"{said} velocity is", orbit.named("u"), formula, SPEED)
+
+    @property
+    def _direction(self) -> tuple[Expression, Expression]:
+        """From the centre to the body, times the distance at the start."""
+        x, y = self.orbit.place
+        if self._quarters == 2:
+            return -x, -y
+        return (-y, x) if self._sense > 0.0 else (y, -x)
+
+    def _moved(self, axis: int) -> Expression:
+        _ = self.radius, self._told_direction
+        return self.radius / self.orbit.radius * self._direction[axis] - self.orbit.place[axis]
+
+    def _rate(self, axis: int) -> Expression:
+        _ = self.radius, self._told_velocity
+        along, across = self._direction[axis], (-self._direction[1], self._direction[0])[axis]
+        first = self._outward_now / self.orbit.radius * along
+        return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
+
+    def _anomaly(self) -> Expression:
+        """From where the place r₀ − a (1 − cos η) + … has turned: cot(η/2) = (b − q a)/r₀, or −q a/r₀."""
+        orbit = self.orbit
+        if self._quarters == 2:
+            return self._opposite_end()
+        small = self._swift / Root(orbit.parameter * orbit.axis)
+        rest = small - orbit.across if orbit.dot != ZERO else small
+        formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
+        if orbit.book.value(formula) <= 0.0:
+            formula = formula + TWO * PI
+        said = rf"The line has turned through $90^\circ$ when ${orbit.anomaly.latex()}$ has increased by"
+        return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)
+
+    def _opposite_end(self) -> Expression:
+        """Return the increase of the eccentric anomaly over a focal chord, from cos(η/2) = e cos(E₀ + η/2)."""
+        orbit, name = self.orbit, self.orbit.named(r"\eta")
+        E = orbit.anomaly.latex()
+        turned = rf"The line has turned through $180^\circ$ when ${E}$ has increased by"
+        if orbit.dot == ZERO:
+            return orbit.book.told("anomaly", turned, name, PI, RADIANS)
+        formula = PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
+        p, q, half = orbit.along, orbit.across, name / TWO
+        step = orbit.book.open("anomaly")
+        law = step.law(Call("cos", half), p * Call("cos", half) - q * Call("sin", half))
+        mean = rf"{orbit.oval.latex()} \cos\left(E_0 + \tfrac{{1}}{{2}} \eta\right)"
+        step.say(rf"Let $E_0$ be the initial value of ${E}$. The ends of a chord through the focus, at $E_0$ and")
+        step.say(rf"$E_0 + \eta$, are those for which ${mean}$ is equal to $\cos\left(\tfrac{{1}}{{2}} \eta\right)$:")
+        step.say(f"{law}. Since $1 - {p.latex()}$ is ${(orbit.radius / orbit.axis).latex()}$,")
+        step.say(f"{turned[0].lower()}{turned[1:]} {step.result(name, formula, RADIANS)}.")
+        step.close()
+        return name

@@ -1,0 +1,115 @@
+"""Solutions for charges in fields: the equations of motion come first, and each part of the velocity follows."""
+
+import pytest
+
+from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.em_entity import EmEntity
+from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
+from sim2reason.entities.parts.fields.linear_drag import LinearDrag
+from sim2reason.entities.parts.fields.linear_electric import LinearElectric
+from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
+from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
+from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.quantities.subjects import Sense
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.solutions import Solution, solve
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+from worked import asked
+
+BEAD = "fields.particle"
+MAGNETIC = UniformMagnetic(strength=0.8, way="positive z")
+UNIFORM = UniformElectric(strength=1.1, way="positive y")
+GROWING = GrowingElectric(strength=1.1, way="positive y", trend="increases", growth=0.4)
+OSCILLATING = OscillatingElectric(strength=1.1, way="positive y", frequency=0.7)
+DRAG = LinearDrag(coefficient=0.5)
+TO_THE_RIGHT = Sense("to the right", (1.0, 0.0, 0.0), axis="x")
+
+
+def solved(quantity: str, moment: Moment, sign: str = "positive", speed: float = 2.0, **acting: object) -> Solution:
+    start = Launched(speed=speed, angle=30.0) if speed else Released()
+    particle = ChargedBead(mass=2.0, charge=3.0, sign=sign)  # type: ignore[arg-type]
+    entity = EmEntity(particle=particle, start=start, **acting)  # type: ignore[arg-type]
+    scene = Scene(entities=(Named(name="fields", entity=entity),))
+    setting = asked(scene, Query("state", Target(quantity, BEAD, TO_THE_RIGHT), moment))
+    solution = solve(setting)
+    assert solution.strategy == "motion in fields", solution.reason
+    assert setting.answer is not None
+    assert not faults(solution, setting.answer)
+    assert not read(solution.text).broken
+    return solution
+
+
+LAWS = [
+    ({"electric": UNIFORM}, r"$\dot{v}_x = \Omega v_y$ and $\dot{v}_y = a_{\text{E}} - \Omega v_x$"),
+    ({"electric": GROWING}, r"$\dot{v}_y = a_{\text{E}} + j t - \Omega v_x$"),
+    ({"electric": OSCILLATING}, r"$\dot{v}_y = a_{\text{E}} \cos\left(\omega t\right) - \Omega v_x$"),
+    ({"electric": UNIFORM, "medium": DRAG}, r"$\dot{v}_y = a_{\text{E}} - \Omega v_x - \gamma v_y$"),
+    ({"medium": DRAG}, r"$\dot{v}_x = \Omega v_y - \gamma v_x$ and $\dot{v}_y = -\Omega v_x - \gamma v_y$"),
+]
+
+
+@pytest.mark.parametrize(("acting", "law"), LAWS)
+@pytest.mark.parametrize("quantity", ["velocity", "displacement"])
+def test_the_equations_of_motion_come_before_what_solves_them(
+    quantity: str, acting: dict[str, object], law: str
+) -> None:
+    text = solved(quantity, AtTime(1.3), magnetic=MAGNETIC, **acting).text
+    assert "The equations of motion are" in text
+    assert law in text
+    assert text.index(law) < text.index("initially has the x component")
+    assert ("integrated from 0 to $t$, gives the displacement of the bead along x" in text) == (
+        quantity == "displacement"
+    )
+    assert "Its " not in text
+    assert "terminal" not in text
+
+
+DRIFTS = [
+    ({"electric": UNIFORM}, [r"$a_{\text{E}} - \Omega u_x = 0$"]),
+    ({"electric": UNIFORM, "medium": DRAG}, [r"$\Omega u_y - \gamma u_x = 0$"]),
+    ({"electric": GROWING}, [r"$u_x + \frac{j}{\Omega} t$ along x", r"$a_{\text{E}} - \Omega u_x = 0$"]),
+    ({"electric": OSCILLATING}, [r"$u_x \cos\left(\omega t\right)$ along x", r"$-\omega u_x = \Omega u_y$"]),
+]
+
+
+@pytest.mark.parametrize(("acting", "told"), DRIFTS)
+def test_the_velocity_that_the_fields_keep_up_is_put_into_the_equations(
+    acting: dict[str, object], told: list[str]
+) -> None:
+    solution = solved("velocity", AtTime(1.3), magnetic=MAGNETIC, **acting)
+    assert all(part in solution.text for part in told)
+    assert any(r.role == "result" and r.left.latex() == "u_x" for r in solution.relations)
+
+
+def test_a_rotating_part_without_a_component_says_so() -> None:
+    text = solved("velocity", AtTime(1.3), speed=0.0, magnetic=MAGNETIC, electric=UNIFORM).text
+    assert "and the y component zero." in text
+
+
+def test_the_sign_of_a_charge_is_said_once() -> None:
+    text = solved("velocity", AtTime(1.3), sign="negative", magnetic=MAGNETIC, electric=UNIFORM).text
+    assert text.count("The charge of the bead is $-q$.") == 1
+    assert "charge of the bead" not in solved("velocity", AtTime(1.3), magnetic=MAGNETIC, electric=UNIFORM).text
+
+
+FIELDS = [
+    (GROWING, "$E$ is the electric field at the start;"),
+    (OSCILLATING, "$E$ is the amplitude of the electric field;"),
+    (LinearElectric(strength=1.1, way="positive x", trend="increases", axis="x", slope=0.4), "at the origin;"),
+]
+
+
+@pytest.mark.parametrize(("electric", "said"), FIELDS)
+def test_which_field_a_strength_is(electric: object, said: str) -> None:
+    assert said in solved("velocity", AtTime(1.3), magnetic=MAGNETIC, electric=electric).text
+
+
+def test_the_velocity_is_said_before_a_distance_that_is_its_integral() -> None:
+    text = solved("velocity", Away(BEAD, 0.5), magnetic=MAGNETIC, electric=UNIFORM).text
+    assert "integrated from 0 on, this gives the displacement. The bead first reaches the distance $d$ when" in text
