@@ -14,10 +14,11 @@ from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
 from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
-from sim2reason.solutions import Solution, solve
+from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
@@ -113,3 +114,19 @@ def test_which_field_a_strength_is(electric: object, said: str) -> None:
 def test_the_velocity_is_said_before_a_distance_that_is_its_integral() -> None:
     text = solved("velocity", Away(BEAD, 0.5), magnetic=MAGNETIC, electric=UNIFORM).text
     assert "integrated from 0 on, this gives the displacement. The bead first reaches the distance $d$ when" in text
+
+
+def test_two_cases_name_their_velocities_apart() -> None:
+    """With the start doubled the motion is written once more, and its components have other values."""
+    particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
+    entity = EmEntity(particle=particle, start=Launched(speed=2.0, angle=30.0), magnetic=MAGNETIC, electric=OSCILLATING)
+    scene = Scene(entities=(Named(name="fields", entity=entity),))
+    force = Target("net force", BEAD, TO_THE_RIGHT)
+    compared = ComparisonQuery(
+        "comparison", force, AtTime(1.3), base=Query("state", None, None), path="fields.magnetic.strength", factor=2.0
+    )
+    setting = asked(scene, compared)
+    solution = by(STRATEGIES["comparison of two cases"], setting)
+    assert solution.answer is not None, solution.reason
+    assert r"\dot{v}_{y,1}" in solution.text
+    assert not read(solution.text).broken

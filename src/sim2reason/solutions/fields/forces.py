@@ -52,8 +52,16 @@ class Fields:
         self.coordinates = [m.number[c.name] for c in m.body[body].coordinates]
         self.launch = [self._read(lambda m, k=k: m.coordinates[k].speed).expression() for k in self.coordinates]
         self.mass = self._read(lambda m: m.body[body].mass).expression()
-        self.velocity = [Symbol(f"v_{axis}") for axis in AXES]
+        self.velocity = [self._component(axis) for axis in AXES]
         self._checked()
+
+    def _component(self, axis: str) -> Symbol:
+        """Return the name of a component of the velocity: another one where it has a value in another case."""
+        usual = Symbol(f"v_{axis}")
+        if usual.name not in self.book.values or usual.name in self.book.stated:
+            return usual
+        self.book.reserve(usual.name)
+        return self.book.fresh("v", axis)
 
     def _checked(self) -> None:
         """That the equations of motion are linear, with coefficients that never change."""
@@ -207,8 +215,10 @@ class Fields:
             return LAW
         (vx, vy), places = self.velocity, self.places
         sides = [self.acceleration(n, self.clock, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)]
+        rate = r"\dot{v}"
         told = [
-            rf"$\dot{{v}}_{axis} = {with_plain_signs(side).latex()}$" for axis, side in zip(AXES, sides, strict=True)
+            rf"${name.name.replace('v', rate, 1)} = {with_plain_signs(side).latex()}$"
+            for name, side in zip(self.velocity, sides, strict=True)
         ]
         both = f"${vx.latex()}$ and ${vy.latex()}$"
         step.say(f"Let {both} be the components of the velocity.")
