@@ -36,7 +36,8 @@ class AngularGoal(AboutAxis):
         """As in: the angular velocity is v/R."""
         body = target.subject
         formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        who = known.setting.called(body)
+        what = f"the {self.noun.said} of {who}" if self.of != "s" else f"the angle through which {who} has turned"
         return finish(known, formula, self.noun, known.setting.mark(body), what)
 
 

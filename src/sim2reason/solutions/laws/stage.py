@@ -141,7 +141,7 @@ class Stage:
         step, name = self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
         told = step.result(name, formula, METRES, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
         step.close()
         return Polynomial.of(name)
 
@@ -153,7 +153,7 @@ class Stage:
         step, name = self.book.open("time"), self.book.fresh("t")
         formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
         told = step.result(name, formula, SECONDS, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
         step.close()
         return name
 
@@ -247,7 +247,7 @@ class Stage:
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
         formula = added(begun, multiplied(a, time))
         told = step.result(name, formula, SPEED, law=True)
-        step.say(f"{self._when('At that time')}, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
+        step.say(f"{self._when(f'At ${self.time.name}$')}, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
         step.close()
         return Polynomial.of(name)
 
@@ -286,7 +286,7 @@ class Stage:
             time = self.time
             step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
-            step.say(f"{self._when('In the same time')}, {what}{told}.")
+            step.say(f"{self._when(f'In the time ${self.time.name}$')}, {what}{told}.")
         step.close()
         return Polynomial.of(name)
 

@@ -83,7 +83,8 @@ class PairWay(SingleWay):
         step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
-        step.say(f"{said} {law}, so {step.result(name, solved(left - total, name.name), unit)}.")
+        found = step.result(name, solved(left - total, name.name), unit)
+        step.say(f"{said} ${name.latex()}$ of {self._partner()}, {law}, so {found}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]
@@ -104,7 +105,7 @@ class PairWay(SingleWay):
             total = total * Polynomial.of(self.clock())
         if not total and not self.along("s"):
             return NIL
-        said = f"The centre of mass moves with constant velocity; with the displacement of {self._partner()}"
+        said = "The centre of mass moves with constant velocity; with the displacement"
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
@@ -113,11 +114,11 @@ class PairWay(SingleWay):
             return self.along("v")
         if not self.kept and not self.along("v"):
             return NIL
-        return self._balanced("v", SPEED, self.kept, f"Momentum is conserved; with the velocity of {self._partner()}")
+        return self._balanced("v", SPEED, self.kept, "Momentum is conserved; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""
         if i != self._relative.other:
             return self.along("a")
-        said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
+        said = "The centre of mass is not accelerated; with the acceleration"
         return self._balanced("a", ACCELERATION, NIL, said)

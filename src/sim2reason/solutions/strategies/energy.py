@@ -112,15 +112,22 @@ class EnergyWay(SingleWay):
 
     def _work(self, x: Expression) -> Expression:
         """Of all forces from the start to a place."""
-        found = self.motion.steady(self._i)
+        found, relaxed = self.motion.steady(self._i), self._number(self._relaxed()) if self._relaxed() else -1
         whole: Expression = found.factored() * x if found else ZERO
         for n in self.motion.springs:
             stiffness = self.motion.laws.stiffness(n).expression()
             strain, part = self.motion.laws.strain(n), self.motion.drawn(n, self._i)
             there = strain.expression() + (x if part == 1.0 else -x if part == -1.0 else Number(part) * x)
+            if n == relaxed:
+                there = ZERO
             before = Power(strain.expression(), 2) if strain else ZERO
-            whole = whole + HALF * stiffness * (before - Power(there, 2))
+            whole = whole + HALF * stiffness * (before - Power(there, 2) if there != ZERO else before)
         return whole
+
+    def _relaxed(self) -> str:
+        """Return the spring that has its natural length at the moment; empty for none."""
+        moment = self.query.moment
+        return moment.name if isinstance(moment, NaturalLength) and not self.greatest else ""
 
     @cached_property
     def _first(self) -> Expression:
@@ -232,7 +239,10 @@ class EnergyWay(SingleWay):
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
         root = Root(squares([self._first]) + inner)
-        step.say(f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}$: {law},")
+        relaxed = self._relaxed()
+        when = f" when {self.setting.springs[relaxed]} has its natural length" if relaxed else ""
+        said = f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}${when}"
+        step.say(f"{said}: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name
