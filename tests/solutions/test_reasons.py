@@ -75,7 +75,9 @@ def test_a_carriage_is_fastest_where_the_rod_stops_pulling_it_one_way() -> None:
     found = derived(swinging(), query)
     fall = 2.0 * 0.9 * G * (1.0 - cos(radians(50.0)))
     assert found.answer == pytest.approx(1.4 * sqrt(fall / (4.6 * 3.2)))
-    assert "Until the rod hangs straight down, it pulls the" in found.text
+    assert "one way until it hangs straight down, and the other way afterwards." in found.text
+    assert ", opposite to the horizontal motion of the" in found.text
+    assert "in the opposite direction" not in found.text
 
 
 def test_an_angle_is_the_arcsine_as_the_rod_rises_no_higher_than_at_first() -> None:
@@ -99,7 +101,7 @@ def test_a_planet_that_approaches_comes_nearest_within_half_a_turn() -> None:
     sky = SolarSystem(star=Star(mass=1.0), planets=(Planet(x=0.64, y=-0.27, vx=2.16, vy=6.76),))
     half = Orbited(STAR_AND_PLANET, 180)
     near = derived(only("system", sky), StretchQuery("extremum", None, half, "least distance", STAR_AND_PLANET))
-    assert "the planet approaches, as $x v_x + y v_y < 0$" in near.text
+    assert "The planet at first approaches ($x v_x + y v_y < 0$), so within half a turn" in near.text
     fast = derived(only("system", sky), StretchQuery("extremum", None, half, "greatest speed", "system.planets.0"))
     assert "the speed is greatest at the least distance" in fast.text
 

@@ -76,7 +76,16 @@ def test_slipping_ends_when_the_speed_of_the_centre_is_that_of_the_rim() -> None
     time = spin * RADIUS / (2.0 * friction * G)
     assert found.answer == pytest.approx(0.5 * friction * G * time**2 + friction * G * time * (0.8 - time))
     assert r"begins to roll without slipping when $a t = " in found.text
-    assert "on level ground needs no friction, so the velocity is constant" in found.text
+    assert "on level ground needs no friction, so the velocity is constant, which gives $" in found.text
+
+
+def test_instants_have_their_names() -> None:
+    """The rim begins with R ω₀ and loses µ g t until it has the speed of the centre."""
+    scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
+    found = turned(scene, "angle rolled", 0.8)
+    assert "The net angle of rotation of the" in found.text
+    assert "At that time" not in found.text
+    assert "In the same time" not in found.text
 
 
 def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_before() -> None:

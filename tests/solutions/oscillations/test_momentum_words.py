@@ -45,7 +45,7 @@ def prism() -> Solution:
 def test_of_a_prism_only_the_horizontal_momentum_is_conserved() -> None:
     text = prism().text
     assert "The horizontal momentum is zero, so the centre of mass does not move horizontally." in text
-    assert "The horizontal momentum is conserved; with the velocity of the prism" in text
+    assert r"The horizontal momentum is conserved; with the velocity $v_M$ of the prism" in text
     assert "Momentum is conserved" not in text
     assert "centre of mass stays at rest" not in text
 

@@ -268,3 +268,18 @@ def test_an_acceleration_beyond_the_place_of_balance_has_the_sense_of_the_displa
     found = solve(asked(scene, Query("state", Target("net force", cart(scene)), AtTime(0.5))))
     assert found.answer == pytest.approx(abs(MASS * G * 0.5 * cos(0.5 * sqrt(STIFFNESS / MASS))), rel=1e-8)
     assert "towards the equilibrium" not in found.text
+
+
+def test_what_two_carts_gain_as_their_spring_relaxes_is_told_with_their_names() -> None:
+    """½ µ v² = ½ k d², and m_A v_A + m_B (v_A + v) = 0."""
+    scene = row((2.0, 3.0), (50.0,), "free", strain=0.1)
+    first = next(held.name for held in scene.mechanism.bodies if held.mass)
+    query = Query("event", Target("kinetic energy", first), NaturalLength(spring(scene)))
+    setting = asked(scene, query)
+    found = by(STRATEGIES["momentum"], setting)
+    assert found.answer == pytest.approx(0.25 * 3.0 / 5.0), found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer)
+    assert "Momentum along the track is conserved; with the velocity $v_A$ of" in found.text
+    assert "when the spring has its natural length: " in found.text
+    assert r"\left(x - d\right)" not in found.text

@@ -144,7 +144,7 @@ class Stage:
         step, name = self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
         told = step.result(name, formula, METRES, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
         step.close()
         return Polynomial.of(name)
 
@@ -156,7 +156,7 @@ class Stage:
         step, name = self.book.open("time"), self.book.fresh("t")
         formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
         told = step.result(name, formula, SECONDS, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}: {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
         step.close()
         return name
 

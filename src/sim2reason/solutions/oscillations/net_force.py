@@ -28,15 +28,19 @@ def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expre
     return found
 
 
-def work(motion: LinearMotion | RelativeMotion, place: Expression) -> Expression:
-    """Return the work of all forces along the free coordinate from the start to a place."""
+def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int = -1) -> Expression:
+    """Return the work of all forces along the free coordinate from the start to a place.
+
+    `relaxed` is the number of a spring that has its natural length there, if that is known of one.
+    """
     (i,) = motion.free
     found = motion.steady(i)
     whole = found.factored() * place if found else ZERO
     for n in motion.springs:
         stiffness, strain = motion.laws.stiffness(n).expression(), motion.laws.strain(n)
         before = Power(strain.expression(), 2) if strain else ZERO
-        whole = whole + HALF * stiffness * (before - Power(extension(motion, n, place), 2))
+        lost = before if n == relaxed else before - Power(extension(motion, n, place), 2)
+        whole = whole + HALF * stiffness * lost
     return whole
 
 

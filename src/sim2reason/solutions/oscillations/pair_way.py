@@ -86,7 +86,8 @@ class PairWay(SingleWay):
         step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
-        step.say(f"{said} {law}, so {step.result(name, solved(left - total, name.name), unit)}.")
+        found = step.result(name, solved(left - total, name.name), unit)
+        step.say(f"{said} ${name.latex()}$ of {self._partner()}, {law}, so {found}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]
@@ -108,7 +109,7 @@ class PairWay(SingleWay):
         if not total and not self.along("s"):
             return NIL
         said = self._relative.words.drifts if self.kept else self._relative.words.still
-        said = f"{said}; with the displacement of {self._partner()}"
+        said = f"{said}; with the displacement"
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
@@ -117,12 +118,11 @@ class PairWay(SingleWay):
             return self.along("v")
         if not self.kept and not self.along("v"):
             return NIL
-        said = f"{self._relative.words.conserved}; with the velocity of {self._partner()}"
-        return self._balanced("v", SPEED, self.kept, said)
+        return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""
         if i != self._relative.other:
             return self.along("a")
-        said = f"{self._relative.words.unaccelerated}; with the acceleration of {self._partner()}"
+        said = f"{self._relative.words.unaccelerated}; with the acceleration"
         return self._balanced("a", ACCELERATION, NIL, said)

@@ -128,6 +128,11 @@ class EnergyWay(SingleWay):
         """That of the whole, as if all moved as x does."""
         return self.motion.mass(self._i, self._i).factored()
 
+    def _relaxed(self) -> str:
+        """Return the spring that has its natural length at the moment; empty for none."""
+        moment = self.query.moment
+        return moment.name if isinstance(moment, NaturalLength) and not self.greatest else ""
+
     @cached_property
     def _first(self) -> Expression:
         return self.first(self._i).expression()
@@ -228,17 +233,17 @@ class EnergyWay(SingleWay):
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             time = self._lasting
             formula = self._first + self._rise * time
-            said = f"At ${time.name}$ its velocity is"
-            return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
-        gained = work(self.motion, self._place)
+            return self.book.told("speed", f"At ${time.name}$ its velocity is", self.book.fresh("v"), formula, SPEED)
+        relaxed = self._relaxed()
+        gained = work(self.motion, self._place, self._number(relaxed) if relaxed else -1)
         if gained == ZERO:
             raise UnsolvedError("nothing does work")
         step, name = self.book.open("energy"), self.book.fresh("v")
-        first = self._kinetic(self._first)
-        law = step.law(self._kinetic(name), first + gained)
-        inner = 2.0 * gained / self._mass
-        root = Root(squares([self._first]) + inner)
-        step.say(f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}$: {law},")
+        law = step.law(self._kinetic(name), self._kinetic(self._first) + gained)
+        root = Root(squares([self._first]) + 2.0 * gained / self._mass)
+        when = f" when {self.setting.springs[relaxed]} has its natural length" if relaxed else ""
+        said = f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}${when}"
+        step.say(f"{said}: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name

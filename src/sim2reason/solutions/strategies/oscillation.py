@@ -232,7 +232,8 @@ class Oscillating(SingleWay):
                 formula = held.rest * held.rate * Call("sin", self._angle)
             if held.begun != ZERO:
                 formula = formula + held.first.expression() * Call("cos", self._angle)
-            step.say(f"Its velocity is then {step.result(name, formula, SPEED, law=True)}.")
+            shift = held.swinging(self._angle).latex()  # as a function of time
+            step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
         else:
             sign = 1.0 if held.where(self.since_begun)[1] > 0.0 else -1.0
             place, rest = self._place, held.rest

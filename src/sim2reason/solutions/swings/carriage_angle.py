@@ -9,7 +9,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.swings.angle import STRAIGHT, SwingAngle
 from sim2reason.solutions.swings.carriage import Carriage
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -88,9 +88,8 @@ class CarriageAngle(SwingAngle):
             return
         step = self.book.open("extreme")
         if self.began < 0.5 * pi:
-            step.say(
-                f"Until {self.swings} hangs straight down, it pulls {self.carriage.noun()} one way, then the other."
-            )
+            pulls = f"{capital(self.swings)} pulls {self.carriage.noun()} one way"
+            step.say(f"{pulls} until it hangs straight down, and the other way afterwards.")
         step.close()
 
     @property

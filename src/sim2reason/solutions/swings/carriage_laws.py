@@ -58,7 +58,8 @@ class CarriageLaws(CarriageAngle):
         kept, held = step.law(*momentum), step.law(energy, work)
         seen = "In the frame with this acceleration, let" if drift != ZERO else "Let"
         step.say(f"{seen} {self.swings} turn at ${turns.name}$")
-        step.say(f"and {c.noun()} move at ${runs.name}$ in the opposite direction.")
+        what = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
+        step.say(f"and {c.noun()} move at ${runs.name}$, opposite to the horizontal motion of {what}.")
         keeps = (
             "and energy is conserved with the work of the inertial forces"
             if drift != ZERO

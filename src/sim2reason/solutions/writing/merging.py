@@ -9,7 +9,7 @@ from sim2reason.solutions.solution import Step
 
 BEGIN = frozenset({"other value", "names"})
 """The kinds of steps that begin a second case or name new unknowns; what follows does not stand before them."""
-SENTENCE = re.compile(r"(?P<lead>((At|After the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
+SENTENCE = re.compile(r"(?P<lead>((At|After the time|In the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 SINGULAR_PLURAL = "the displacement is", "the displacements are"
 
