@@ -70,7 +70,7 @@ def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str) -> N
 
 def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:
     formulas = [
-        found for recipe in ("pulley", "rolling", "incline") for found in drawn("symbolic", "comparison", recipe, 5)
+        found for recipe in ("pulley", "rolling", "incline") for found in drawn("symbolic", "comparison", recipe, 10)
     ]
     assert formulas
     for found in formulas:

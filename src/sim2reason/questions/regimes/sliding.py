@@ -69,7 +69,8 @@ class SlidesThroughout(Regime):
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
 
         What is not released at rest may slide for a while only: it keeps sliding. One that turns back has done so by
-        the end: block A first slides up the slope, turns back once and is sliding down it by then.
+        the end: block A first slides up the slope, turns back once and is sliding down it by then. Of what rolls, only
+        the slip reverses.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
@@ -79,7 +80,8 @@ class SlidesThroughout(Regime):
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
         slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
         if len(ways) > 1:
-            return f"{called} first {slides} {where}, turns back once and is {sliding} {ways[-1]} it by then"
+            turned = "its slip reverses once, and it" if rolls else "turns back once and"
+            return f"{called} first {slides} {where}, {turned} is {sliding} {ways[-1]} it by then"
         return f"{called} {slides if words.released else f'keeps {sliding}'} {where}"
 
 

@@ -30,7 +30,7 @@ class GrowingElectric(ElectricField):
         either(
             "a uniform electric field has magnitude {strength} at t = 0 and points in the {way} direction; its component in that direction, the only one, {trend} at a rate of {growth}.",
             "at t = 0 a uniform electric field of magnitude {strength} points in the {way} direction; its component in that direction {trend} at a rate of {growth}, and it never has another.",
-            "there is a uniform electric field, of magnitude {strength} at t = 0 and in the {way} direction; it has only a component in that direction, which {trend} at a rate of {growth}.",
+            "there is a uniform electric field, which at t = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} at a rate of {growth}.",
         ),
     )
 

@@ -36,7 +36,7 @@ class LinearElectric(ElectricField):
         either(
             "an electric field is parallel to the {axis} axis; at {axis} = 0 it has magnitude {strength} and points in the {way} direction, and its component in that direction {trend} with {axis} at a rate of {slope}.",
             "at {axis} = 0 an electric field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field of magnitude {strength} in the {way} direction at {axis} = 0; everywhere it has only a component in that direction, which {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field, which at {axis} = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
         ),
     )
 

@@ -31,7 +31,7 @@ class LinearMagnetic(MagneticField):
         either(
             "a magnetic field has magnitude {strength} at {axis} = 0 and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
             "at {axis} = 0 a magnetic field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
-            "there is a magnetic field of magnitude {strength} in the {way} direction at {axis} = 0; everywhere it has only a component in that direction, which {trend} with {axis} at a rate of {slope}.",
+            "there is a magnetic field, which at {axis} = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
         ),
     )
 
