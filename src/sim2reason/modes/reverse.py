@@ -45,7 +45,7 @@ class Reverse(QuestionMode):
     """Which number makes a result what it is said to be, or when is it that?"""
 
     name = "reverse"
-    weights: ClassVar[Mapping[str, float]] = {"sum": 0.1, "threshold": 0.4, "comparison": 0.1}  # which few would measure
+    weights: ClassVar[Mapping[str, float]] = {"sum": 0.1, "threshold": 0.4, "comparison": 0.1}  # seldom measured
 
     @property
     def kinds(self) -> frozenset[str]:
