@@ -12,7 +12,7 @@ exchanged.
 
 import json
 import random
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -52,13 +52,24 @@ def _idle(data: Data) -> list[Data]:
     fixed = {name for phase in _phases(data) for tree in formulas(phase) for name in symbols(tree)}
     fixed |= {str(data["goal"]), *data["givens"], *(name for phase in _phases(data) for _, name in phase["ends"])}
     found = [relation for relation in every if relation["role"] == COMPARED]
-    while True:
-        count = Counter(name for relation in relations for name in names[id(relation)])
-        more = [r for r in relations if any(count[name] == 1 for name in names[id(r)] - fixed)]
-        if not more:
-            return found
+    while more := _last_named(relations, names, fixed, str(data["goal"])):
         found += more
         relations = [relation for relation in relations if not any(relation is held for held in more)]
+    return found
+
+
+def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixed: set[str], goal: str) -> list[Data]:
+    """Return the relations for a name with which no relation determines another name; the `fixed` ones are needed."""
+    known, new = fixed - {goal}, dict[int, frozenset[str]]()
+    for relation in relations:
+        new[id(relation)] = names[id(relation)] - known
+        known |= new[id(relation)]
+    where = defaultdict[str, list[Data]](list)
+    for relation in relations:
+        for name in names[id(relation)] - fixed:
+            where[name].append(relation)
+    last = (held for name, held in where.items() if all(new[id(r)] <= {name} for r in held))
+    return next(last, list[Data]())
 
 
 def _laws(data: Data) -> list[tuple[list[Data], int]]:
@@ -112,7 +123,8 @@ def _skip(step: Data) -> None:
 
 
 def _change_jump(data: Data, number: int | None, values: Mapping[str, float]) -> int:
-    jumps = [r for step in data["steps"] if step["kind"] in JUMPS for r in step["relations"] if r["role"] == "law"]
+    steps, idle = [step for step in data["steps"] if step["kind"] in JUMPS], {id(relation) for relation in _idle(data)}
+    jumps = [r for step in steps for r in step["relations"] if r["role"] == "law" and id(r) not in idle]
     jumps = [r for r in jumps if not _holds(r | {"right": ["*", WRONG, r["right"]]}, values)]
     if number is not None:
         jumps[number]["right"] = ["*", WRONG, jumps[number]["right"]]
