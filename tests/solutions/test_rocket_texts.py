@@ -97,7 +97,7 @@ def test_a_far_distance_is_covered_after_burnout(place: StartingPlace) -> None:
 
 
 def test_what_is_assumed_of_an_unknown_rocket_is_verified_in_the_end() -> None:
-    """The mass without fuel, from a speed after burnout."""
+    """Solve for the empty mass of a rocket from its speed after burnout."""
     rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=LIGHT)
     scene = Scene(entities=(Named(name="e", entity=rocket),))
     (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)

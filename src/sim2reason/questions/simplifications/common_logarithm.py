@@ -20,11 +20,11 @@ class CommonLogarithm(BurningSlip):
     reason = "the logarithm to base ten is taken for the natural one"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what burns, where nothing but the thrust acts."""
+        """Return the rockets if the thrust is the only force."""
         mechanism = study.mechanism
         return [] if weighs(mechanism) or mechanism.attractions else super().subjects(query, study)
 
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return a burn whose exhaust is slower, as the natural logarithm is larger."""
+        """Return a burn whose exhaust is slower by ln 10, which has the same effect on the velocity."""
         del mechanism
         return replace(burn, exhaust=burn.exhaust / log(10.0))

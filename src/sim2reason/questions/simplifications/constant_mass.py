@@ -1,4 +1,4 @@
-"""What burns fuel is taken to keep its mass."""
+"""A rocket is taken to keep its mass as it burns fuel."""
 
 from sim2reason.dsl.mechanism import Burn, Mechanism
 from sim2reason.questions.simplifications import simplification
@@ -7,12 +7,12 @@ from sim2reason.questions.simplifications.parts.burning import BurningSlip, with
 
 @simplification
 class ConstantMass(BurningSlip):
-    """What burns fuel is taken to keep its mass."""
+    """A rocket is taken to keep its mass as it burns fuel."""
 
     name = "constant mass"
     reason = "the mass of {subject} is taken as constant"
 
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return the same thrust from next to no mass."""
+        """Return a burn of the same thrust that ejects almost no mass."""
         del mechanism
         return without_loss(burn)

@@ -1,4 +1,4 @@
-"""The mass without fuel is taken for the mass of the fuel."""
+"""The empty mass of a rocket is mistaken for the mass of its fuel."""
 
 from dataclasses import replace
 
@@ -9,12 +9,12 @@ from sim2reason.questions.simplifications.parts.burning import BurningSlip
 
 @simplification
 class FuelAsRest(BurningSlip):
-    """The mass that is left without fuel is taken for the mass of the fuel."""
+    """The empty mass of a rocket is mistaken for the mass of its fuel."""
 
     name = "fuel mass for empty mass"
     reason = "the mass of {subject} without fuel is taken for the mass of its fuel"
 
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return a burn that ejects what should be left."""
+        """Return a burn that ejects the empty mass instead of the fuel."""
         left = mechanism.body[burn.body].mass - burn.rate * burn.until
         return replace(burn, until=left / burn.rate)

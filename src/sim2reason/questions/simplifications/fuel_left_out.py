@@ -10,18 +10,18 @@ from sim2reason.questions.simplifications.parts.burning import BurningSlip, with
 
 @simplification
 class FuelLeftOut(BurningSlip):
-    """What burns fuel is taken to have the mass from the start that it has without fuel."""
+    """A rocket is taken to have its empty mass from the start."""
 
     name = "fuel left out"
     reason = "the mass of the fuel of {subject} is left out"
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism in which that body has the same thrust, but carries no fuel."""
+        """Return the mechanism in which one rocket has the same thrust but carries no fuel."""
         spent = {burn.body: burn.rate * burn.until for burn in mechanism.burns}
         lighter = with_bodies(mechanism, [subject], lambda body: replace(body, mass=body.mass - spent[subject]))
         return super().changed(lighter, subject)
 
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return the same thrust from next to no mass."""
+        """Return a burn of the same thrust that ejects almost no mass."""
         del mechanism
         return without_loss(burn)

@@ -13,18 +13,18 @@ from sim2reason.questions.study import Study
 
 @simplification
 class WeightAlongThrust(ChangedMechanism):
-    """The weight of what lifts off is added to the thrust, not subtracted from it."""
+    """The weight of a rocket is added to its thrust, not subtracted from it."""
 
     name = "weight along the thrust"
     reason = "the weight of {subject} is added to the thrust instead of being subtracted"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what burns, where it weighs anything."""
+        """Return the rockets if there is gravity."""
         del query
         mechanism = study.mechanism
         return [burn.body for burn in mechanism.burns] if weighs(mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with gravity turned round."""
+        """Return the mechanism with gravity reversed."""
         del subject
         return replace(mechanism, gravity=scale(-1.0, mechanism.gravity))

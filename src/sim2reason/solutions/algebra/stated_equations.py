@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, divided
 def stated_equation(
     name: str, formula: Expression, value: Expression, written: Written
 ) -> tuple[Expression, Expression] | None:
-    """Return both sides of a x² + b x = c or a sin x + b cos x = c if an equation reduces to one; else None.
+    """Reduce an equation to a x² + b x = c or a sin x + b cos x = c; return both sides, or None if it is neither.
 
     The first may also be one in the sine or in the cosine of x.
     """

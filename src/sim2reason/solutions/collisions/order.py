@@ -77,11 +77,11 @@ class CollisionOrder:
                 yield Together(number, legs, begins, ends if ends is not None else self._last(meeting))
 
     def _last(self, meeting: Meeting) -> Impact | None:
-        """Return the collision with which the motion that counts ends, if it is one of the partners."""
+        """Return the collision of two of the partners that ends the motion considered, if any."""
         return next((held for held in self._at_end() if {*held.bodies} & {*meeting.names}), None)
 
     def _at_end(self) -> list[Impact]:
-        """Return the collisions at the instant with which the motion that counts ends; none if it never ends."""
+        """Return the collisions at the end of the motion considered; an empty list if it has no end."""
         if self._time == inf:
             return []
         return [held for held in self._flights.impacts if abs(held.time - self._time) <= 1e-9 * self._time]

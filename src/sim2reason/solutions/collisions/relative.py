@@ -1,4 +1,4 @@
-"""The motion of a pair that does not meet, in named numbers from which the reason follows."""
+"""The relative motion of two bodies that do not collide, in the named numbers that show why."""
 
 from dataclasses import dataclass, field
 
@@ -10,7 +10,7 @@ LONG = 160  # characters of a formula whose number alone is written
 
 @dataclass(frozen=True)
 class RelativeMotion:
-    """The numbers of one pair in a step, with the letters of the pair as a subscript; nothing else rests on them."""
+    """Named numbers of the relative motion of two bodies, which only the argument that they do not collide uses."""
 
     book: Book
     step: Writing

@@ -10,7 +10,7 @@ SAME = 1e-9  # relative: an impact that comes with the moment itself
 
 
 def tell_uninvolved(flights: Impacts, bodies: AbstractSet[str]) -> None:
-    """Write which collisions before the moment were left out, as they do not affect some bodies before it."""
+    """Write which earlier collisions the solution omits because they do not affect the given bodies."""
     setting = flights.setting
     early = [impact for impact in flights.impacts if impact.time < setting.time * (1.0 - SAME)]
     left = [held for held in early if held.number not in flights.times and held.number not in flights.struck]

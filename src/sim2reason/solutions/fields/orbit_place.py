@@ -1,4 +1,4 @@
-"""Where a body on an ellipse is, and how fast, at one moment."""
+"""Position and velocity of a body in an elliptic orbit at one moment."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Where a body on an ellipse is when the line to it has turned through one right angle or two."""
+"""Position and velocity of a body in orbit after its polar angle has grown by 90° or 180°."""
 
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol

@@ -58,7 +58,7 @@ class Burning(Way):
 
     @cached_property
     def dry(self) -> Expression:
-        """The mass without fuel."""
+        """The empty mass of the rocket, kg."""
         return self._read(lambda m: m.body[m.burns[0].body].mass - m.burns[0].rate * m.burns[0].until).expression()
 
     @property
@@ -127,7 +127,7 @@ class Burning(Way):
         return self.setting.called(self.burn.body)
 
     def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
-        """Write a check at once if the numbers are known, or at the end; return whether it is written."""
+        """Call `write` now if the numbers are known, else after the answer; return whether it was called now."""
         if not any(map(self.book.is_hidden, held)):
             write()
             return True

@@ -178,7 +178,7 @@ class Way(ABC):
         return self.newton.turning(k, k)
 
     def tell_arcs(self, body: str) -> None:
-        """Write the arcs of its rim; by default there is one at most."""
+        """Name the distances along the rim of a turning body; by default there is at most one, which needs no name."""
         del body
 
     def axes(self, body: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from sim2reason.solutions.setting import LEVEL, Setting
 
 @dataclass(frozen=True, slots=True)
 class MomentumWords:
-    """Sentences without their ends."""
+    """Sentences about a conserved momentum, without the full stop."""
 
     conserved: str
     zero: str

@@ -1,4 +1,4 @@
-"""Slips about what burns fuel."""
+"""Common mistakes about rockets: bodies that lose mass as they burn fuel."""
 
 from abc import abstractmethod
 from collections.abc import Iterable
@@ -9,27 +9,27 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism
 from sim2reason.questions.study import Study
 
-SLOWER = 1e-6  # how much less mass is ejected, so much faster: the thrust stays
+SLOWER = 1e-6  # factor on the rate of burning; the exhaust is faster by its inverse, so that the thrust stays
 
 
 class BurningSlip(ChangedMechanism):
-    """A slip about the way in which one body burns its fuel."""
+    """A common mistake about how one rocket burns its fuel."""
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what burns."""
+        """Return the rockets."""
         del query
         return [burn.body for burn in study.mechanism.burns]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism in which that body burns as the slip has it."""
+        """Return the mechanism with the mistake made for one rocket."""
         burns = tuple(self.burnt(mechanism, burn) if burn.body == subject else burn for burn in mechanism.burns)
         return replace(mechanism, burns=burns)
 
     @abstractmethod
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return the way in which it burns as the slip has it."""
+        """Return the burn with the mistake made."""
 
 
 def without_loss(burn: Burn) -> Burn:
-    """Return the same thrust for the same time from next to no mass."""
+    """Return a burn of the same thrust and duration that ejects almost no mass."""
     return replace(burn, rate=SLOWER * burn.rate, exhaust=burn.exhaust / SLOWER)
