@@ -126,6 +126,10 @@ class Symbol(Expression):
 
     name: str
 
+    def __hash__(self) -> int:
+        """That of its name, which the string keeps: polynomials look symbols up all along."""
+        return hash(self.name)
+
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """What stands under its name."""
         del digits

@@ -53,6 +53,8 @@ class Polynomial:
 
     def scaled(self, factor: float) -> "Polynomial":
         """Times a number."""
+        if factor == 1.0:
+            return self
         return Polynomial({monomial: factor * part for monomial, part in self.terms.items()} if factor else {})
 
     def __bool__(self) -> bool:
@@ -95,6 +97,9 @@ class Polynomial:
         """With polynomials in place of symbols, of which each term holds at most first powers."""
         parts: list[Polynomial] = []
         for monomial, part in self.terms.items():
+            if not _holds(monomial, values):
+                parts.append(Polynomial({tuple(sorted(monomial, key=written_order)): part}))
+                continue
             term = Polynomial({(): part})
             for atom, power in monomial:
                 inner = values.get(atom.name) if isinstance(atom, Symbol) and power == 1 else None
@@ -150,8 +155,9 @@ NIL = Polynomial({})
 
 def total(parts: Iterable[Polynomial]) -> Polynomial:
     """The sum of several."""
-    found: dict[Monomial, float] = {}
-    for part in parts:
+    first, *others = [*parts] or [NIL]
+    found = dict(first.terms)
+    for part in others:
         for monomial, factor in part.terms.items():
             found[monomial] = found.get(monomial, 0.0) + factor
     return Polynomial(_cleaned(found))
@@ -205,11 +211,13 @@ def _holds(monomial: Monomial, names: Collection[str]) -> bool:
 
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Without what cancels, and with sin² + cos² as 1."""
-    kept = {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
-    waiting = [*kept][::-1]
+    kept = _without_nothing(terms)
+    waiting = [monomial for monomial in kept if _squared_sine(monomial) is not None][::-1]
+    if not waiting:
+        return kept
     while waiting:
         monomial = waiting.pop()
-        sine = next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
+        sine = _squared_sine(monomial)
         if sine is None or monomial not in kept:  # it may have been the partner of one before
             continue
         part = kept[monomial]
@@ -219,7 +227,19 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
             waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
-    return {monomial: part for monomial, part in kept.items() if abs(part) > NOTHING}
+    return _without_nothing(kept)
+
+
+def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
+    """Without what cancels; the same object where nothing does, since to hash all terms again takes time."""
+    if all(abs(part) > NOTHING for part in terms.values()):
+        return terms
+    return {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
+
+
+def _squared_sine(monomial: Monomial) -> Call | None:
+    """The first sine in a term that is squared."""
+    return next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
 
 
 def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
