@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
@@ -17,7 +18,7 @@ TINY = 1e-7  # relative: a weight that rounding has left
 LONG = 130  # characters of a formula that is better written in numbers
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Equation:
     """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums.
 
@@ -31,7 +32,7 @@ class Equation:
     before: frozenset[str] = frozenset()
     among: frozenset[str] = frozenset()
 
-    @property
+    @cached_property
     def zero(self) -> Polynomial:
         """What vanishes."""
         return self.forces - self.inertia

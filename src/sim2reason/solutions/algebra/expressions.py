@@ -1,8 +1,7 @@
 """Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
 from math import prod
 
 from sim2reason.solutions.algebra.digits import pure_number
@@ -32,7 +31,10 @@ class Expression:
     def symbols(self) -> Iterator[str]:
         """Yield the names in it, from left to right, some more than once; by default those of its parts."""
         for part in self.parts:
-            yield from part.symbols()
+            if isinstance(part, Symbol):
+                yield part.name
+            elif not isinstance(part, Number):
+                yield from part.symbols()
 
     @property
     def parts(self) -> "tuple[Expression, ...]":
@@ -157,7 +159,7 @@ class Sum(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The sum of others."""
-        return reduce(added, parts)
+        return summed(parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their sum."""
@@ -187,7 +189,7 @@ class Product(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The product of others."""
-        return reduce(multiplied, parts)
+        return product_of(parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their product."""
@@ -261,9 +263,14 @@ def lifted(value: "Expression | float") -> Expression:
 
 def added(one: Expression, other: Expression) -> Expression:
     """A sum without zeros."""
+    return summed((one, other))
+
+
+def summed(parts: Iterable[Expression]) -> Expression:
+    """A sum of any number of parts without zeros."""
     terms = [
         term
-        for side in (one, other)
+        for side in parts
         for term in (side.terms if isinstance(side, Sum) else (side,))
         if not (isinstance(term, Number) and term.x == 0.0)
     ]
@@ -272,8 +279,13 @@ def added(one: Expression, other: Expression) -> Expression:
 
 def multiplied(one: Expression, other: Expression) -> Expression:
     """A product with one number in front, and none that changes nothing."""
+    return product_of((one, other))
+
+
+def product_of(parts: Iterable[Expression]) -> Expression:
+    """The same of any number of parts."""
     number, factors = 1.0, list[Expression]()
-    for side in (one, other):
+    for side in parts:
         for factor in side.factors if isinstance(side, Product) else (side,):
             if isinstance(factor, Number):
                 number *= factor.x

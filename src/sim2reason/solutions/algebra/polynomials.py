@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Self
 
 from sim2reason.solutions.algebra.expressions import (
-    ONE,
     ZERO,
     Expression,
     Number,
@@ -14,10 +13,13 @@ from sim2reason.solutions.algebra.expressions import (
     Values,
     added,
     multiplied,
+    product_of,
+    summed,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
 NOTHING = 1e-12  # a coefficient that rounding has left
+PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}  # by letters; others between
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
 
 
@@ -119,10 +121,7 @@ class Polynomial:
 
     def expression(self) -> Expression:
         """As a formula, term by term."""
-        found: Expression = ZERO
-        for monomial, part in self.terms.items():
-            found = added(found, written(monomial, part))
-        return found
+        return summed(written(monomial, part) for monomial, part in self.terms.items())
 
     def factored(self) -> Expression:
         """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
@@ -165,15 +164,11 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 
 def written(monomial: Monomial, part: float) -> Expression:
     """One term as a formula."""
-    found: Expression = Number(part)
-    below: Expression = ONE
+    above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
-        factor = atom if abs(power) == 1 else Power(atom, abs(power))
-        if power > 0:
-            found = multiplied(found, factor)
-        else:
-            below = multiplied(below, factor)
-    return found if below == ONE else Quotient(found, below)
+        (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
+    found = product_of(above)
+    return Quotient(found, product_of(below)) if below else found
 
 
 def _times(before: Polynomial, last: Symbol) -> Expression:
@@ -192,8 +187,7 @@ def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
         return 8, name
     if isinstance(part[0], Call):
         return 9, name
-    head = name.partition("_")[0]
-    return {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}.get(head, 2), name
+    return PLACES.get(name.partition("_")[0], 2), name
 
 
 def _joined(one: Monomial, two: Monomial) -> Monomial:

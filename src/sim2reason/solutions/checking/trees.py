@@ -90,7 +90,10 @@ def symbols(tree: Tree) -> Iterator[str]:
             yield from (name for name in symbols(tree[2]) if name != tree[1])
         else:
             for part in tree[1:]:
-                yield from symbols(part)
+                if isinstance(part, str):
+                    yield part
+                elif isinstance(part, list):
+                    yield from symbols(part)
 
 
 def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
@@ -100,7 +103,8 @@ def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
             yield tree
         if tree[0] != "root":
             for part in tree[1:]:
-                yield from parts_named(part, operation)
+                if isinstance(part, list):
+                    yield from parts_named(part, operation)
 
 
 def compiled(tree: Tree) -> Evaluate:
@@ -161,7 +165,37 @@ def value(tree: Tree, at: Values) -> float:
     """Return the value of a formula, given as a prefix tree, for given values of its symbols."""
     if isinstance(tree, str):
         return at[tree]
-    return compiled(tree)(at) if isinstance(tree, list) else float(tree)
+    if not isinstance(tree, list):
+        return float(tree)
+    operation, *rest = tree
+    match operation:
+        case "root":
+            return root(tree, at)
+        case "worked":
+            return value(rest[0], at)
+        case "^":
+            return value(rest[0], at) ** int(float(rest[1]))  # type: ignore[arg-type]
+        case _:
+            return _operated(str(operation), [value(part, at) for part in rest])
+
+
+def _operated(operation: str, parts: Sequence[float]) -> float:
+    """An operation on values, worked out as `compiled` does, without a function for what is evaluated once."""
+    match operation:
+        case "pi":
+            return math.pi
+        case "+":
+            return parts[0] + parts[1] if len(parts) == 2 else math.fsum(parts)
+        case "*":
+            return parts[0] * parts[1] if len(parts) == 2 else math.prod(parts)
+        case "/":
+            return parts[0] / parts[1]
+        case name if name in FUNCTIONS:
+            return FUNCTIONS[name][0](parts[0])
+        case name if name in elliptic.SPECIAL:
+            return float(elliptic.SPECIAL[name](*parts)[0])
+        case name:
+            raise TreeError(f"the operation {name!r} can't stand here")
 
 
 def terms(tree: Tree) -> list[Tree]:
