@@ -40,8 +40,7 @@ class Equation:
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
         """With polynomials in place of unknowns."""
         forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
-        before = self.before or frozenset(self.forces.names())
-        return Equation(self.label, forces, inertia, moves, before, self.among)
+        return Equation(self.label, forces, inertia, moves, self.before or frozenset(self.forces.names()), self.among)
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
         """Return the equation with `among` set to the labels of the equations that eliminated its forces."""

@@ -1,6 +1,6 @@
 """Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 
@@ -159,7 +159,7 @@ class Sum(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The sum of others."""
-        return summed(parts)
+        return added(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their sum."""
@@ -189,7 +189,7 @@ class Product(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The product of others."""
-        return product_of(parts)
+        return multiplied(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their product."""
@@ -261,13 +261,8 @@ def lifted(value: "Expression | float") -> Expression:
     return value if isinstance(value, Expression) else Number(float(value))
 
 
-def added(one: Expression, other: Expression) -> Expression:
+def added(*parts: Expression) -> Expression:
     """A sum without zeros."""
-    return summed((one, other))
-
-
-def summed(parts: Iterable[Expression]) -> Expression:
-    """A sum of any number of parts without zeros."""
     terms = [
         term
         for side in parts
@@ -277,13 +272,8 @@ def summed(parts: Iterable[Expression]) -> Expression:
     return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else ZERO
 
 
-def multiplied(one: Expression, other: Expression) -> Expression:
+def multiplied(*parts: Expression) -> Expression:
     """A product with one number in front, and none that changes nothing."""
-    return product_of((one, other))
-
-
-def product_of(parts: Iterable[Expression]) -> Expression:
-    """The same of any number of parts."""
     number, factors = 1.0, list[Expression]()
     for side in parts:
         for factor in side.factors if isinstance(side, Product) else (side,):

@@ -13,8 +13,6 @@ from sim2reason.solutions.algebra.expressions import (
     Values,
     added,
     multiplied,
-    product_of,
-    summed,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
@@ -121,7 +119,7 @@ class Polynomial:
 
     def expression(self) -> Expression:
         """As a formula, term by term."""
-        return summed(written(monomial, part) for monomial, part in self.terms.items())
+        return added(*(written(monomial, part) for monomial, part in self.terms.items()))
 
     def factored(self) -> Expression:
         """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
@@ -167,8 +165,8 @@ def written(monomial: Monomial, part: float) -> Expression:
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
-    found = product_of(above)
-    return Quotient(found, product_of(below)) if below else found
+    found = multiplied(*above)
+    return Quotient(found, multiplied(*below)) if below else found
 
 
 def _times(before: Polynomial, last: Symbol) -> Expression:

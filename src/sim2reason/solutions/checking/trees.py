@@ -20,7 +20,6 @@ from sim2reason.solutions.checking import elliptic
 
 Tree: TypeAlias = float | str | list["Tree"]
 Values = Mapping[str, float]
-Evaluate = Callable[[Values], float]
 Derived = tuple[float, dict[str, float]]
 """A value with its partial derivatives."""
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -107,17 +106,8 @@ def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
                     yield from parts_named(part, operation)
 
 
-def compiled(tree: Tree) -> Evaluate:
-    """Build a function that evaluates a tree; ArithmeticError or ValueError where it has no value."""
-    return _compiled(tree, vector=False)
-
-
 def compiled_for_many(tree: Tree) -> EvaluateAll:
     """Build a function that evaluates a tree for arrays of values; not a number where it has none."""
-    return _compiled(tree, vector=True)
-
-
-def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     if isinstance(tree, str):
         return lambda at: at[tree]
     if not isinstance(tree, list):
@@ -125,40 +115,31 @@ def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     operation, *rest = tree
     if operation == "pi":
         return _constant(math.pi)
-    if operation == "root" and not vector:
-        return lambda at: root(tree, at)
-    if operation in ("root", "solve"):
+    if operation in ("root", "solve") or operation in elliptic.SPECIAL:
         raise TreeError(f"the operation {operation!r} can't stand here")
-    parts = [_compiled(part, vector=vector) for part in rest]
+    parts = [compiled_for_many(part) for part in rest]
     if operation == "^":
-        return _power(parts[0], int(float(rest[1])))  # type: ignore[arg-type]
-    return parts[0] if operation == "worked" else _applied(str(operation), parts, vector=vector)
+        base, exponent = parts[0], int(float(rest[1]))  # type: ignore[arg-type]
+        return lambda at: base(at) ** exponent
+    return parts[0] if operation == "worked" else _applied(str(operation), parts)
 
 
 def _constant(number: float) -> Callable[[Any], float]:
     return lambda _: number
 
 
-def _power(base: Callable[[Any], Any], exponent: int) -> Callable[[Any], Any]:
-    return lambda at: base(at) ** exponent
-
-
-def _applied(operation: str, parts: list[Callable[[Any], Any]], *, vector: bool) -> Callable[[Any], Any]:
+def _applied(operation: str, parts: list[EvaluateAll]) -> Callable[[Any], Any]:
     one, other = parts[0], parts[-1]
-    if operation in elliptic.SPECIAL:
-        if vector:
-            raise TreeError(f"the operation {operation!r} can't stand here")
-        return lambda at: elliptic.SPECIAL[operation](*(part(at) for part in parts))[0]
     if operation == "/":
         return lambda at: one(at) / other(at)
     if operation in FUNCTIONS:
-        function: Callable[[Any], Any] = VECTORS[operation] if vector else FUNCTIONS[operation][0]
+        function = VECTORS[operation]
         return lambda at: function(one(at))
     if len(parts) == 2:
         return (lambda at: one(at) + other(at)) if operation == "+" else (lambda at: one(at) * other(at))
     if operation == "*":
         return lambda at: math.prod([part(at) for part in parts])
-    return (lambda at: sum(part(at) for part in parts)) if vector else lambda at: math.fsum(part(at) for part in parts)
+    return lambda at: sum(part(at) for part in parts)
 
 
 def value(tree: Tree, at: Values) -> float:
@@ -180,7 +161,7 @@ def value(tree: Tree, at: Values) -> float:
 
 
 def _operated(operation: str, parts: Sequence[float]) -> float:
-    """An operation on values, worked out as `compiled` does, without a function for what is evaluated once."""
+    """An operation on values."""
     match operation:
         case "pi":
             return math.pi
@@ -306,9 +287,8 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
     middle = float(near)  # type: ignore[arg-type]
     if abs(root(tree, at) - middle) > ROUGH * abs(middle):
         return True
-    evaluate = compiled(residual)
     places = [middle * (1.0 + ROUGH * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
-    signs = [math.copysign(1.0, evaluate({**at, str(name): x})) for x in places]
+    signs = [math.copysign(1.0, value(residual, {**at, str(name): x})) for x in places]
     return sum(one != other for one, other in pairwise(signs)) > 1
 
 

@@ -211,9 +211,9 @@ class _Code:
 
 @lru_cache(maxsize=KEPT)
 def _written(
-    names: tuple[str, ...],
-    nodes: tuple[Node, ...],
-    constants: tuple[Said, ...],
+    names: Sequence[str],
+    nodes: Sequence[Node],
+    constants: Sequence[Said],
     outputs: tuple[tuple[int, Said], ...],
     guards: tuple[tuple[int, Said], ...],
 ) -> _Code:
