@@ -37,9 +37,10 @@ class Memo:
 
     def once(self, name: Hashable, make: Callable[[], T]) -> T:
         """Return the result kept under a name; where there is none, call `make` and keep its result."""
-        if name not in self._known:
-            self._known[name] = make()
-        return cast("T", self._known[name])
+        found = self._known.get(name, self)
+        if found is self:
+            found = self._known[name] = make()
+        return cast("T", found)
 
     def knows(self, name: Hashable) -> bool:
         """Return whether `once` has kept a result under a name."""

@@ -1,6 +1,6 @@
 """One class for every kind of thing that can be added by one new file."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, ValuesView
 from difflib import SequenceMatcher, get_close_matches
 from importlib import import_module
 from importlib.metadata import entry_points
@@ -30,7 +30,7 @@ class Registry(Mapping[str, T], Generic[T]):
         self.kind, self.called = kind, kind.rpartition(".")[2]
         self._check = check
         self._members: dict[str, T] = {}
-        self._filled = False
+        self._filled = self._ordered = False
 
     def add(self, name: str, member: M) -> M:
         """Enter `member` under `name`; the same name twice is a programmer's error (ValueError)."""
@@ -40,7 +40,8 @@ class Registry(Mapping[str, T], Generic[T]):
             raise ValueError(message)
         if self._check is not None:
             self._check(name, member)
-        self._members[name] = member  # type: ignore[assignment]
+        self._members = {**self._members, name: member}  # type: ignore[dict-item]
+        self._ordered = False
         return member
 
     def register(self, name: str) -> Callable[[M], M]:
@@ -59,7 +60,8 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def __getitem__(self, name: str) -> T:
         """Raise UnknownNameError, with the nearest names, for a name that is not held."""
-        self._fill()
+        if not self._filled:
+            self._fill()
         try:
             return self._members[name]
         except (KeyError, TypeError):  # a list, say, is no key at all
@@ -77,15 +79,28 @@ class Registry(Mapping[str, T], Generic[T]):
         """Under which name the class of `value` is held; the name of the class where a program has its own."""
         return next((name for name, kind in self.items() if kind is type(value)), type(value).__name__)
 
-    def __iter__(self) -> Iterator[str]:
-        """Names in alphabetical order, so that draws do not depend on the order of imports."""
+    def _all(self) -> dict[str, T]:
+        """All members in alphabetical order of their names, so that draws do not depend on the order of imports."""
         self._fill()
-        return iter(sorted(self._members))
+        if not self._ordered:
+            self._members, self._ordered = dict(sorted(self._members.items())), True
+        return self._members
+
+    def __iter__(self) -> Iterator[str]:
+        """Names in alphabetical order."""
+        return iter(self._all())
+
+    def values(self) -> ValuesView[T]:
+        """Return the members in that order."""
+        return self._all().values()
+
+    def items(self) -> ItemsView[str, T]:
+        """Return the names with their members in that order."""
+        return self._all().items()
 
     def __len__(self) -> int:
         """How many members there are."""
-        self._fill()
-        return len(self._members)
+        return len(self._all())
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:

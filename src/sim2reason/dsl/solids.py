@@ -5,6 +5,7 @@ a difference; the parallel-axis theorem stands in `moved` and in the sum.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, pi, sin
 
 from sim2reason.dsl.mechanism import ZERO, X, Y, Z
@@ -67,6 +68,7 @@ class Solid:
 NOTHING = Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
 
 
+@lru_cache(maxsize=64)
 def axes_along(axis: Vector) -> Axes:
     """Axes of which z points along a unit vector; for figures that are round about z it does not matter how x does."""
     aside = X if abs(axis[0]) < 0.7 else Z

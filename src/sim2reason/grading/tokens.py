@@ -6,6 +6,7 @@ the item's table can tell whether ``mgh`` is one name, three, or a word that nob
 
 import re
 from collections.abc import Collection
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 from sim2reason.grading.alphabet import (
@@ -262,6 +263,7 @@ def _hedges(token: Token) -> bool:
 _HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "soft")
 
 
+@lru_cache(maxsize=2048)
 def canonical(name: str) -> str:
     r"""The one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
     tokens = tokenize(name, None, primes=True)

@@ -60,9 +60,11 @@ class Study(Memo):
 
     def time(self, moment: Timed) -> float | None:
         """When a moment comes, s; None if it does not come while the motion is described."""
-        if moment not in self._times:
-            self._times[moment] = moment.time(self.trace)
-        return self._times[moment]
+        try:
+            return self._times[moment]
+        except KeyError:
+            found = self._times[moment] = moment.time(self.trace)
+            return found
 
     def variant(self, scene: Scene, until: float | None = None, error: float = COARSE) -> "Study | None":
         """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none.

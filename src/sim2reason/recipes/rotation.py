@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -35,6 +36,7 @@ SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, H
 SMALL = 0.5  # the chance that a further piece is a small ball
 OWN = 0.14  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
 MANY = 3  # pieces, of which one may have a size without bearing
+TOO_MANY = 2  # sizes without bearing, whatever the pieces
 DRAWS = 200
 
 
@@ -85,7 +87,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
     while len(found) < count:
         kind = BallPiece if found and rng.random() < SMALL else list(SOLID)[int(rng.choice(len(SOLID), p=shares))]
         piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
-        if kind is not BallPiece and _own([piece]) < OWN * _inertia([piece]):
+        if kind is not BallPiece and not _is_large([piece]):
             continue
         if not holds_axle(piece) and not any(overlap(piece, other) for other in found):
             found.append(piece)
@@ -94,26 +96,33 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
 
 def _bears(arm: WeldedArm) -> bool:
     """Whether sizes count, of all pieces together and one by one; the mass of a lone piece cancels."""
-    if _own(arm.pieces) < OWN * _inertia(arm.pieces):
+    if not _is_large(arm.pieces):
         return False
-    unmoved = [path for path in idle(arm, _responses) if path.startswith("pieces.")]
+    unmoved = [*islice((path for path in idle(arm, _responses) if path.startswith("pieces.")), TOO_MANY)]
     return len(unmoved) <= (len(arm.pieces) >= MANY) or unmoved == ["pieces.0.body.mass"]
 
 
 def _responses(arm: WeldedArm) -> tuple[float]:
     """What its motion hangs on: the sum of m x over the moment of inertia about the axle, 1/m."""
-    return (sum(p.shape.mass * (_solid(p).center[0] + p.place) for p in arm.pieces) / _inertia(arm.pieces),)
+    solids = [_solid(piece) for piece in arm.pieces]
+    moment = sum(p.shape.mass * (solid.center[0] + p.place) for p, solid in zip(arm.pieces, solids, strict=True))
+    return (moment / sum(_inertia(arm.pieces, solids)),)
 
 
-def _own(pieces: Sequence[WeldedPiece]) -> float:
-    """The sum of their moments of inertia about their own centres of mass, kg m²."""
-    return sum(_solid(piece).inertia(piece.shape.mass)[1] for piece in pieces)
+def _is_large(pieces: Sequence[WeldedPiece]) -> bool:
+    """Whether enough of the inertia belongs to the pieces about their own centres."""
+    own, moved = _inertia(pieces, [_solid(piece) for piece in pieces])
+    return own >= OWN * (own + moved)
 
 
-def _inertia(pieces: Sequence[WeldedPiece]) -> float:
-    """That about the axle, by the parallel-axis theorem, kg m²."""
-    centers = ((piece.shape.mass, piece.place, _solid(piece).center) for piece in pieces)
-    return _own(pieces) + sum(mass * ((place + c[0]) ** 2 + c[2] ** 2) for mass, place, c in centers)
+def _inertia(pieces: Sequence[WeldedPiece], solids: Sequence[Solid]) -> tuple[float, float]:
+    """Moments of inertia about their own centres, and what is added about the axle by the parallel-axis theorem."""
+    own = moved = 0.0
+    for piece, solid in zip(pieces, solids, strict=True):
+        mass, (x, _, z) = piece.shape.mass, solid.center
+        own += solid.inertia(mass)[1]
+        moved += mass * ((piece.place + x) ** 2 + z**2)
+    return own, moved
 
 
 def _solid(piece: WeldedPiece) -> Solid:

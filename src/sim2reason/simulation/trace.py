@@ -68,6 +68,8 @@ class Trace:
     knots: "Callable[[], Array]" = field(repr=False, compare=False, default=lambda: np.zeros(0))
     # instants, s, between which the motion is one smooth piece: ends of the engine's own steps; none if it has none
     tolerance: float = 0.0  # what a step may err by, relative, if the caller was content with that
+    record: object = field(repr=False, compare=False, default=None)
+    # what the engine itself has of the motion, as far as it followed it; None if it keeps nothing else
 
     @property
     def mechanism(self) -> Mechanism:

@@ -86,10 +86,13 @@ class Setting:
 
     @cached_property
     def motion(self) -> Motion:
-        """The motion up to that time, in segments; that of the study is followed once, for all questions about it."""
-        until, known = max(self.time * BEYOND, LEAST), float(self.study.trace.state.times[-1])
+        """The motion up to that time, in segments; that of the study was followed when it was recorded."""
+        until, trace = max(self.time * BEYOND, LEAST), self.study.trace
+        known, held = float(trace.state.times[-1]), trace.record
         if self.mechanism is not self.study.mechanism or until > known:
             return motion(self.mechanism, until)
+        if isinstance(held, Motion) and not trace.tolerance:
+            return held.through(until)
         return self.study.once("motion", lambda: motion(self.mechanism, known)).through(until)
 
     @cached_property

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
+from sim2reason.lazy import cached_property
 from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
@@ -161,7 +162,7 @@ class Step:
         return greatest(need_of(side) for relation in held for side in (relation.left, relation.right))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Solution:
     """A worked solution; without an `answer`, `reason` says why there is none."""
 
@@ -184,7 +185,7 @@ class Solution:
     whole: bool = False  # the answer is a count
     applies: bool = True  # whether the strategy has a way to the question at all
 
-    @property
+    @cached_property
     def needs(self) -> Need:
         """Return the most advanced mathematics in any step; INTEGRATION if the solution has no answer."""
         return greatest(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION

@@ -125,12 +125,17 @@ def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
     A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick on its own side
     of the axle. What is small has its own place.
     """
-    thin = [piece for piece in (one, other) if isinstance(piece.shape, UniformRod)]
-    small = [piece for piece in (one, other) if piece not in thin and piece.span[0] == piece.span[1]]
-    if len(small) == 2:
-        return one.span == other.span
-    if len(thin) == 2 or (thin and small):
+    spans = one.span, other.span
+    thin, point = list[bool](), list[bool]()
+    for piece, (low, high) in zip((one, other), spans, strict=True):
+        if isinstance(piece.shape, UniformRod):
+            thin.append(low < high)
+        else:
+            point.append(low == high)
+    if len(thin) == 2 or (thin and any(point)):
         return False
-    if thin and thin[0].span[0] < thin[0].span[1] and one.place * other.place > 0.0:
+    if all(point) and not thin:
+        return spans[0] == spans[1]
+    if any(thin) and one.place * other.place > 0.0:
         return False
-    return one.span[0] < other.span[1] and other.span[0] < one.span[1]
+    return spans[0][0] < spans[1][1] and spans[1][0] < spans[0][1]

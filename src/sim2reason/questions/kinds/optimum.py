@@ -237,12 +237,16 @@ def _turns(inner: Query, path: str, study: Study) -> bool:
     values = usual_values(study, path)
     if len(values) < FEW:
         return False
-    chosen = [values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)]
-    others = [study.with_values({path: value}) for value in chosen]
-    found = [answer for other in others if (answer := answered(inner, other, loosely=True)) is not None]
-    courses = {ways(other, KINDS[inner.kind].time(inner, other) or 0.0) for other in others if other is not None}
-    if len(found) < FEW or len(courses) > 1:
-        return False  # where something turns round, a size passes through zero
+    found, courses = list[float](), set[tuple[float, ...]]()
+    for value in (values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)):
+        other = study.with_values({path: value})
+        answer = answered(inner, other, loosely=True)
+        if other is None or answer is None:
+            return False
+        found.append(answer)
+        courses.add(ways(other, KINDS[inner.kind].time(inner, other) or 0.0))
+        if len(courses) > 1:
+            return False  # where something turns round, a size passes through zero
     rises = [after > before for before, after in pairwise(found)]
     return sum(one != other for one, other in pairwise(rises)) == 1
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
@@ -17,7 +18,7 @@ TINY = 1e-7  # relative: a weight that rounding has left
 LONG = 130  # characters of a formula that is better written in numbers
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Equation:
     """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums.
 
@@ -31,7 +32,7 @@ class Equation:
     before: frozenset[str] = frozenset()
     among: frozenset[str] = frozenset()
 
-    @property
+    @cached_property
     def zero(self) -> Polynomial:
         """What vanishes."""
         return self.forces - self.inertia
@@ -39,8 +40,7 @@ class Equation:
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
         """With polynomials in place of unknowns."""
         forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
-        before = self.before or frozenset(self.forces.names())
-        return Equation(self.label, forces, inertia, moves, before, self.among)
+        return Equation(self.label, forces, inertia, moves, self.before or frozenset(self.forces.names()), self.among)
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
         """Return the equation with `among` set to the labels of the equations that eliminated its forces."""

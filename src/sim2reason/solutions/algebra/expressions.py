@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
 from math import prod
 
 from sim2reason.solutions.algebra.digits import pure_number
@@ -32,7 +31,10 @@ class Expression:
     def symbols(self) -> Iterator[str]:
         """Yield the names in it, from left to right, some more than once; by default those of its parts."""
         for part in self.parts:
-            yield from part.symbols()
+            if isinstance(part, Symbol):
+                yield part.name
+            elif not isinstance(part, Number):
+                yield from part.symbols()
 
     @property
     def parts(self) -> "tuple[Expression, ...]":
@@ -126,6 +128,10 @@ class Symbol(Expression):
 
     name: str
 
+    def __hash__(self) -> int:
+        """That of its name, which the string keeps: polynomials look symbols up all along."""
+        return hash(self.name)
+
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """What stands under its name."""
         del digits
@@ -153,7 +159,7 @@ class Sum(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The sum of others."""
-        return reduce(added, parts)
+        return added(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their sum."""
@@ -183,7 +189,7 @@ class Product(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """The product of others."""
-        return reduce(multiplied, parts)
+        return multiplied(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their product."""
@@ -255,21 +261,21 @@ def lifted(value: "Expression | float") -> Expression:
     return value if isinstance(value, Expression) else Number(float(value))
 
 
-def added(one: Expression, other: Expression) -> Expression:
+def added(*parts: Expression) -> Expression:
     """A sum without zeros."""
     terms = [
         term
-        for side in (one, other)
+        for side in parts
         for term in (side.terms if isinstance(side, Sum) else (side,))
         if not (isinstance(term, Number) and term.x == 0.0)
     ]
     return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else ZERO
 
 
-def multiplied(one: Expression, other: Expression) -> Expression:
+def multiplied(*parts: Expression) -> Expression:
     """A product with one number in front, and none that changes nothing."""
     number, factors = 1.0, list[Expression]()
-    for side in (one, other):
+    for side in parts:
         for factor in side.factors if isinstance(side, Product) else (side,):
             if isinstance(factor, Number):
                 number *= factor.x

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Self
 
 from sim2reason.solutions.algebra.expressions import (
-    ONE,
     ZERO,
     Expression,
     Number,
@@ -18,6 +17,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
 NOTHING = 1e-12  # a coefficient that rounding has left
+PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}  # by letters; others between
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
 
 
@@ -53,6 +53,8 @@ class Polynomial:
 
     def scaled(self, factor: float) -> "Polynomial":
         """Times a number."""
+        if factor == 1.0:
+            return self
         return Polynomial({monomial: factor * part for monomial, part in self.terms.items()} if factor else {})
 
     def __bool__(self) -> bool:
@@ -95,6 +97,9 @@ class Polynomial:
         """With polynomials in place of symbols, of which each term holds at most first powers."""
         parts: list[Polynomial] = []
         for monomial, part in self.terms.items():
+            if not _holds(monomial, values):
+                parts.append(Polynomial({tuple(sorted(monomial, key=written_order)): part}))
+                continue
             term = Polynomial({(): part})
             for atom, power in monomial:
                 inner = values.get(atom.name) if isinstance(atom, Symbol) and power == 1 else None
@@ -114,10 +119,7 @@ class Polynomial:
 
     def expression(self) -> Expression:
         """As a formula, term by term."""
-        found: Expression = ZERO
-        for monomial, part in self.terms.items():
-            found = added(found, written(monomial, part))
-        return found
+        return added(*(written(monomial, part) for monomial, part in self.terms.items()))
 
     def factored(self) -> Expression:
         """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
@@ -150,8 +152,9 @@ NIL = Polynomial({})
 
 def total(parts: Iterable[Polynomial]) -> Polynomial:
     """The sum of several."""
-    found: dict[Monomial, float] = {}
-    for part in parts:
+    first, *others = [*parts] or [NIL]
+    found = dict(first.terms)
+    for part in others:
         for monomial, factor in part.terms.items():
             found[monomial] = found.get(monomial, 0.0) + factor
     return Polynomial(_cleaned(found))
@@ -159,15 +162,11 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 
 def written(monomial: Monomial, part: float) -> Expression:
     """One term as a formula."""
-    found: Expression = Number(part)
-    below: Expression = ONE
+    above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
-        factor = atom if abs(power) == 1 else Power(atom, abs(power))
-        if power > 0:
-            found = multiplied(found, factor)
-        else:
-            below = multiplied(below, factor)
-    return found if below == ONE else Quotient(found, below)
+        (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
+    found = multiplied(*above)
+    return Quotient(found, multiplied(*below)) if below else found
 
 
 def _times(before: Polynomial, last: Symbol) -> Expression:
@@ -186,8 +185,7 @@ def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
         return 8, name
     if isinstance(part[0], Call):
         return 9, name
-    head = name.partition("_")[0]
-    return {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}.get(head, 2), name
+    return PLACES.get(name.partition("_")[0], 2), name
 
 
 def _joined(one: Monomial, two: Monomial) -> Monomial:
@@ -205,11 +203,13 @@ def _holds(monomial: Monomial, names: Collection[str]) -> bool:
 
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Without what cancels, and with sin² + cos² as 1."""
-    kept = {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
-    waiting = [*kept][::-1]
+    kept = _without_nothing(terms)
+    waiting = [monomial for monomial in kept if _squared_sine(monomial) is not None][::-1]
+    if not waiting:
+        return kept
     while waiting:
         monomial = waiting.pop()
-        sine = next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
+        sine = _squared_sine(monomial)
         if sine is None or monomial not in kept:  # it may have been the partner of one before
             continue
         part = kept[monomial]
@@ -219,7 +219,19 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
             waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
-    return {monomial: part for monomial, part in kept.items() if abs(part) > NOTHING}
+    return _without_nothing(kept)
+
+
+def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
+    """Without what cancels; the same object where nothing does, since to hash all terms again takes time."""
+    if all(abs(part) > NOTHING for part in terms.values()):
+        return terms
+    return {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
+
+
+def _squared_sine(monomial: Monomial) -> Call | None:
+    """The first sine in a term that is squared."""
+    return next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
 
 
 def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sim2reason.solutions.checking.trees import Tree, Values, compiled, derivatives, size, symbols, written
+from sim2reason.solutions.checking.trees import Tree, Values, derivatives, size, symbols, value, written
 
 WELL = 1e-9  # relative to the largest term: how well a relation must hold
 ROUNDING = 1e-13  # in SI units: what rounding leaves of numbers that cancel
@@ -50,7 +50,7 @@ class Equation:
 
     def excess(self, at: Values) -> float:
         """Left less right."""
-        return compiled(self.left)(at) - compiled(self.right)(at)
+        return value(self.left, at) - value(self.right, at)
 
     def holds(self, at: Values) -> bool:
         """Whether both sides agree, compared with the largest of their terms."""

@@ -15,10 +15,10 @@ from sim2reason.solutions.checking.trees import (
     Tree,
     TreeError,
     check,
-    compiled,
     compiled_for_many,
     symbols,
     terms,
+    value,
 )
 
 SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
@@ -96,8 +96,8 @@ class _Phase:
         coordinates, sums, until = data["coordinates"], data["accumulated"], data["until"]
         starts = [held["initial_place"] for held in coordinates] + [held["initial_rate"] for held in coordinates]
         starts += [held["initial"] for held in sums]
-        self._start = np.array([compiled(tree)(known) for tree in starts])
-        self._begin = float(compiled(data["begin"])(known))
+        self._start = np.array([value(tree, known) for tree in starts])
+        self._begin = value(data["begin"], known)
         self._flows = [compiled_for_many(held["rate"]) for held in sums]
         self._direction, self._occurrence = int(until["direction"]), int(until["occurrence"])
         if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):

@@ -11,10 +11,8 @@ from sim2reason.solutions.checking.linear import separated
 from sim2reason.solutions.checking.trees import (
     ROUGH,
     SAMPLES,
-    Evaluate,
     Tree,
     bound,
-    compiled,
     has_other_root,
     parts_named,
     value,
@@ -138,17 +136,17 @@ class Relations:
             return
         self.assign(name, found)
 
-    def _along(self, chain: Sequence[tuple[str, Evaluate]], name: str, number: float) -> dict[str, float]:
+    def _along(self, chain: Sequence[tuple[str, Tree]], name: str, number: float) -> dict[str, float]:
         """All values, where one more name has one, and others follow."""
         at = self.values | {name: number}
-        for other, evaluate in chain:
-            at[other] = evaluate(at)
+        for other, formula in chain:
+            at[other] = value(formula, at)
         return at
 
-    def _chain(self, name: str) -> tuple[list[tuple[str, Evaluate]], list[Equation]]:
+    def _chain(self, name: str) -> tuple[list[tuple[str, Tree]], list[Equation]]:
         """The names that one determines, each with its formula, and the relations that then can be verified."""
         missing = {equation: names - {name} for equation, names in self._missing.items()}
-        chain, whole = list[tuple[str, Evaluate]](), list[Equation]()
+        chain, whole = list[tuple[str, Tree]](), list[Equation]()
         while True:
             whole += [equation for equation, names in missing.items() if not names]
             missing = {equation: names for equation, names in missing.items() if names}
@@ -157,7 +155,7 @@ class Relations:
                 return chain, whole
             equation, other, formula = found
             del missing[equation]
-            chain.append((other, compiled(formula)))
+            chain.append((other, formula))
             for names in missing.values():
                 names.discard(other)
 

@@ -20,7 +20,6 @@ from sim2reason.solutions.checking import elliptic
 
 Tree: TypeAlias = float | str | list["Tree"]
 Values = Mapping[str, float]
-Evaluate = Callable[[Values], float]
 Derived = tuple[float, dict[str, float]]
 """A value with its partial derivatives."""
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -90,7 +89,10 @@ def symbols(tree: Tree) -> Iterator[str]:
             yield from (name for name in symbols(tree[2]) if name != tree[1])
         else:
             for part in tree[1:]:
-                yield from symbols(part)
+                if isinstance(part, str):
+                    yield part
+                elif isinstance(part, list):
+                    yield from symbols(part)
 
 
 def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
@@ -100,20 +102,12 @@ def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
             yield tree
         if tree[0] != "root":
             for part in tree[1:]:
-                yield from parts_named(part, operation)
-
-
-def compiled(tree: Tree) -> Evaluate:
-    """Build a function that evaluates a tree; ArithmeticError or ValueError where it has no value."""
-    return _compiled(tree, vector=False)
+                if isinstance(part, list):
+                    yield from parts_named(part, operation)
 
 
 def compiled_for_many(tree: Tree) -> EvaluateAll:
     """Build a function that evaluates a tree for arrays of values; not a number where it has none."""
-    return _compiled(tree, vector=True)
-
-
-def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     if isinstance(tree, str):
         return lambda at: at[tree]
     if not isinstance(tree, list):
@@ -121,47 +115,68 @@ def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     operation, *rest = tree
     if operation == "pi":
         return _constant(math.pi)
-    if operation == "root" and not vector:
-        return lambda at: root(tree, at)
-    if operation in ("root", "solve"):
+    if operation in ("root", "solve") or operation in elliptic.SPECIAL:
         raise TreeError(f"the operation {operation!r} can't stand here")
-    parts = [_compiled(part, vector=vector) for part in rest]
+    parts = [compiled_for_many(part) for part in rest]
     if operation == "^":
-        return _power(parts[0], int(float(rest[1])))  # type: ignore[arg-type]
-    return parts[0] if operation == "worked" else _applied(str(operation), parts, vector=vector)
+        base, exponent = parts[0], int(float(rest[1]))  # type: ignore[arg-type]
+        return lambda at: base(at) ** exponent
+    return parts[0] if operation == "worked" else _applied(str(operation), parts)
 
 
 def _constant(number: float) -> Callable[[Any], float]:
     return lambda _: number
 
 
-def _power(base: Callable[[Any], Any], exponent: int) -> Callable[[Any], Any]:
-    return lambda at: base(at) ** exponent
-
-
-def _applied(operation: str, parts: list[Callable[[Any], Any]], *, vector: bool) -> Callable[[Any], Any]:
+def _applied(operation: str, parts: list[EvaluateAll]) -> Callable[[Any], Any]:
     one, other = parts[0], parts[-1]
-    if operation in elliptic.SPECIAL:
-        if vector:
-            raise TreeError(f"the operation {operation!r} can't stand here")
-        return lambda at: elliptic.SPECIAL[operation](*(part(at) for part in parts))[0]
     if operation == "/":
         return lambda at: one(at) / other(at)
     if operation in FUNCTIONS:
-        function: Callable[[Any], Any] = VECTORS[operation] if vector else FUNCTIONS[operation][0]
+        function = VECTORS[operation]
         return lambda at: function(one(at))
     if len(parts) == 2:
         return (lambda at: one(at) + other(at)) if operation == "+" else (lambda at: one(at) * other(at))
     if operation == "*":
         return lambda at: math.prod([part(at) for part in parts])
-    return (lambda at: sum(part(at) for part in parts)) if vector else lambda at: math.fsum(part(at) for part in parts)
+    return lambda at: sum(part(at) for part in parts)
 
 
 def value(tree: Tree, at: Values) -> float:
     """Return the value of a formula, given as a prefix tree, for given values of its symbols."""
     if isinstance(tree, str):
         return at[tree]
-    return compiled(tree)(at) if isinstance(tree, list) else float(tree)
+    if not isinstance(tree, list):
+        return float(tree)
+    operation, *rest = tree
+    match operation:
+        case "root":
+            return root(tree, at)
+        case "worked":
+            return value(rest[0], at)
+        case "^":
+            return value(rest[0], at) ** int(float(rest[1]))  # type: ignore[arg-type]
+        case _:
+            return _operated(str(operation), [value(part, at) for part in rest])
+
+
+def _operated(operation: str, parts: Sequence[float]) -> float:
+    """An operation on values."""
+    match operation:
+        case "pi":
+            return math.pi
+        case "+":
+            return parts[0] + parts[1] if len(parts) == 2 else math.fsum(parts)
+        case "*":
+            return parts[0] * parts[1] if len(parts) == 2 else math.prod(parts)
+        case "/":
+            return parts[0] / parts[1]
+        case name if name in FUNCTIONS:
+            return FUNCTIONS[name][0](parts[0])
+        case name if name in elliptic.SPECIAL:
+            return float(elliptic.SPECIAL[name](*parts)[0])
+        case name:
+            raise TreeError(f"the operation {name!r} can't stand here")
 
 
 def terms(tree: Tree) -> list[Tree]:
@@ -272,9 +287,8 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
     middle = float(near)  # type: ignore[arg-type]
     if abs(root(tree, at) - middle) > ROUGH * abs(middle):
         return True
-    evaluate = compiled(residual)
     places = [middle * (1.0 + ROUGH * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
-    signs = [math.copysign(1.0, evaluate({**at, str(name): x})) for x in places]
+    signs = [math.copysign(1.0, value(residual, {**at, str(name): x})) for x in places]
     return sum(one != other for one, other in pairwise(signs)) > 1
 
 

@@ -26,7 +26,7 @@ def symbol(kind: str, number: int) -> Polynomial:
     return Polynomial.of(Symbol(f"{kind}{number}"))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Row:
     """One law: `forces` = `inertia`; a string's has its accelerations as `inertia`, and no forces."""
 
@@ -35,7 +35,7 @@ class Row:
     forces: Polynomial
     inertia: Polynomial
 
-    @property
+    @cached_property
     def zero(self) -> Polynomial:
         """What vanishes."""
         return self.forces - self.inertia
@@ -57,6 +57,7 @@ class Newton:
     def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
         """Take a segment; UnreadError if something else acts than weights, strings, faces and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
+        self._stretches: dict[tuple[int, int], Both] = {}
         varying = any(force.region is not None or not _constant(force) for force in self.mechanism.forces)
         if varying or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
             raise UnreadError("there are forces of fields, or feet")
@@ -185,6 +186,12 @@ class Newton:
         return self.lexicon.read(self._stretch(number, k))
 
     def _stretch(self, number: int, k: int) -> Both:
+        """The same in numbers, which many laws ask for."""
+        if (number, k) not in self._stretches:
+            self._stretches[number, k] = self._stretched(number, k)
+        return self._stretches[number, k]
+
+    def _stretched(self, number: int, k: int) -> Both:
         def along(m: Mechanism, f: Frames) -> float:
             line = m.lines[number]
             turned = sum(w.radius for w in line.wheels if m.number[w.coordinate] == k)

@@ -19,7 +19,7 @@ from typing import Any
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
 from sim2reason.solutions.checking.recompute import COMPARED
-from sim2reason.solutions.checking.trees import Tree, compiled, symbols
+from sim2reason.solutions.checking.trees import Tree, symbols, value
 
 Data = dict[str, Any]
 Place = tuple[Any, Any]
@@ -203,7 +203,7 @@ def _holds(relation: Data, values: Mapping[str, float]) -> bool:
 def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
     """The value of a formula; None if it has none."""
     try:
-        return compiled(tree)(values)
+        return value(tree, values)
     except (KeyError, ValueError, ArithmeticError):
         return None
 

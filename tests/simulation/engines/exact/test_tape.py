@@ -79,10 +79,22 @@ def test_numbers_are_no_part_of_the_code(monkeypatch: pytest.MonkeyPatch) -> Non
     compiled = module.compiled
     monkeypatch.setattr(module, "compiled", lambda *a: texts.append(tuple(map(str, a))) or compiled(*a))
     for number in (3.7, 4.1):
-        tape, outputs = recorded([lambda x, m, c=number: m.sin(c * x[1]) + 2.0 * x[0]])
+        tape, outputs = recorded(
+            [lambda x, m, c=number: m.sin(m.cos(c * x[1])) + 2.0 * x[0], lambda *_, c=number: c + 1.0]
+        )
         found = tape.code(outputs)(math)(0.5, (0.3, 0.0))
-        assert found[0] == pytest.approx(math.sin(number * 0.3) + 1.0)
-    assert texts[0] == texts[1]
+        assert found == pytest.approx((math.sin(math.cos(number * 0.3)) + 1.0, number + 1.0))
+    assert len(texts) == 1
+
+
+def test_equal_numbers_are_another_shape() -> None:
+    for scale, bound in ((3.7, 4.1), (3.7, 3.7), (1.0, 3.7), (3.7, 1.0)):
+        tape = Tape(["t"])
+        t = tape.inputs["t"]
+        code = tape.code([scale * t, bound], [(t, bound)])(math)
+        assert code(5.0, ()) == (scale * 5.0, bound)
+        with pytest.raises(ArithmeticError, match="a pivot is lost"):
+            code(0.9 * bound, ())
 
 
 def test_a_pivot_that_shrinks_is_lost() -> None:

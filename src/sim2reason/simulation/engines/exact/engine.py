@@ -33,7 +33,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     found = motion(mechanism, float(times[-1]), tolerance)
     coarse = tolerance if tolerance > FINEST else 0.0
     state = found.state(times)
-    return Trace("exact", state, found.events, found.end, found.cut, found.state, lambda: found.knots, coarse)
+    return Trace("exact", state, found.events, found.end, found.cut, found.state, lambda: found.knots, coarse, found)
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:

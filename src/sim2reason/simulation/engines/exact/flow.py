@@ -240,8 +240,11 @@ class Flow:
 def sampled(flow: Flow, times: Array) -> Array:
     """Coordinates and rates at times within a flow, (m, 2n)."""
     table = flow.table
-    at = np.maximum(np.searchsorted(table.starts, times, side="right") - 1, 0)
-    table.fill(flow.steps, set(at.tolist()))
+    at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
+    numbers = set[int](at.tolist())
+    table.fill(flow.steps, numbers)
+    if len(numbers) == 1:  # as where an instant is closed in on: NumPy repeats the one step by itself
+        at = at[:1]
     x = ((times - table.starts[at]) / table.lengths[at])[:, None]
     y = 1.0 - x
     a, b, c, d, e, f, g = table.polynomials[:, at]

@@ -7,12 +7,17 @@ code, not part of it: mechanisms of one shape share one piece of code.
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, cast
 
 from sim2reason.dsl.triples import Number
 from sim2reason.simulation.engines.exact.code import compiled
 
 Node = tuple[str, int, int]
+Said = str | int
+"""A number: how it is written if it belongs to the shape, else its place among all others."""
+KEPT = 128  # shapes whose code is kept, with their nodes
 DEEPEST = 12  # levels of brackets that a line of code may have
 PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # numbers that stand in the code itself
 
@@ -180,54 +185,89 @@ class Tape:
         The code is a function (t, y) of the first input and of a sequence with all others. A guard is a symbol whose
         size may not fall below a bound: ArithmeticError if it does.
         """
-        writer = _Writer(self, [out for out in outputs if isinstance(out, Symbol)] + [guard for guard, _ in guards])
-        self.written = writer.operations
-        lines = [f"{', '.join(self.names[1:])}, = y"] if len(self.names) > 1 else []
-        lines += writer.lines
-        for guard, bound in guards:
-            name, least = writer.name(guard.id), writer.constant(bound)
-            lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
-        said = [writer.name(out.id) if isinstance(out, Symbol) else writer.constant(float(out)) for out in outputs]
-        lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
-        make = compiled(f"{self.names[0]}, y", lines, ", ".join(["maths", *writer.constants.values()]))
-        constants = list(writer.constants)
-        return lambda maths: make(maths, *constants)
+        values: dict[float, int] = {}
+
+        def said(value: float) -> Said:
+            return PLAIN.get(value) or values.setdefault(value, len(values))
+
+        constants = tuple(map(said, self.constants))
+        wanted = tuple((o.id, "") if isinstance(o, Symbol) else (-1, said(float(o))) for o in outputs)
+        held = tuple((guard.id, said(bound)) for guard, bound in guards)
+        code = _written(tuple(self.names), tuple(self.nodes), constants, wanted, held)
+        self.written = code.operations
+        every = list(values)
+        parameters = [every[place] for place in code.parameters]
+        return lambda maths: code.make(maths, *parameters)
+
+
+@dataclass(frozen=True, slots=True)
+class _Code:
+    """What was written for a shape: a function of numbers, where these stand among all, and how long it is."""
+
+    make: Callable[..., Any]
+    parameters: tuple[int, ...]
+    operations: int
+
+
+@lru_cache(maxsize=KEPT)
+def _written(
+    names: Sequence[str],
+    nodes: Sequence[Node],
+    constants: Sequence[Said],
+    outputs: tuple[tuple[int, Said], ...],
+    guards: tuple[tuple[int, Said], ...],
+) -> _Code:
+    """Write the code of a tape, whatever its numbers are: most motions that are followed differ in these alone.
+
+    Outputs and guards are nodes with a number; an output that is no node is numbered −1.
+    """
+    writer = _Writer(names, nodes, constants, [node for node, _ in (*outputs, *guards) if node >= 0])
+    lines = [f"{', '.join(names[1:])}, = y"] if len(names) > 1 else []
+    lines += writer.lines
+    for guard, bound in guards:
+        name, least = writer.name(guard), writer.constant(bound)
+        lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
+    said = [writer.name(node) if node >= 0 else writer.constant(number) for node, number in outputs]
+    lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
+    make = compiled(f"{names[0]}, y", lines, ", ".join(["maths", *writer.parameters.values()]))
+    return _Code(make, tuple(writer.parameters), writer.operations)
 
 
 class _Writer:
     """Writes the nodes that some outputs need, in order; what is used once stands where it is used."""
 
-    def __init__(self, tape: Tape, outputs: Sequence[Symbol]) -> None:
-        self._tape = tape
-        self._inputs = tape.names
-        self.constants: dict[float, str] = {}  # and how they are written
+    def __init__(
+        self, names: Sequence[str], nodes: Sequence[Node], constants: Sequence[Said], outputs: Sequence[int]
+    ) -> None:
+        self._inputs, self._nodes, self._constants = names, nodes, constants
+        self.parameters: dict[int, str] = {}  # by their places, and how they are written
         self._text: dict[int, tuple[str, int]] = {}  # how a node is written, and how deep its brackets are
         self.lines: list[str] = []
         uses = self._uses(outputs)
         self.operations = len(uses)
-        kept = {out.id for out in outputs}
+        kept = set(outputs)
         for number in sorted(uses):
             self._write(number, single=uses[number] == 1 and number not in kept)
 
-    def _uses(self, outputs: Sequence[Symbol]) -> dict[int, int]:
+    def _uses(self, outputs: Sequence[int]) -> dict[int, int]:
         uses: dict[int, int] = {}
-        waiting = [out.id for out in outputs]
+        waiting = [*outputs]
         while waiting:
             number = waiting.pop()
             uses[number] = uses.get(number, 0) + 1
             if uses[number] == 1:
-                operation, a, b = self._tape.nodes[number]
+                operation, a, b = self._nodes[number]
                 if operation not in ("input", "constant"):
                     waiting += [a] if b < 0 else [a, b]
         return uses
 
     def _write(self, number: int, *, single: bool) -> None:
-        operation, a, b = self._tape.nodes[number]
+        operation, a, b = self._nodes[number]
         if operation == "input":
             self._text[number] = (self._inputs[a], 0)
             return
         if operation == "constant":
-            self._text[number] = (self.constant(self._tape.constants[a]), 0)
+            self._text[number] = (self.constant(self._constants[a]), 0)
             return
         depth = 1 + max(self._text[a][1], self._text[b][1] if b >= 0 else 0)
         if operation in ("sqrt", "sin", "cos"):
@@ -247,11 +287,9 @@ class _Writer:
         """How a node is written."""
         return self._text[number][0]
 
-    def constant(self, value: float) -> str:
+    def constant(self, number: Said) -> str:
         """How a number is written: itself if it belongs to the shape, else as a parameter."""
-        if value in PLAIN:
-            return PLAIN[value]
-        return self.constants.setdefault(value, f"c{len(self.constants)}")
+        return number if isinstance(number, str) else self.parameters.setdefault(number, f"c{len(self.parameters)}")
 
 
 def value_of(number: Number) -> float:
