@@ -1,5 +1,7 @@
 """Worked solutions of problems, as their texts ask for the answer."""
 
+from functools import partial
+
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.item import SolutionRecord, SolutionStep
 from sim2reason.datasets.request import Request
@@ -7,11 +9,12 @@ from sim2reason.grading.parts import LABELS
 from sim2reason.questions import Question
 from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.solutions import Solution, solve
+from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.multipart.faults import naming_fault
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.unused import without_unused
 from sim2reason.solutions.parts import chosen, together
 from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.asked_units import told_in
@@ -43,13 +46,19 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
     solutions, earlier = list[Solution](), list[tuple[str, Solution]]()
     for label, held, part in zip(LABELS, named, found.parts, strict=False):
         solution = starting_from(held, earlier, whole=whole)
-        solutions.append(solution if solution is held else verified(solution, part.certified.setting))
+        setting = part.certified.setting
+        checked = solution if solution is held else verified(solution, setting)
+        solutions.append(checked if whole else without_unused(checked, partial(_accepted, setting=setting)))
         earlier.append((label, solutions[-1]))
     if fault := naming_fault(solutions):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in solutions]
     solutions = quoting(solutions) if whole else solutions
     asked = (part.certified.question for part in found.parts)
     return [_in_units(request, found, *pair) for pair in zip(asked, solutions, strict=True)]
+
+
+def _accepted(solution: Solution, setting: Setting) -> bool:
+    return verified(solution, setting).answer is not None
 
 
 def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:

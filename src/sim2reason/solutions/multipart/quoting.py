@@ -1,7 +1,7 @@
 """Equations of earlier parts quoted by their labels, not set up again, in the solution of all parts as one text."""
 
 import re
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
@@ -11,9 +11,9 @@ from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step
 
-_DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # what it is about may have formulas
+DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # what it is about may have formulas
 _INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
-_SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
+SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
 
@@ -26,9 +26,9 @@ def quoting(parts: Sequence[Solution]) -> list[Solution]:
     told = _Told()
     found = [told.added(label, part) for label, part in zip(LABELS, parts, strict=False)]
     texts = "\n".join(step.text for part in found for step in part.steps)
-    labels = dict.fromkeys(label for label, _ in _DEFINED.findall(texts))
+    labels = dict.fromkeys(label for label, _ in DEFINED.findall(texts))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
-    return [replace(part, steps=tuple(_labelled(step, names) for step in part.steps)) for part in found]
+    return [replace(part, steps=tuple(labelled(step, names) for step in part.steps)) for part in found]
 
 
 class _Told:
@@ -43,12 +43,12 @@ class _Told:
     def added(self, label: str, part: Solution) -> Solution:
         """Return a part without sentences of earlier parts, and add its own to the record."""
         names = self._relabelled(label, part.steps)
-        steps = [_labelled(step, names) for step in part.steps]
+        steps = [labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
         used = {*names_of(kept)}
         for step in kept:
-            said = [step.text, *_SENTENCE.split(step.text), *_items(step.text)]
+            said = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
             self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}
             for relation in step.relations:
                 self._parts.setdefault(relation.latex(), label)
@@ -57,7 +57,7 @@ class _Told:
     def _relabelled(self, part: str, steps: Sequence[Step]) -> dict[str, str]:
         """Return new labels by old ones: the known label of an equation stated before, else the next number."""
         names: dict[str, str] = {}
-        for label, formula in (pair for step in steps for pair in _DEFINED.findall(step.text)):
+        for label, formula in (pair for step in steps for pair in DEFINED.findall(step.text)):
             if formula not in self._labels:
                 self._labels[formula] = f"({len(self._labels) + 1})"
                 self._parts[self._labels[formula]] = part
@@ -68,8 +68,8 @@ class _Told:
         """Return steps without what was said before; equations among it on which they rest are quoted."""
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
-        referred = {label for step in left for label in _referred(step.text)}
-        left = [self._shorter(step, referred) for step in left]
+        labels = {label for step in left for label in referred(step.text)}
+        left = [self._shorter(step, labels) for step in left]
         if dropped == [] and [step.text for step in left] == [step.text for step in steps]:
             return [*steps]
         quoted = [*self._quoted(dropped, left)]
@@ -91,36 +91,29 @@ class _Told:
         results = any(name in values for name in step.gives)
         return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
-    def _shorter(self, step: Step, referred: set[str]) -> Step:
+    def _shorter(self, step: Step, used: set[str]) -> Step:
         """Return a step without sentences said before and without equations that no step refers to."""
-        sentences = _SENTENCE.split(step.text)
+        sentences = SENTENCE.split(step.text)
         if step.kind == "names":
             kept = [said for sentence in sentences if (said := self._new(sentence))]
             return replace(step, text=" ".join(kept))
-        labels = [match[1] if (match := _DEFINED.match(sentence)) else "" for sentence in sentences]
+        labels = [match[1] if (match := DEFINED.match(sentence)) else "" for sentence in sentences]
         if not all(labels) or not self._sentences & {*sentences}:
             return step
-        idle = referred.isdisjoint(labels)
+        idle = used.isdisjoint(labels)
         new = [(s, label) for s, label in zip(sentences, labels, strict=True) if s not in self._sentences]
-        kept = [sentence for sentence, label in new if idle or label in referred]
+        kept = [sentence for sentence, label in new if idle or label in used]
         text = " ".join(kept)
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
         """Return a sentence without the items that an earlier one introduced; empty if none is left."""
-        match = _LIST.fullmatch(sentence)
-        if sentence in self._sentences or match is None:
-            return "" if sentence in self._sentences else sentence
-        items = match["items"].split("; ")
-        new = [item for item in items if item not in self._sentences]
-        if new == items:
-            return sentence
-        return f"{match['noun']}{'s' if len(new) > 1 else ''}: {'; '.join(new)}." if new else ""
+        return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
         """Yield a step for each earlier part whose equations are used by the remaining steps."""
         text = " ".join(step.text for step in left)
-        defined = {label for label, _ in _DEFINED.findall(text)}
+        defined = {label for label, _ in DEFINED.findall(text)}
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
         by_label = {label: r for step in dropped for label, r in _equations(step)}
         needed = {need for step in left for need in step.needs}
@@ -135,6 +128,18 @@ class _Told:
                 yield Step(-1, "equations", _said(part, own, plain), relations, tuple(own), ())
 
 
+def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
+    """Return a sentence that lists introductions with only the `kept` ones; empty if none is left."""
+    match = _LIST.fullmatch(sentence)
+    if match is None:
+        return sentence
+    items = match["items"].split("; ")
+    new = [item for item in items if kept(item)]
+    if new == items:
+        return sentence
+    return f"{match['noun']}{'s' if len(new) > 1 else ''}: {'; '.join(new)}." if new else ""
+
+
 def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
     named = joined(sorted(labels, key=lambda label: int(label[1:-1]))) if labels else ""
     numbered = f"equation{'s' if len(labels) > 1 else ''} {named}" if labels else ""
@@ -142,26 +147,26 @@ def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
     return f"As in part ({part}), {joined(held)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
 
 
-def _labelled(step: Step, names: Mapping[str, str]) -> Step:
+def labelled(step: Step, names: Mapping[str, str]) -> Step:
     """Return a step with other labels, in its text outside of formulas and among what it gives."""
     parts = step.text.split("$")
     parts[::2] = [LABEL.sub(lambda match: names.get(match[0], match[0]), part) for part in parts[::2]]
     return replace(step, text="$".join(parts), gives=tuple(names.get(name, name) for name in step.gives))
 
 
-def _referred(text: str) -> list[str]:
+def referred(text: str) -> list[str]:
     """Return the labels to which a text refers."""
-    begun = {match.start(1) for match in _DEFINED.finditer(text)}
+    begun = {match.start(1) for match in DEFINED.finditer(text)}
     return [match[0] for match in LABEL.finditer(text) if match.start() not in begun]
 
 
 def _items(text: str) -> list[str]:
     """Return the items of the lists in a text."""
-    matches = (_LIST.fullmatch(sentence) for sentence in _SENTENCE.split(text))
+    matches = (_LIST.fullmatch(sentence) for sentence in SENTENCE.split(text))
     return [item for match in matches if match is not None for item in match["items"].split("; ")]
 
 
 def _equations(step: Step) -> Iterator[tuple[str, Relation]]:
     """Yield the labels and equations of a step."""
     by_formula = {relation.latex()[1:-1]: relation for relation in step.relations}
-    yield from ((label, by_formula[formula]) for label, formula in _DEFINED.findall(step.text) if formula in by_formula)
+    yield from ((label, by_formula[formula]) for label, formula in DEFINED.findall(step.text) if formula in by_formula)

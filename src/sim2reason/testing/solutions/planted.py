@@ -100,7 +100,11 @@ def _drop_law(data: Data, number: int | None, values: Mapping[str, float]) -> in
 def _leave_out_phase(data: Data, number: int | None, values: Mapping[str, float]) -> int:
     del values
     integrated = [step for step in data["steps"] if step["integration"] is not None]
-    phases = sorted({step["phase"] for step in data["steps"]})
+    idle = {id(relation) for relation in _idle(data)}
+    needed = (
+        step for step in data["steps"] if any(id(r) not in idle for r in step["relations"]) or step["integration"]
+    )
+    phases = sorted({step["phase"] for step in needed})
     whole = phases if len(phases) > 1 else []
     if number is not None and number < len(integrated):
         _skip(integrated[number])
