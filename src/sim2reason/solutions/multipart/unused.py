@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from sim2reason.solutions.multipart.quantities import introduced
+from sim2reason.solutions.multipart.quantities import introduced, names_of
 from sim2reason.solutions.multipart.quoting import DEFINED, SENTENCE, labelled, referred, shortened
 from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
 from sim2reason.solutions.multipart.renaming import spoken
@@ -23,7 +23,8 @@ def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> 
     steps = solution.steps
     while (shorter := _shorter(steps, lambda trial: accepted(replace(solution, steps=trial)))) != steps:
         steps = shorter
-    return replace(solution, steps=_tidied(steps))
+    found = replace(solution, steps=_tidied(steps))
+    return found if accepted(found) else solution
 
 
 def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], bool]) -> tuple[Step, ...]:
@@ -64,7 +65,8 @@ def _without(step: Step, equation: str) -> Step:
 def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
     """Return the steps that have a text, with givens and introductions of the names in use, and new labels."""
     left = [step for step in steps if step.text]
-    used = spoken(" ".join(step.text for step in left if step.kind not in ("givens", "names")))
+    rest = [step for step in left if step.kind not in ("givens", "names")]
+    used = spoken(" ".join(step.text for step in rest)) | {*names_of(rest)}
     left = [_in_use(step, used) for step in left]
     labels = dict.fromkeys(label for step in left for label, _ in DEFINED.findall(step.text))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
