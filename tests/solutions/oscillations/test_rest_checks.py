@@ -45,9 +45,9 @@ def test_only_the_time_between_turning_points_is_half_an_oscillation() -> None:
     """The first stage begins with a speed: it takes arctan(v ω/µg)/ω, less than π/2ω."""
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
-    early = "It first comes to rest after $t_1"
+    early = "first comes to rest after $t_1"
     late = "From one moment of rest to the next it takes half an oscillation: $t_2"
-    assert found.text.index(early) < found.text.index("Until it next comes to rest") < found.text.index(late)
+    assert found.text.index(early) < found.text.index("next comes to rest, friction") < found.text.index(late)
     assert "This half oscillation" not in found.text
     assert found.values["t_1"] == pytest.approx(atan(SPEED * RATE / (FRICTION * G)) / RATE, rel=1e-9)
     assert found.values["t_2"] == pytest.approx(pi / RATE, rel=1e-9)
@@ -112,13 +112,13 @@ def test_a_later_part_says_what_it_counts_from() -> None:
     first, later = consistent([first, later])
     text = starting_from(later, [("a", first)], whole=True).text
     assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
-    assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")
+    assert text.index("Let $s_2$ be the displacement") < text.index("at $s_2 =")
     assert "so it moves back" in text
 
 
 def test_a_velocity_is_the_derivative_of_a_displacement_that_is_shown() -> None:
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("velocity", cart(scene)), AtTime(TIME)))
-    assert "let $s_3$ be the displacement from here" in found.text
+    assert "Let $s_3$ be the displacement from here" in found.text
     shown = r"The displacement is $s_{\text{eq},3} - s_{\text{eq},3} \cos\left(\omega t_3\right)$; its derivative is $v"
     assert shown in found.text

@@ -12,10 +12,11 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Sum,
+    added,
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.signs import is_difference
 
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
@@ -33,10 +34,31 @@ def tidied(held: Expression) -> Expression:
             return _outward(found, _opposite(inside))
         case Call(function, Number(0.0)):
             return AT_ZERO.get(function, found)
+        case Call("cos" | "sin" as function, Sum() as angle) if (turned := _whole_turn(function, angle)) is not None:
+            return tidied(turned)
+        case Absolute(Product((Number(x), *rest))) if x < 0.0:
+            return Absolute(reduce(multiplied, rest, Number(-x)))
         case Root():
             return _root(found)
         case _:
             return _joined(found)
+
+
+def _whole_turn(function: str, angle: Sum) -> Expression | None:
+    """Return a sine or cosine without the multiples of π in its argument; None if it has none."""
+    halves, rest = 0.0, list[Expression]()
+    for term in angle.terms:
+        match term:
+            case _ if term == PI:
+                halves += 1.0
+            case Product((Number(x), other)) if other == PI and x.is_integer():
+                halves += x
+            case _:
+                rest.append(term)
+    if not halves or not rest:
+        return None
+    found = Call(function, reduce(added, rest))
+    return -found if halves % 2.0 else found
 
 
 def _joined(held: Expression) -> Expression:
