@@ -30,22 +30,31 @@ def tidied(held: Expression) -> Expression:
     match found:
         case Power(base, exponent):
             return _raised(base, exponent)
-        case Absolute(inside) | Call(_, inside) if inside.negative:
-            return _outward(found, _opposite(inside))
-        case Call(function, Number(0.0)):
-            return AT_ZERO.get(function, found)
-        case Call("cos" | "sin" as function, Sum() as angle) if (turned := _whole_turn(function, angle)) is not None:
-            return tidied(turned)
-        case Absolute(Product((Number(x), *rest))) if x < 0.0:
-            return Absolute(reduce(multiplied, rest, Number(-x)))
+        case Absolute() | Call():
+            return _function(found)
         case Root():
             return _root(found)
         case _:
             return _joined(found)
 
 
-def _whole_turn(function: str, angle: Sum) -> Expression | None:
-    """Return a sine or cosine without the multiples of π in its argument; None if it has none."""
+def _function(held: Absolute | Call) -> Expression:
+    """Return a modulus or a function with no minus sign, and no multiple of π, in its argument if it needs none."""
+    match held:
+        case Absolute(inside) | Call(_, inside) if inside.negative:
+            return _outward(held, _opposite(inside))
+        case Absolute(Product((Number(x), *rest))) if x < 0.0:
+            return Absolute(reduce(multiplied, rest, Number(-x)))
+        case Call(function, Number(0.0)):
+            return AT_ZERO.get(function, held)
+        case Call("cos" | "sin", Sum() as angle):
+            return _whole_turns(held, angle)
+        case _:
+            return held
+
+
+def _whole_turns(held: Call, angle: Sum) -> Expression:
+    """Return a sine or cosine without the multiples of π in its argument."""
     halves, rest = 0.0, list[Expression]()
     for term in angle.terms:
         match term:
@@ -56,8 +65,8 @@ def _whole_turn(function: str, angle: Sum) -> Expression | None:
             case _:
                 rest.append(term)
     if not halves or not rest:
-        return None
-    found = Call(function, reduce(added, rest))
+        return held
+    found = tidied(Call(held.function, reduce(added, rest)))
     return -found if halves % 2.0 else found
 
 
