@@ -8,21 +8,19 @@ from sim2reason.solutions.swings.arm import Arm
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED
 
-SMALL = "For small angles the sine is nearly equal to the angle, so the oscillation is harmonic"
+HARMONIC = "This is the moment of inertia times the angular acceleration, so"
 
 
 def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
     """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
     size = arm.moment if book.value(arm.moment) > 0.0 else -arm.moment
     torque, inertia, angle = size * arm.gravity, arm.inertia, book.fresh(r"\varphi")
-    step = book.open("equation of motion")
-    turned = book.fresh(r"\alpha")
-    law = f"{(inertia * turned).latex()} = {(-(torque * Call('sin', angle))).latex()}"
+    step, exact, near = book.open("torque"), -(torque * Call("sin", angle)), -(torque * angle)
     step.say(
-        f"At the angle ${angle.name}$ from the stable equilibrium the torque of gravity gives the angular acceleration "
-        f"${turned.name}$: ${law}$."
+        f"At the angle ${angle.name}$ from the stable equilibrium the torque of gravity is ${exact.latex()}$, nearly "
+        f"${near.latex()}$ where the angle is small."
     )
     step.close()
-    said = f"{SMALL} with the angular frequency"
+    said = f"{HARMONIC} the oscillation is harmonic with the angular frequency"
     rate = book.told("oscillation", said, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
     return measured_period(book, query, rate)
