@@ -94,6 +94,6 @@ def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> N
     found = item(recipe="box", difficulty="easy", mode="symbolic", seed=301914, index=0, solutions=True)
     assert found.solution is not None
     text = found.solution.text
-    assert r"$V = \frac{m_A}{M + m_A + m_B} \dot{x}$" in text
-    assert text.index("The total kinetic energy is") < text.index("effective mass")
+    assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
+    assert text.index("the total kinetic energy is") < text.index("effective mass")
     assert r"-\left(-" not in text
