@@ -112,13 +112,13 @@ def test_a_later_part_says_what_it_counts_from() -> None:
     first, later = consistent([first, later])
     text = starting_from(later, [("a", first)], whole=True).text
     assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
-    assert text.index("Let $s_2$ be the displacement") < text.index("at $s_2 =")
+    assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")
     assert "so it moves back" in text
 
 
 def test_a_velocity_is_the_derivative_of_a_displacement_that_is_shown() -> None:
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("velocity", cart(scene)), AtTime(TIME)))
-    assert "Let $s_3$ be the displacement from here" in found.text
+    assert "let $s_3$ be the displacement from here" in found.text
     shown = r"The displacement is $s_{\text{eq},3} - s_{\text{eq},3} \cos\left(\omega t_3\right)$; its derivative is $v"
     assert shown in found.text

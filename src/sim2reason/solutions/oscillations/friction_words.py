@@ -7,7 +7,7 @@ from sim2reason.solutions.setting import joined
 
 
 def friction_words(way: LinearWay, motion: LinearMotion) -> str:
-    """Return on whom kinetic friction acts, and which way: on block A up the slope, and on block B to the left."""
+    """Return which way kinetic friction acts, in words; and on whom, unless that is what moves with `motion`."""
     ways: dict[str, list[str]] = {}
     for face, side in motion.laws.rough.items():
         found = [(k, radius) for k, radius in _slip(motion, face) if motion.ratios[k]]
@@ -15,6 +15,8 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
             k, radius = found[0]
             against = way.towards(k, forward=side * radius < 0.0)
             ways.setdefault(against, []).append(motion.mechanism.faces[face].subject)
+    if [body for bodies in ways.values() for body in bodies] == [motion.mechanism.coordinates[motion.free[0]].body]:
+        return next(iter(ways))
     return joined([f"on {way.setting.listed(bodies)} {against}" for against, bodies in ways.items()])
 
 
@@ -23,23 +25,25 @@ def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
     motion = held.motion
     assert isinstance(motion, LinearMotion)
     who, acts = way.who(motion.free[0]), friction_words(way, motion)
-    halves = "half an oscillation, symmetric about the point at which the net force is zero"
+    half = "half an oscillation, symmetric about the point at which the net force is zero"
     if number:
         begun = way.first(motion.free[0]) and number == 1
-        whole = f"From one moment of rest to the next the motion is {halves}." if begun else ""
-        here = f"Let ${held.name.name}$ be the displacement from here."
-        return [f"Until {who} next comes to rest, friction acts {acts} and is constant.", here, whole]
-    lead = f"Until {who} first comes to rest, kinetic friction{_size(motion)} acts {acts} and is constant"
-    half = "half of a harmonic oscillation, symmetric" if not held.first else "harmonic"
-    return [f"{lead}, so the motion is {half} about the point at which the net force is zero."]
+        whole = f"This is {half}." if begun else ""
+        return [
+            f"Until it next comes to rest, friction acts {acts}; let ${held.name.name}$ be the displacement from here.",
+            whole,
+        ]
+    whole = half if not held.first else "harmonic about the point at which the net force is zero"
+    friction = f"constant friction{_size(motion)} acts {acts}"
+    return [f"Until {who} first comes to rest, {friction}, so the motion is {whole}."]
 
 
 def _size(motion: LinearMotion) -> str:
-    """Return how large kinetic friction is, where it acts on one body alone."""
+    """Return how large kinetic friction is, after a space, where it acts on one body alone."""
     faces = [face for face, side in motion.laws.rough.items() if side]
     if len(faces) != 1:
         return ""
-    return f" of magnitude ${(motion.laws.coefficient(faces[0]) * motion.normal(faces[0])).factored().latex()}$"
+    return f" ${(motion.laws.coefficient(faces[0]) * motion.normal(faces[0])).factored().latex()}$"
 
 
 def _slip(motion: LinearMotion, face: int) -> list[tuple[int, float]]:

@@ -91,19 +91,14 @@ class NormalModes(ModeLaws):
         if self.size == 1 or not found:
             return
         step = self.book.open("projection")
-        step.say(
-            "Each displacement, counted from the start, is a sum over the modes: the coordinate of the mode times the "
-            "number for this displacement in the ratio of the mode.",
-            "Multiply each equation of motion by this number for one mode, and add the equations.",
-        )
-        rest = "The other modes drop out, as normal modes are orthogonal"
+        rest = "normal modes are orthogonal"
         if len(found) == self.size == PAIR:
-            step.say(f"{rest}: {step.derived(self._product(*found), ZERO)}.")
-        else:
-            step.say(f"{rest}.")
+            rest = f"{rest}: {step.derived(self._product(*found), ZERO)}"
         step.say(
-            "So the coordinate of each mode obeys an equation of motion of its own, with an effective mass and a force "
-            "that are sums weighted in this way."
+            "Each displacement, counted from the start, is the sum of the coordinates of the modes times its numbers "
+            f"in their ratios, and {rest}.",
+            "So the equations of motion, each times its number in one mode, add up to one for the coordinate of this "
+            "mode alone, with an effective mass.",
         )
         step.close()
 
