@@ -179,7 +179,7 @@ class Elimination:
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
         numeric: list[NumericEquation] = []
-        how = "In order of the unknowns" if self.book.hidden else "In numbers"
+        how = "In order of the unknowns: " if self.book.hidden else "In numbers: "
         for equation in equations:
             before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self.book.worked(equation.zero.without(names).expression())
@@ -188,8 +188,9 @@ class Elimination:
             step = self._open("solve")
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
-            step.say(f"{how}: {numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}.")
+            step.say(f"{how}{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}.")
             step.close()
+            how = ""
         self._reduce(numeric, list(names))
 
     def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
