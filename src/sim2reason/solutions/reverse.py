@@ -15,6 +15,7 @@ from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.single_sine import beyond_right_angle, single_sine
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
 from sim2reason.solutions.collisions.placing import SOLVED
@@ -22,7 +23,7 @@ from sim2reason.solutions.opposite_sign import exclude_opposite
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
-from sim2reason.solutions.writing.unit_latex import SECONDS
+from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
@@ -271,6 +272,8 @@ class Inversion:
             if self._together and given and not how and equation[0].latex() == at:
                 end = f", so for the given ${at}$, "
             lead = self._lead(at, equation) or where.replace("So ", "Hence ", 1)
+            sine = single_sine(name, found)
+            end = f". {sine}, so " if sine and end == ", so " else end
             where = f"{lead}{said}{self._only_root(name, equation[1], found)}{end}"
             if doubled(equation[1], found, name):
                 where = f"{where}with {joined([step.derived(*sides) for sides in half_angles(name)])}, "
@@ -281,6 +284,7 @@ class Inversion:
         if not isinstance(found, NumericRoot):
             self._drop(step, name, others)
             self._tell_too_late(step, name, others)
+            step.say(beyond_right_angle(others, self.book.values[name]) if self.book.units[name] == DEGREES else "")
         self._found.append((name, found))
         if name == self.unknown and self.magnitude and not self.book.in_symbols:
             exclude_opposite(self.book, step, self.goal, self._found)

@@ -1,7 +1,7 @@
 import pytest
 
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
-from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.closed_forms import ClosedForm
 from sim2reason.solutions.closed_forms.tidying import tidied
 
@@ -68,3 +68,10 @@ def test_two_sums_that_are_negative_are_reversed_together() -> None:
     assert found.value(points[0]) == pytest.approx(held.value(points[0]))
     alone = Quotient(M * (A - B), C)
     assert ClosedForm(alone, alone.latex(), ("M",)).with_positive_factors(points).expression == alone
+
+
+def test_multiples_of_pi_are_no_part_of_the_argument_of_a_cosine() -> None:
+    angle = Symbol("a") * Symbol("t")
+    assert tidied(Absolute(Call("cos", angle - PI))).latex() == r"\left|\cos\left(a t\right)\right|"
+    assert tidied(Call("cos", angle - 2.0 * PI)).latex() == r"\cos\left(a t\right)"
+    assert tidied(Call("sin", angle + PI)).latex() == r"-\sin\left(a t\right)"

@@ -55,7 +55,7 @@ def test_the_effective_mass_of_blocks_on_a_prism_follows_from_the_recoil() -> No
     found = prism()
     part = ONE * cos(radians(LEFT)) + TWO * cos(radians(RIGHT))
     assert found.values[r"\mu"] == pytest.approx(ONE + TWO - part**2 / (M + ONE + TWO), rel=1e-9)
-    assert "the total kinetic energy is then" in found.text
+    assert "the total kinetic energy is" in found.text
     assert "reduced" not in found.text
 
 

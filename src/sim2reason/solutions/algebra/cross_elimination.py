@@ -11,23 +11,23 @@ from sim2reason.solutions.writing.steps import Book, Writing
 
 @dataclass(frozen=True, slots=True)
 class SymbolicEquation:
-    """A linear equation in symbols: Σ coefficient · unknown = `right`."""
+    """A linear equation in symbols: `rest` = Σ coefficient · unknown."""
 
     label: str
     left: Mapping[str, Polynomial]
-    right: Polynomial
+    rest: Polynomial
 
     @property
     def turned(self) -> "SymbolicEquation":
         """The same with all signs turned."""
         left = {name: part.scaled(-1.0) for name, part in self.left.items()}
-        return SymbolicEquation(self.label, left, self.right.scaled(-1.0))
+        return SymbolicEquation(self.label, left, self.rest.scaled(-1.0))
 
     @property
     def sides(self) -> tuple[Expression, Expression]:
-        """Both as formulas."""
+        """Both as formulas, with the unknowns on the right, as in the laws that are added up."""
         whole = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
-        return whole.collected(self.left), self.right.expression()
+        return self.rest.expression(), whole.collected(self.left)
 
 
 class CrossElimination:
@@ -48,7 +48,7 @@ class CrossElimination:
             self.reduce(reduced, names[:-1])
         step = self._opened("solve")
         step.rest_on(pivot.label)
-        above, below = pivot.right, pivot.left[last]
+        above, below = pivot.rest, pivot.left[last]
         for name, part in pivot.left.items():
             above = above - part * Polynomial.of(Symbol(name)) if name != last else above
         if sum(below.terms.values()) < 0.0:
@@ -68,8 +68,8 @@ class CrossElimination:
             for name in names
             if name != last
         }
-        right = held.right * mine[1] + (pivot.right * other[1]).scaled(sign)
-        found = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, right)
+        rest = held.rest * mine[1] + (pivot.rest * other[1]).scaled(sign)
+        found = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, rest)
         step = self._opened("combine")
         step.rest_on(held.label)
         step.rest_on(pivot.label)

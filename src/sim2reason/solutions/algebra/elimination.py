@@ -113,16 +113,20 @@ class Elimination:
     def _several(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
         """Sums in which forces cancel, one for each independent acceleration."""
         free = sorted({name for e in equations for name in e.moves.names() if name in left})
-        sums = [self._sum(equations, name, left, free) for name in free]
-        if not sums or not all(sums):
+        weights = [self._weights(equations, name, left, free) for name in free]
+        if not weights or not all(weights):
             self._one(self._alone(equations, left, wanted[0]), wanted[0])
             return
-        combined = [held for held in sums if held is not None]
+        inertias = (total(e.zero * weight for e, weight in held) for held in weights)
+        hidden = any(self.book.is_hidden(held.coefficient(n).expression()) for held in inertias for n in free)
+        labelled = len(weights) > 1 and hidden
+        combined = [self._sum(held, free, labelled=labelled) for held in weights]
         if len(combined) == 1:
             self._one(combined[0], free[0])
             return
         goal = next((name for name in wanted if name in free), free[0])
-        self._in_numbers(combined, [goal, *(name for name in free if name != goal)])
+        ordered = [goal, *(name for name in free if name != goal)]
+        (self._in_symbols if hidden else self._in_numbers)(combined, ordered)
 
     def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
         """The plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
@@ -141,68 +145,61 @@ class Elimination:
             raise UnsolvedError("no sum of the equations is free of forces")
         return found
 
-    def _combined(self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str]) -> Equation:
+    def _combined(
+        self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str], *, labelled: bool = False
+    ) -> Equation:
         """Equations added up with weights, and told."""
         forces = total(e.forces * weight for e, weight in weighted)
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
-        label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        how = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
         among = sorted(frozenset[str]().union(*(e.among for e, _ in weighted)))
-        label += f", with {joined(among)}" if among else ""
-        whole = Equation("", forces, inertia, NIL)
-        step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(names))}.")
+        how += f", with {joined(among)}" if among else ""
+        whole = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
+        law = step.derived(forces.expression(), inertia.collected(names))
+        step.say(f"{how}: {f'{whole.label} {law}'.strip()}.")
         step.label(_key(whole))
         step.close()
         return whole
 
-    def _sum(self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]) -> Equation | None:
-        """The sum of all equations, each times how fast it moves as one acceleration changes."""
+    def _weights(
+        self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
+    ) -> list[tuple[Equation, Polynomial]]:
+        """Return all equations, each with how fast it moves as one acceleration changes; none if forces are left."""
         weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
-        forces = total(e.forces * weight for e, weight in weighted)
-        inertia = total(e.inertia * weight for e, weight in weighted)
-        if not weighted or (forces - inertia).names() & (left - set(free)):
-            return None
-        if len(weighted) == 1:
-            return weighted[0][0]
-        return self._combined(weighted, free)
+        zero = total(e.zero * weight for e, weight in weighted)
+        return [] if zero.names() & (left - set(free)) else weighted
+
+    def _sum(self, weighted: Sequence[tuple[Equation, Polynomial]], free: Sequence[str], *, labelled: bool) -> Equation:
+        """The sum of equations with weights."""
+        return weighted[0][0] if len(weighted) == 1 else self._combined(weighted, free, labelled=labelled)
 
     # ---- in numbers
 
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
-        if any(self.book.is_hidden(e.zero.coefficient(n).expression()) for e in equations for n in names):
-            self._in_symbols(equations, names)
-            return
-        step = self._open("solve")
         numeric: list[NumericEquation] = []
-        said: list[str] = []
+        how = "In order of the unknowns: " if self.book.hidden else "In numbers: "
         for equation in equations:
             before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self.book.worked(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(self.book.labels.next(), kept, rest))
+            step = self._open("solve")
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
-            said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        how = "In order of the unknowns" if self.book.hidden else "In numbers"
-        step.say(f"{how}: {'; '.join(said)}.")
-        step.close()
+            step.say(f"{how}{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}.")
+            step.close()
+            how = ""
         self._reduce(numeric, list(names))
 
     def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """The same where what stands before the unknowns may not be written as numbers."""
-        step = self._open("solve")
         ordered: list[SymbolicEquation] = []
         for equation in equations:
             before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
             left = {n: part for n, part in before.items() if part}
-            ordered.append(SymbolicEquation(self.book.labels.next(), left, equation.zero.without(names)))
-            step.rest_on(_key(equation))
-            step.label(ordered[-1].label)
-        step.say(
-            f"In order of the unknowns: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}."
-        )
-        step.close()
+            ordered.append(SymbolicEquation(equation.label, left, equation.zero.without(names)))
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:

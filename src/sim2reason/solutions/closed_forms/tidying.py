@@ -12,10 +12,11 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Sum,
+    added,
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.signs import is_difference
 
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
@@ -29,14 +30,44 @@ def tidied(held: Expression) -> Expression:
     match found:
         case Power(base, exponent):
             return _raised(base, exponent)
-        case Absolute(inside) | Call(_, inside) if inside.negative:
-            return _outward(found, _opposite(inside))
-        case Call(function, Number(0.0)):
-            return AT_ZERO.get(function, found)
+        case Absolute() | Call():
+            return _function(found)
         case Root():
             return _root(found)
         case _:
             return _joined(found)
+
+
+def _function(held: Absolute | Call) -> Expression:
+    """Return a modulus or a function with no minus sign, and no multiple of π, in its argument if it needs none."""
+    match held:
+        case Absolute(inside) | Call(_, inside) if inside.negative:
+            return _outward(held, _opposite(inside))
+        case Absolute(Product((Number(x), *rest))) if x < 0.0:
+            return Absolute(reduce(multiplied, rest, Number(-x)))
+        case Call(function, Number(0.0)):
+            return AT_ZERO.get(function, held)
+        case Call("cos" | "sin", Sum() as angle):
+            return _whole_turns(held, angle)
+        case _:
+            return held
+
+
+def _whole_turns(held: Call, angle: Sum) -> Expression:
+    """Return a sine or cosine without the multiples of π in its argument."""
+    halves, rest = 0.0, list[Expression]()
+    for term in angle.terms:
+        match term:
+            case _ if term == PI:
+                halves += 1.0
+            case Product((Number(x), other)) if other == PI and x.is_integer():
+                halves += x
+            case _:
+                rest.append(term)
+    if not halves or not rest:
+        return held
+    found = tidied(Call(held.function, reduce(added, rest)))
+    return -found if halves % 2.0 else found
 
 
 def _joined(held: Expression) -> Expression:

@@ -8,13 +8,14 @@ from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.inverse import put, settled, solved_for
+from sim2reason.solutions.algebra.inverse import other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 LONG = 200  # characters of a formula for the unknown
@@ -100,30 +101,38 @@ class LimitingBalance(LimitingDynamics):
         for name in reversed(book.formulas):
             if name != hidden.name and name in formula.symbols():
                 formula = put(formula, name, book.formulas[name])
-        found = self._solved(hidden.name, formula)
+        found, solved = self._solved(hidden.name, formula)
         book.values[hidden.name] = book.value(found)
         book.refresh(hidden.name, book.values[hidden.name])
         who = capital(self.setting.called(self._who))
-        sides = stated_equation(hidden.name, formula, ZERO, Polynomial.factored)
+        in_numbers = solved != formula
+        sides = stated_equation(hidden.name, solved, ZERO, self._worked if in_numbers else Polynomial.factored)
+        others = () if book.in_symbols else other_solutions(hidden.name, solved, ZERO, book.values)
         so = ", so" if formula == plain else ". Together with the equations above, this gives"
         if sides is not None and all(len(side.latex()) <= LONG for side in sides):
-            so = f"{', that is,' if formula == plain else so} {step.derived(*sides)}, so"
+            units = f", in {'SI units' if book.counts_in_si else 'numbers'}," if in_numbers else ""
+            so = f"{', that is,' if formula == plain else so}{units} {step.derived(*sides)}, so"
         step.say(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
+        if len(others) == 1 and others[0] < 0.0 < book.values[hidden.name]:
+            step.say(f"The other root, ${with_unit(others[0], book.units[hidden.name])}$, is negative.")
         step.close()
         return hidden.name
 
-    def _solved(self, name: str, formula: Expression) -> Expression:
-        """Return the unknown for which a formula vanishes, with numbers for what is known where it would be long."""
+    def _worked(self, held: Polynomial) -> Expression:
+        return self.book.worked(held.factored())
+
+    def _solved(self, name: str, formula: Expression) -> tuple[Expression, Expression]:
+        """Return the unknown for which a formula vanishes, and the formula, with numbers where it would be long."""
         book = self.book
         if name not in formula.symbols():
             raise UnsolvedError("the limit does not depend on the unknown")
         found = solved_for(name, formula, ZERO, book.values)
         if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
-            short = settled(formula, frozenset({name}), book.worked)
-            found = solved_for(name, short, ZERO, book.values, lambda held: book.worked(held.factored()))
+            formula = settled(formula, frozenset({name}), book.worked)
+            found = solved_for(name, formula, ZERO, book.values, self._worked)
         if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
             raise UnsolvedError("the limit has no short closed form")
-        return found
+        return found, formula
 
     def _way(self) -> str:
         """Return in which direction the body is about to slip, after a space; empty if that has no short name."""

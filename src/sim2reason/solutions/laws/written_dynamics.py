@@ -23,6 +23,7 @@ from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sli
 from sim2reason.solutions.laws.sticking import verify_sticking
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 
 class WrittenDynamics(Dynamics):
@@ -101,15 +102,18 @@ class DynamicsWriter:
 
     def _resting(self) -> list[str]:
         """Who does not move on what carries it, in words."""
-        found: list[str] = []
+        found: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
-            coordinate = self.d.mechanism.coordinates[k]
-            parent = self.d.mechanism.body[coordinate.body].parent
+            body = self.d.mechanism.coordinates[k].body
+            parent = self.d.mechanism.body[body].parent
             own = [self._body(row.number) for group in self.d.groups for row in group]
-            if parent is not None and self._carried(coordinate.body, own):
-                on = self.d.setting.called(parent)
-                found.append(f"{capital(self.d.setting.called(coordinate.body))} stays at rest relative to {on}.")
-        return found
+            if parent is not None and self._carried(body, own):
+                found.setdefault(parent, []).append(body)
+        return [
+            f"{capital(self.d.setting.listed(bodies))} stay{'' if bodies[1:] else 's'} at rest relative to "
+            f"{self.d.setting.called(parent)}."
+            for parent, bodies in found.items()
+        ]
 
     def _line(self, name: str) -> str:
         return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]
@@ -194,9 +198,12 @@ class DynamicsWriter:
                     step.say(slipping_words(self.d, row.number, pressed))
                 continue
             self.pressed[symbol] = pressed
+            alone = not pressed.names() & self.d.units.keys()
             body = self.d.setting.called(self.d.mechanism.faces[row.number].subject)
-            step.say(f"Perpendicular to the surface, {body}: {step.law(Symbol(symbol), pressed.expression())}.")
-            found.append(Equation("", Polynomial.of(Symbol(symbol)), pressed, NIL))
+            name, formula = Symbol(symbol), pressed.expression()
+            told = step.result(name, formula, NEWTONS, law=True) if alone else step.law(name, formula)
+            step.say(f"Perpendicular to the surface, {body}: {told}.")
+            found += [] if alone else [Equation("", Polynomial.of(name), pressed, NIL)]
         step.close()
         return found
 

@@ -112,7 +112,8 @@ class Harmonic:
         if self.like is not None:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
-        said = "The restoring force is proportional to the displacement from equilibrium, so the angular frequency is"
+        whence = "that point" if self._rubs else "equilibrium"
+        said = f"The restoring force is proportional to the displacement from {whence}, so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
@@ -127,17 +128,34 @@ class Harmonic:
         held = self.motion.stiffness(self._free, self._free)
         strained = [n for n in sorted(held.names()) if len(load.coefficient(n).terms) > 1]
         law = step.law(self.stiffness * name, load.collected(strained))
-        step.say(f"The equilibrium is at ${name.name}$, where {law},")
+        what = "The net force is zero" if self._rubs else "The equilibrium is"
+        step.say(f"{what} at ${name.name}$, where {law},")
         formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
         formula = load.collected(strained) / self.stiffness if strained else formula
         step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name
 
+    @property
+    def _rubs(self) -> bool:
+        """Whether kinetic friction acts, so that no body would stay at rest where the net force is zero."""
+        return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._free))
+
+    @property
+    def balance(self) -> str:
+        """Return what the place of balance is called."""
+        return "the point at which the net force is zero" if self._rubs else "the equilibrium position"
+
     @cached_property
     def begun(self) -> Expression:
         """v₀/ω."""
         return self.first.expression() / self.rate if self.first else ZERO
+
+    def speed_at(self, place: Expression) -> Expression:
+        """Return how fast it is at a place."""
+        if place == self.rest:
+            return self.rate * self.amplitude
+        return self.rate * Root(Power(self.amplitude, 2) - Power(place - self.rest, 2))
 
     @cached_property
     def amplitude(self) -> Expression:

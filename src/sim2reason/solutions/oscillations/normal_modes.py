@@ -17,7 +17,7 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symb
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.oscillations.mode import Mode, place
-from sim2reason.solutions.oscillations.mode_laws import ModeLaws
+from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
@@ -81,7 +81,34 @@ class NormalModes(ModeLaws):
             step.close()
         for mode in found:
             self._shaped(mode)
+        self._tell_projection(found)
+        for mode in found:
             self._started(mode, alone=len(found) == 1)
+        return found
+
+    def _tell_projection(self, found: Sequence[Mode]) -> None:
+        """Write why each mode has an equation of motion of its own."""
+        if self.size == 1 or not found:
+            return
+        step = self.book.open("projection")
+        rest = "normal modes are orthogonal"
+        if len(found) == self.size == PAIR:
+            rest = f"{rest}: {step.derived(self._product(*found), ZERO)}"
+        step.say(
+            "Each displacement, counted from the start, is the sum of the coordinates of the modes times its numbers "
+            f"in their ratios, and {rest}.",
+            "So the equations of motion, each times its number in one mode, add up to one for the coordinate of this "
+            "mode alone, with an effective mass.",
+        )
+        step.close()
+
+    def _product(self, one: Mode, other: Mode) -> Expression:
+        """Return the sum of masses times the shares in two modes."""
+        found: Expression = ZERO
+        for i, a in enumerate(one.shape):
+            for j, b in enumerate(other.shape):
+                held = self.entry(i, j)[1]
+                found = found + held.expression() * (a * b) if held else found
         return found
 
     def _shaped(self, mode: Mode) -> None:

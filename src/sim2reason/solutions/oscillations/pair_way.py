@@ -15,6 +15,21 @@ class PairWay(SingleWay):
     """A way for the relative motion, with what momentum says of the rest."""
 
     @property
+    def at_rest(self) -> str:
+        """Of the relative motion."""
+        return "the relative velocity is zero"
+
+    @property
+    def fastest(self) -> str:
+        """Of the relative motion."""
+        return "the relative velocity is greatest"
+
+    @property
+    def standing(self) -> str:
+        """Of the relative motion."""
+        return "The relative motion turns back"
+
+    @property
     def motion(self) -> RelativeMotion:
         """The relative motion."""
         return self._relative
@@ -87,7 +102,7 @@ class PairWay(SingleWay):
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
         found = step.result(name, solved(left - total, name.name), unit)
-        step.say(f"{said} ${name.latex()}$ of {self._partner()}, {law}, so {found}.")
+        step.say(f"{said} ${name.latex()}$ of {self._partner()}: {law}, so {found}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]

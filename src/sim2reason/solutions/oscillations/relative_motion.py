@@ -97,8 +97,15 @@ class RelativeMotion:
             said = f"{self.words.conserved}, so the relative motion has the reduced mass"
             return self.book.told("inertia", said, name, over(own * shared - both * both, shared), KILOGRAMS)
         step, rate = self.book.open("inertia"), Symbol(rf"\dot{{{self.called}}}")
-        recoil = -(both.factored() / shared.expression() * rate)
-        step.say(f"{self.recoils} ${recoil.latex()}$. In terms of ${rate.name}$, the total kinetic energy is then")
+        negative = both.value(self.givens) < 0.0
+        share = (both.scaled(-1.0) if negative else both).factored() / shared.expression()
+        recoil, moving = share * rate if negative else -(share * rate), self.book.fresh("V")
+        step.say(f"{self.recoils} ${recoil.latex()}$.")
+        whole = HALF * shared.expression() * Power(moving, 2) + HALF * own.expression() * Power(rate, 2)
+        mixed = both.scaled(-1.0 if negative else 1.0).factored() * moving * rate
+        whole = whole - mixed if negative else whole + mixed
+        step.say(f"With ${moving.name}$ for this velocity, the total kinetic energy is ${whole.latex()}$.")
+        step.say(f"In terms of ${rate.name}$, it is")
         formula = own.expression() - square / shared.expression()
         energy = (HALF * name * Power(rate, 2)).latex()
         step.say(f"${energy}$ with the effective mass {step.result(name, formula, KILOGRAMS, law=True)}.")

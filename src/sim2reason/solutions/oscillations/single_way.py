@@ -7,12 +7,18 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
-from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
+
+
+def signed(held: Expression) -> Polynomial:
+    """Return a symbol, its negative, or zero as a polynomial."""
+    return NIL if held == ZERO else Polynomial.of(-held).scaled(-1.0) if held.negative else Polynomial.of(held)
 
 
 class SingleWay(LinearWay):
@@ -26,9 +32,24 @@ class SingleWay(LinearWay):
         """What the free coordinate is called."""
 
     @property
+    def mover(self) -> str:
+        """Return what moves with the only free coordinate, in words."""
+        return self.who(self.motion.free[0])
+
+    @property
+    def at_rest(self) -> str:
+        """Return the clause that it is at rest for an instant."""
+        return f"{self.mover} is at rest"
+
+    @property
+    def fastest(self) -> str:
+        """Return the clause that its speed is greatest."""
+        return f"{self.mover} is fastest"
+
+    @property
     def standing(self) -> str:
         """Begin a sentence with where, or when, it is at rest for an instant."""
-        return "It turns back"
+        return f"{capital(self.mover)} turns back"
 
     @abstractmethod
     def along(self, kind: str) -> Polynomial:
@@ -63,6 +84,11 @@ class SingleWay(LinearWay):
         self._given_distance = name.name
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
         return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
+
+    def relaxed_place(self, spring: str) -> Expression:
+        """Where the only free coordinate is when a spring has its natural length."""
+        part = self.motion.drawn(self._number(spring), self.motion.free[0])
+        return self.spring("strain", spring).scaled(-1.0 / part).expression()
 
     def stops_alone(self) -> None:
         """UnsolvedError where a body comes to rest while the free coordinate goes on."""

@@ -18,6 +18,7 @@ from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.swings.asked import unasked
 from sim2reason.solutions.swings.components import BOTH
+from sim2reason.solutions.swings.small_oscillations import small_oscillations
 from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.swings.where_extreme import Ends
 from sim2reason.solutions.writing.steps import Book
@@ -52,16 +53,8 @@ class Axle(Strategy):
         """The moment of inertia, the angle, the angular speed, and what is asked."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
-            return _small_oscillations(Arm(setting, book), book, query).name
+            return small_oscillations(Arm(setting, book), book, query).name
         return _Turning(setting, book).write().name
-
-
-def _small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
-    """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
-    size = arm.moment if book.value(arm.moment) > 0.0 else -arm.moment
-    said = "For small angles the sine is equal to the angle, so the oscillation is harmonic with the angular frequency"
-    formula = Root(size * arm.gravity / arm.inertia)
-    return measured_period(book, query, book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED))
 
 
 class _Turning(SwingAngle):
@@ -227,6 +220,12 @@ class _Turning(SwingAngle):
     def _spinning(self) -> Expression:
         return HALF * self.piece.inertia * Power(self.rate, 2)
 
+    def said(self, quantity: str) -> str:
+        """Return the words before the formula; of one of several bodies, they name it."""
+        if quantity == "kinetic energy":
+            return f"The kinetic energy of {self.setting.called(self.piece.body)}, which turns about the axle, is"
+        return super().said(quantity)
+
     def _kinetic(self) -> Expression:
         if len(self.arm.bodies) == 1 and self._swinging:
             return self._energy(self.cosine)  # that of all is its own
@@ -280,7 +279,7 @@ class _Turning(SwingAngle):
         "acceleration": ("_acceleration", BOTH["acceleration"]),
         "net force": ("_force", BOTH["net force"]),
         "momentum": ("_momentum", "The momentum is"),
-        "kinetic energy": ("_kinetic", "The kinetic energy of the rotation about the axle is"),
+        "kinetic energy": ("_kinetic", ""),
         "translational kinetic energy": ("_moving", "The kinetic energy of the motion of the centre of mass is"),
         "rotational kinetic energy": ("_spinning", "The kinetic energy of the rotation about the centre of mass is"),
         "potential energy": ("_potential", "The change in potential energy is"),

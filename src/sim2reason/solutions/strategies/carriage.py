@@ -121,7 +121,28 @@ class _Asked(CarriageLaws):
 
     def _ahead(self) -> Expression:
         """The velocity of what is on the arm along the rail, against the carriage."""
+        if self._straight:
+            return self.carriage.sliding_mass * self.speed / self.mass
         return self._radius * self.rate * self.cosine - self.speed
+
+    @property
+    def _straight(self) -> bool:
+        """Whether the momentum along the rail alone gives the velocity of a lone body: at the lowest point."""
+        return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
+
+    def said(self, quantity: str) -> str:
+        """Return the words before the formula; they say what conservation of momentum gives."""
+        lead = f"By conservation of momentum, {self.setting.called(self.subject)} has the velocity "
+        if (
+            self._rides
+            or quantity not in ("velocity", "kinetic energy", "momentum")
+            or self.vertical
+            or not self._straight
+        ):
+            return super().said(quantity)
+        if quantity == "velocity":
+            return f"By conservation of momentum, the velocity of {self.setting.called(self.subject)} is"
+        return f"{lead}${self._ahead().latex()}$, so its {quantity} is"
 
     def _rising(self) -> Expression:
         """The velocity of what is on the arm upward."""

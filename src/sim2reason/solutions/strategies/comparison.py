@@ -15,6 +15,7 @@ from sim2reason.solutions.laws.nested import (
     with_changed_scene,
     with_other_value,
 )
+from sim2reason.solutions.laws.second_case import shorten_second_case
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -92,8 +93,10 @@ class TwoCases(Strategy):
         becomes = step.result(new, Number(query.factor) * Symbol(symbol), unit, law=True)
         step.say(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
         step.close()
-        other = with_changed_scene(inner, changed, query.path, new.name)
-        return compared(book, query, goal, solved(other, book, _closed(other)))
+        other, begun = with_changed_scene(inner, changed, query.path, new.name), len(book.steps)
+        after = solved(other, book, _closed(other))
+        shorten_second_case(book, begun)
+        return compared(book, query, goal, after)
 
 
 def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str:

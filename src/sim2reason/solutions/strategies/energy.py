@@ -20,13 +20,15 @@ from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power, Root, squares
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.oscillations.fastest_place import fastest_place
+from sim2reason.solutions.oscillations.friction_words import friction_words
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
 from sim2reason.solutions.oscillations.net_force import net_force, power_words, told_extensions, work
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
-from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.oscillations.single_way import SingleWay, signed
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -91,7 +93,11 @@ class EnergyWay(SingleWay):
         self.introduce({self._i: name})
         if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
             way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
-            RestChecks(self.setting, self.book).moves_on(motion, 0, f"{self.who(self._i)} starts to move {way}")
+            said = f"{self.mover} starts to move {way}"
+            told = RestChecks(self.setting, self.book).moves_on(motion, 0, said)
+            step = self.book.open("names")
+            step.say("" if told else f"{capital(said)}.", f"Friction acts {friction_words(self, motion)}.")
+            step.close()
         return name
 
     @property
@@ -165,16 +171,14 @@ class EnergyWay(SingleWay):
         if self._turns:
             return self._turning()
         if self.greatest:
-            return self._fastest()
+            return fastest_place(self, self._engine[0])
         if isinstance(moment, AtStart):
             return ZERO
         if isinstance(moment, Moved):
             return self.moved_to(moment)
         if isinstance(moment, NaturalLength):
-            part = self.motion.drawn(self._number(moment.name), self._i)
-            formula = self.spring("strain", moment.name).scaled(-1.0 / part).expression()
             said = f"{capital(self.setting.springs[moment.name])} has its natural length at"
-            return self.book.told("place", said, self.name, formula, METRES)
+            return self.book.told("place", said, self.name, self.relaxed_place(moment.name), METRES)
         time = self._lasting
         formula = self._first * time
         formula = formula + HALF * self._rise * Power(time, 2)
@@ -197,29 +201,13 @@ class EnergyWay(SingleWay):
             beyond = self._engine[0] > load.value(self.motion.givens) / stiffness.value(self.motion.givens)
             above = load.expression() + root if beyond else load.expression() - root
             formula = above / stiffness.expression()
-        step.say(f"By the work-energy theorem, it is at rest where {law},")
+        step.say(f"By the work-energy theorem, {self.at_rest} where {law},")
         step.say(f"so {step.result(name, formula, METRES)}.")
+        if stiffness and first != ZERO and self.book.value(name) * self.book.value(self._first) > 0.0:
+            way = ("positive", "increases") if self.book.value(name) > 0.0 else ("negative", "decreases")
+            step.say(f"This is the {way[0]} root, as ${name.name}$ {way[1]} at first.")
         step.close()
         return name
-
-    def _fastest(self) -> Symbol:
-        """Where all forces balance, so that the kinetic energy is the greatest."""
-        stiffness, load = self.motion.stiffness(self._i, self._i), self.motion.load(self._i)
-        if not stiffness:
-            raise UnsolvedError("it never is in balance")
-        there = load.value(self.motion.givens) / stiffness.value(self.motion.givens)
-        if abs(there - self._engine[0]) > 1e-3 * max(abs(there), abs(self._engine[0]), STILL):
-            raise UnsolvedError("the greatest value is not where forces balance")
-        if not load:
-            raise UnsolvedError("it begins in balance")
-        step = self.book.open("balance")
-        law = step.law(stiffness.expression() * self.name, load.expression())
-        if self._slides and len(self.setting.motion.segments) > 1:
-            step.say("Friction makes each swing smaller than the one before, so it is fastest in the first.")
-        step.say(f"Its kinetic energy is greatest where the net force is zero: {law},")
-        step.say(f"so {step.result(self.name, over(load, stiffness), METRES)}.")
-        step.close()
-        return self.name
 
     # ---- speed, acceleration, time
 
@@ -242,11 +230,13 @@ class EnergyWay(SingleWay):
         law = step.law(self._kinetic(name), self._kinetic(self._first) + gained)
         root = Root(squares([self._first]) + 2.0 * gained / self._mass)
         when = f" when {self.setting.springs[relaxed]} has its natural length" if relaxed else ""
-        said = f"By the work-energy theorem, with the velocity ${name.name}$ along ${self.name.name}${when}"
+        forward = self._engine[1] >= 0.0
+        velocity = f"${name.name}$" if forward else f"$-{name.name}$"
+        said = f"By the work-energy theorem, with the velocity {velocity} along ${self.name.name}${when}"
         step.say(f"{said}: {law},")
-        step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
+        step.say(f"so {step.result(name, root, SPEED)}.")
         step.close()
-        return name
+        return name if forward else -name
 
     @cached_property
     def _rise(self) -> Symbol:
@@ -297,4 +287,4 @@ class EnergyWay(SingleWay):
     def along(self, kind: str) -> Polynomial:
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
         held = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
-        return NIL if held == ZERO else Polynomial.of(held)
+        return signed(held)

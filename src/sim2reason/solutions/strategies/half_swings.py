@@ -15,6 +15,7 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.oscillations.friction_words import swing_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
@@ -128,17 +129,11 @@ class _Swinging(Oscillating):
             if not self._checks.moves_on(motion, number, said):
                 turned = "" if forward else ", so its velocity is negative at first"
                 self._say(f"{capital(said)}{turned}.")
-        step = self.book.open("names")
-        step.say(
-            f"Until it next comes to rest, friction is constant; let ${held.name.name}$ be the displacement from here."
-            if number
-            else "Until it first comes to rest, friction is constant."
-        )
-        step.close()
+        self._say(*swing_words(self, held, number))
 
-    def _say(self, sentence: str) -> None:
+    def _say(self, *sentences: str) -> None:
         step = self.book.open("names")
-        step.say(sentence)
+        step.say(*sentences)
         step.close()
 
     def _turn(self, held: Harmonic, span: float) -> None:
@@ -148,11 +143,12 @@ class _Swinging(Oscillating):
         timed = self.query.target is None or isinstance(self.query.moment, AtTime)
         if timed:
             _ = self._begun
-        said = "The turning point is at" if timed else "It first comes to rest at"
-        said, name = (said, book.fresh("x", "1")) if first else ("It next comes to rest at", held.name)
+        who = capital(self.mover)
+        said = "The turning point is at" if timed else f"{who} first comes to rest at"
+        said, name = (said, book.fresh("x", "1")) if first else (f"{who} next comes to rest at", held.name)
         there = book.told("turning", said, name, held.turning(span), METRES)
         if not first:
-            said, name = "Its displacement from the start is then", book.fresh("x", str(len(self._places)))
+            said, name = "The displacement from the start is then", book.fresh("x", str(len(self._places)))
             there = book.told("turning", said, name, self.begin + there, METRES)
         self.begin = there
         self._places.append(there)
@@ -190,7 +186,7 @@ class _Swinging(Oscillating):
             return self._half
         said = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
-            said = "It first comes to rest after half an oscillation," if whole else "It first comes to rest after"
+            said = f"{capital(self.mover)} first comes to rest after{' half an oscillation,' if whole else ''}"
         formula = held.angle_of_turning(span) / held.rate
         found = self.book.told("time", said, self._time_name(), formula, SECONDS)
         self._half = found if whole else None
@@ -233,7 +229,7 @@ class _Swinging(Oscillating):
     @property
     def standing(self) -> str:
         """Begin a sentence with where, or when, a swing ends: friction may hold the body there."""
-        return f"It {'next' if self._times else 'first'} comes to rest"
+        return f"{capital(self.mover)} {'next' if self._times else 'first'} comes to rest"
 
     # ---- what is verified
 

@@ -60,24 +60,33 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
     first: Expression = Call("cos", arm.first)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
-    said, name = "At the highest point of the centre of mass the kinetic energy is", book.fresh("K")
+    said = "By conservation of energy, the kinetic energy at the highest point of the centre of mass is"
+    name = book.fresh("K")
     book.told("energy", said, name, formula, JOULES)
     step = book.open("extreme")
-    changes = "increases" if _grows(book, name, formula) else "decreases"
-    step.say(
-        f"{arm.noun()} goes right round if ${name.name}$ is positive. Near the limiting case ${name.name}$ {changes}"
-    )
-    step.say(f"when ${book.sought}$ increases.")
+    varied = _varied(setting, book)
+    changes = "increases" if _grows(book, name, varied) else "decreases"
+    step.say(f"{arm.noun()} goes right round if ${name.name}$ is positive.")
+    step.say(f"Near the limiting case ${name.name}$ {changes} when ${varied}$ increases.")
     step.close()
     return name
 
 
-def _grows(book: Book, name: Symbol, formula: Expression) -> bool:
-    """Whether a formula increases with the number that is looked for."""
-    draft = book.copy()
-    draft.formulas = {**book.formulas}
-    draft.refresh(book.sought, book.values[book.sought] * (1.0 + STEP))
-    return draft.value(formula) > book.values[name.name]
+def _varied(setting: Setting, book: Book) -> str:
+    """Return the symbol of the number whose limit is meant; it may be given, and another number asked for."""
+    assert isinstance(setting.query, ThresholdQuery)
+    given = setting.given(setting.query.parameter)
+    return given.symbol if given is not None else book.sought
+
+
+def _grows(book: Book, name: Symbol, varied: str) -> bool:
+    """Whether what was told last increases with a number."""
+    values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
+    for step in book.steps:
+        for held in step.relations:
+            if held.role in ("law", "result") and held.left.latex() in step.gives:
+                values[held.left.latex()] = float(held.right.value(values).real)
+    return values[name.name] > book.values[name.name]
 
 
 def _of_body(setting: Setting, book: Book) -> Symbol:

@@ -1,11 +1,17 @@
 """Momentum: where nothing outside pulls along a direction, momentum is kept; energy gives the relative motion."""
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions.algebra.expressions import ZERO, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.oscillations.pair_way import PairWay
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import strategy
 from sim2reason.solutions.strategies.energy import EnergyWay, WorkAndEnergy
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import SPEED
 
 
 @strategy
@@ -29,3 +35,23 @@ class MomentumKept(WorkAndEnergy):
 
 class _Pair(PairWay, EnergyWay):
     """The relative motion by energy."""
+
+    def _turning(self) -> Symbol:
+        """And that what comes to rest later still moves where the relative motion turns back."""
+        found, moment, book = super()._turning(), self.query.moment, self.book
+        if not self.greatest or not isinstance(moment, Stopped) or not self.kept:
+            return found
+        both = over(self.kept, self._relative.masses[0])
+        own = self.moving([moment.name])
+        first = self.first_speeds.get(own[0], NIL).expression() if len(own) == 1 else ZERO
+        alike = self._relative.ratio(own[0], self._relative.other) == 1.0
+        if not alike or book.is_hidden(both) or not 0.0 < book.value(both) < book.value(first):
+            return found
+        step, name, who = book.open("verify"), book.fresh("V"), self.setting.called(moment.name)
+        exceeds(book, step, both, ZERO)
+        exceeds(book, step, first, both)
+        book.observed[name.name] = book.value(both)
+        told = step.verified(name, both, SPEED)
+        step.say(f"The common velocity is then {told}. Until then {who} is faster, so it has not come to rest before.")
+        step.close()
+        return found

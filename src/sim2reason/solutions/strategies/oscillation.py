@@ -17,15 +17,16 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS, Stretch
+from sim2reason.solutions.oscillations.first_move import tell_first_move
 from sim2reason.solutions.oscillations.greatest_value import greatest_target
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.pair_way import PairWay
-from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.oscillations.single_way import SingleWay, signed
 from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -165,11 +166,17 @@ class Oscillating(SingleWay):
         """Write when the moment comes, after it began from where places are counted."""
         held, angle, place = self.harmonic, self._angle, self._place
         rate, turns = held.rate, held.turns(self.since_begun)
+        _ = self._first_move if turns else None
         step, time = self.book.open("time"), self.time_name()
         motion = (rate * time, angle) if turns else (place, held.displacement(time))
         step.say(f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
         step.close()
         return time
+
+    @cached_property
+    def _first_move(self) -> None:
+        """Write which way a motion from rest begins: it matters at which end it turns back."""
+        tell_first_move(self, self.motion)
 
     def time_name(self) -> Symbol:
         """Return a symbol for that time."""
@@ -183,7 +190,7 @@ class Oscillating(SingleWay):
         if isinstance(moment, Moved):
             return f"{capital(self.setting.called(moment.name))} has moved ${self._given_distance}$ when"
         level = self._place == self.harmonic.rest
-        return f"The {'equilibrium position' if level else 'displacement just found'} is reached when"
+        return f"{capital(self.harmonic.balance) if level else 'The displacement just found'} is reached when"
 
     @cached_property
     def _timed(self) -> bool:
@@ -195,7 +202,7 @@ class Oscillating(SingleWay):
         held, moment = self.harmonic, self.query.moment
         if self._timed:
             formula = held.swinging(self._angle)
-            return self.book.told("place", "Its displacement is then", held.name, formula, METRES)
+            return self.book.told("place", "The displacement is then", held.name, formula, METRES)
         if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
@@ -203,6 +210,7 @@ class Oscillating(SingleWay):
                 whole = self.moved_to(moment)
                 return whole - self.begin
         if held.turns(self.since_begun):
+            _ = self._first_move
             return self.book.told("place", f"{self.standing} at", held.name, held.turning(self.since_begun), METRES)
         if abs(held.where(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.size:
             raise UnsolvedError("the moment is no mark of an oscillation")
@@ -210,9 +218,7 @@ class Oscillating(SingleWay):
 
     def _relaxed(self, spring: str) -> Expression:
         """Where a spring has its natural length."""
-        part = self.motion.drawn(self._number(spring), self.motion.free[0])
-        formula = (self.spring("strain", spring).scaled(-1.0 / part)).expression()
-        formula = formula - self.begin
+        formula = self.relaxed_place(spring) - self.begin
         if formula == ZERO:
             return ZERO
         name = self.setting.springs[spring]
@@ -235,16 +241,12 @@ class Oscillating(SingleWay):
             shift = held.swinging(self._angle).latex()  # as a function of time
             step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
         else:
-            sign = 1.0 if held.where(self.since_begun)[1] > 0.0 else -1.0
-            place, rest = self._place, held.rest
-            apart = place - rest
-            if place == rest:
-                formula = held.rate * held.amplitude
-                what = "It is fastest at the equilibrium position,"
-            else:
-                formula = held.rate * Root(Power(held.amplitude, 2) - Power(apart, 2))
-                what = "At this displacement from equilibrium the velocity is"
-            step.say(f"{what} {step.result(name, formula if sign > 0.0 else -formula, SPEED, law=True)}.")
+            forward = held.where(self.since_begun)[1] > 0.0
+            changes = f"There ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
+            said = f"{capital(self.fastest)} at {held.balance}," if self._place == held.rest else changes
+            step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
+            step.close()
+            return name if forward else -name
         step.close()
         return name
 
@@ -255,7 +257,7 @@ class Oscillating(SingleWay):
         """How far it has come since the start."""
         if self.begin == ZERO:
             return self._place
-        said = "Its displacement from the start is then"
+        said = "The displacement from the start is then"
         return self.book.told("place", said, self.whole_name, self.begin + self._place, METRES)
 
     @cached_property
@@ -279,15 +281,14 @@ class Oscillating(SingleWay):
         held, place, rest = self.harmonic, self._place, self.harmonic.rest
         apart = rest - place
         formula = Power(held.rate, 2) * apart
-        said = f"Its acceleration in the direction of increasing ${held.name.name}$ is"
+        said = f"The acceleration in the direction of increasing ${held.name.name}$ is"
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
         if kind == "a":
             return NIL if self._place == self.harmonic.rest else Polynomial.of(self._acceleration)
-        held = self.whole_place if kind == "s" else self._speed
-        return NIL if held == ZERO else Polynomial.of(held)
+        return signed(self.whole_place if kind == "s" else self._speed)
 
 
 class _Pair(PairWay, Oscillating):

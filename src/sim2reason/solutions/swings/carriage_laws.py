@@ -56,16 +56,9 @@ class CarriageLaws(CarriageAngle):
             square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
-        seen = "In the frame with this acceleration, let" if drift != ZERO else "Let"
-        step.say(f"{seen} {self.swings} turn at ${turns.name}$")
-        what = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
-        step.say(f"and {c.noun()} move at ${runs.name}$, opposite to the horizontal motion of {what}.")
-        keeps = (
-            "and energy is conserved with the work of the inertial forces"
-            if drift != ZERO
-            else "and energy is conserved"
-        )
-        step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
+        step.say(*self._named(turns, runs))
+        inertial = " with the work of the inertial forces" if drift != ZERO else ""
+        step.say(f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {held}. Together")
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
         if self.lone and self.sine == ZERO:
@@ -73,6 +66,27 @@ class CarriageLaws(CarriageAngle):
         step.say(f"{solved} and {step.result(runs, formula, SPEED)}.")
         step.close()
         return turns, runs
+
+    def _named(self, turns: Symbol, runs: Symbol) -> tuple[str, ...]:
+        """Return sentences about what the rates at the moment are called, and which velocities they give."""
+        c, lowest = self.carriage, self.angle == ZERO
+        who = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
+        seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
+        where = f"When {who} is at the lowest point" if lowest else "At this moment"
+        lead = f"{where}, {seen}let {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$."
+        if not self.lone:
+            return lead, f"The horizontal velocity of {who} relative to {c.noun()} is opposite to ${runs.name}$."
+        along = (self.length * turns * self.cosine).latex()
+        across = (
+            "" if self.sine == ZERO else f" and the vertical component ${(self.length * turns * self.sine).latex()}$"
+        )
+        velocity = f"the horizontal velocity ${along}$" if not across else f"the horizontal component ${along}${across}"
+        return (
+            lead,
+            f"The velocity of {who} relative to {c.noun()} has {velocity}, and {c.noun()} moves the opposite way."
+            if across
+            else f"Relative to {c.noun()}, {who} has {velocity}; {c.noun()} moves the opposite way.",
+        )
 
     def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
         """Both sides of the conservation of momentum, and the kinetic energy."""

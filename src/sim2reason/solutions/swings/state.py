@@ -67,6 +67,8 @@ class SwingState(SwingAngle):
 
     # ---- the angle and the speed
 
+    _slackened: Symbol | None = None  # the speed at which the string goes slack, once that is written
+
     @cached_property
     def natural(self) -> Symbol:
         """ω₀² = g/ℓ."""
@@ -109,11 +111,13 @@ class SwingState(SwingAngle):
         energy = step.law(Power(fast, 2), added(squares([v]), gained))
         over = ratio(squares([v]), multiplied(g, ell))
         formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
-        step.say(f"The string goes slack where the weight alone is the centripetal force: {circle}.")
+        step.say(f"Let ${name.name}$ be the angle of the string with the downward vertical when it goes slack.")
+        step.say(f"There the component of the weight along the string alone is the centripetal force: {circle}.")
         step.say(f"By conservation of energy, {energy}.")
         step.say(f"Together, {step.result(name, formula, DEGREES)}")
         step.say(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
         step.close()
+        self._slackened = fast
         return name if self.now >= 0.0 else -name
 
     @property
@@ -134,6 +138,8 @@ class SwingState(SwingAngle):
         if self.still:
             return ZERO
         there = self.cosine
+        if self._slackened is not None:
+            return Power(self._slackened, 2)
         step, name = self.book.open("energy"), self.book.fresh("v")
         gained = multiplied(
             multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)

@@ -21,7 +21,9 @@ def where_extreme(quantity: str, noun: str, superlative: str, where: str) -> str
     """Return the sentence that a quantity has its greatest or least value somewhere, with the reason."""
     if quantity in FORCES:
         along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"
-        return f"The {noun} is {superlative} {where}, because the speed and {along} are {superlative} there."
+        thrust = " Where the rod pushes, its thrust is at most the weight, and so no greater."
+        thrust = thrust if (quantity, superlative) == ("rod force", "greatest") else ""
+        return f"The {noun} is {superlative} {where}, because the speed and {along} are {superlative} there.{thrust}"
     if quantity == "acceleration":
         return f"{QUADRATIC} {where}."
     return f"By conservation of energy, the {noun} is {superlative} {where}."

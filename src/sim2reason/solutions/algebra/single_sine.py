@@ -1,0 +1,47 @@
+"""Equations a sin x + b cos x = c, solved as one of a single sine: which sine that is, and what else x may be."""
+
+from collections.abc import Sequence
+from math import pi
+
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Sum
+from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.solution import with_unit
+from sim2reason.solutions.writing.unit_latex import DEGREES
+
+
+def single_sine(name: str, found: Expression) -> str:
+    """Return the sentence that the left side is a single sine, where a solution is arcsin(…) ± arctan(…); else none."""
+    if not isinstance(found, Sum) or len(found.terms) != 2:
+        return ""
+    turns = [term for term in found.terms if _function(term) == "arctan"]
+    if len(turns) != 1 or not any(_function(term) == "arcsin" for term in found.terms):
+        return ""
+    sign, inner = _signed(turns[0])
+    argument = inner.argument
+    if argument.negative:
+        sign, argument = -sign, -argument
+    turn = Call("arctan", argument).latex()
+    return rf"The left side is a multiple of $\sin\left({name} {'-' if sign > 0.0 else '+'} {turn}\right)$"
+
+
+def beyond_right_angle(others: Sequence[float], value: float) -> str:
+    """Return the sentence that the other solution for an angle is more than 90°; empty unless it is."""
+    if len(others) != 1 or not 0.0 < value <= 0.5 * pi < others[0]:
+        return ""
+    return f"The other solution, ${with_unit(others[0], DEGREES)}$, is more than $90^\\circ$."
+
+
+def _signed(held: Expression) -> tuple[float, Call]:
+    """Return the sign of a term ± f(…), and the function without it."""
+    match held:
+        case Call():
+            return 1.0, held
+        case Product((Number(-1.0), Call() as inner)):
+            return -1.0, inner
+        case _:
+            return 0.0, Call("exp", held)
+
+
+def _function(held: Expression) -> str:
+    sign, inner = _signed(held)
+    return inner.function if sign else ""

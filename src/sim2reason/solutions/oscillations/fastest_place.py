@@ -1,0 +1,61 @@
+"""Where what has one way to move is fastest: where all forces balance, if that is on its way."""
+
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES
+
+STILL = 1e-6  # relative, and m
+
+
+def fastest_place(way: SingleWay, seen: float) -> Symbol:
+    """Write where all forces balance, so that the kinetic energy is greatest; the engine has `seen` it there."""
+    motion, name = way.motion, way.name
+    (i,) = motion.free
+    stiffness, load = motion.stiffness(i, i), motion.load(i)
+    if not stiffness:
+        raise UnsolvedError("it never is in balance")
+    there = load.value(motion.givens) / stiffness.value(motion.givens)
+    if abs(there - seen) > 1e-3 * max(abs(there), abs(seen), STILL):
+        raise UnsolvedError("the greatest value is not where forces balance")
+    if not load:
+        raise UnsolvedError("it begins in balance")
+    step = way.book.open("balance")
+    law = step.law(stiffness.expression() * name, load.expression())
+    swings = [held for held in way.setting.motion.segments if held.start < way.setting.time * (1.0 - STILL)]
+    if isinstance(motion, LinearMotion) and motion.friction(i) and len(swings) > 1:
+        step.say(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
+    step.say(f"The kinetic energy is greatest where the net force is zero: {law},")
+    step.say(f"so {step.result(name, over(load, stiffness), METRES)}.")
+    step.close()
+    _tell_on_the_way(way, name)
+    return name
+
+
+def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
+    """Write that the place is passed before the moment at which the motion of the question ends."""
+    book, end = way.book, _end(way)
+    if end is None or book.is_hidden(end) or book.is_hidden(name):
+        return
+    near, far = (-held if book.value(held) < 0.0 else held for held in (name, end))
+    step, last = book.open("verify"), book.fresh(name.name, r"\text{end}")
+    exceeds(book, step, far, near)
+    book.observed[last.name] = book.value(end)
+    told = step.verified(last, end, METRES)
+    spring = way.setting.springs[way.query.moment.name] if isinstance(way.query.moment, NaturalLength) else ""
+    there = f"{spring} has its natural length, at {told}" if spring else f"${name.name} = {end.latex()}$ is reached"
+    step.say(f"This point is passed before {there}.")
+    step.close()
+
+
+def _end(way: SingleWay) -> Expression | None:
+    """Return where the motion of the question ends, if that is a stated place."""
+    moment = way.query.moment
+    if isinstance(moment, NaturalLength):
+        return way.relaxed_place(moment.name)
+    return way.moved_to(moment) if isinstance(moment, Moved) and isinstance(way.motion, LinearMotion) else None

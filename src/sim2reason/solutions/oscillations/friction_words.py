@@ -1,0 +1,53 @@
+"""Kinetic friction on bodies on springs, in words: how large it is, and which way it acts."""
+
+from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.setting import joined
+
+
+def friction_words(way: LinearWay, motion: LinearMotion) -> str:
+    """Return which way kinetic friction acts, in words; and on whom, unless that is what moves with `motion`."""
+    ways: dict[str, list[str]] = {}
+    for face, side in motion.laws.rough.items():
+        found = [(k, radius) for k, radius in _slip(motion, face) if motion.ratios[k]]
+        if side and found:
+            k, radius = found[0]
+            against = way.towards(k, forward=side * radius < 0.0)
+            ways.setdefault(against, []).append(motion.mechanism.faces[face].subject)
+    if [body for bodies in ways.values() for body in bodies] == [motion.mechanism.coordinates[motion.free[0]].body]:
+        return next(iter(ways))
+    return joined([f"on {way.setting.listed(bodies)} {against}" for against, bodies in ways.items()])
+
+
+def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
+    """Return what friction does until a swing ends, the first of which has the number 0, and how it moves then."""
+    motion = held.motion
+    assert isinstance(motion, LinearMotion)
+    who, acts = way.who(motion.free[0]), friction_words(way, motion)
+    half = "half an oscillation, symmetric about the point at which the net force is zero"
+    if number:
+        begun = way.first(motion.free[0]) and number == 1
+        whole = f"This is {half}." if begun else ""
+        return [
+            f"Until it next comes to rest, friction acts {acts}; let ${held.name.name}$ be the displacement from here.",
+            whole,
+        ]
+    whole = half if not held.first else "harmonic about the point at which the net force is zero"
+    friction = f"constant friction{_size(motion)} acts {acts}"
+    return [f"Until {who} first comes to rest, {friction}, so the motion is {whole}."]
+
+
+def _size(motion: LinearMotion) -> str:
+    """Return how large kinetic friction is, after a space, where it acts on one body alone."""
+    faces = [face for face, side in motion.laws.rough.items() if side]
+    if len(faces) != 1:
+        return ""
+    return f" ${(motion.laws.coefficient(faces[0]) * motion.normal(faces[0])).factored().latex()}$"
+
+
+def _slip(motion: LinearMotion, face: int) -> list[tuple[int, float]]:
+    """Return the coordinates along which a body slides on a face, with what each adds to the slip."""
+    m = motion.mechanism
+    pairs = [(m.number[name], radius) for name, radius in m.faces[face].slip]
+    return [(k, radius) for k, radius in pairs if m.coordinates[k].kind == "slide"]

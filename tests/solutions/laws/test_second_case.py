@@ -1,0 +1,22 @@
+"""Comparisons of two cases: the second one does not set up the laws of the first again."""
+
+import pytest
+
+from sim2reason import item
+from sim2reason.testing.solutions.faults import words
+from sim2reason.testing.solutions.reading import read
+
+LONGEST = 150  # words of a solution to an easy problem
+
+
+@pytest.mark.parametrize(("recipe", "index"), [("pulley", 4), ("box", 5), ("rolling", 2)])
+def test_the_second_case_names_what_is_new_and_sets_up_no_law_again(recipe: str, index: int) -> None:
+    found = item(recipe=recipe, difficulty="easy", seed=77, index=index, weights={"comparison": 1.0}, solutions=True)
+    assert found.solution is not None
+    assert found.solution.strategy == "comparison of two cases"
+    text = found.solution.text
+    assert "The laws are the same as before, with $a_" in text
+    assert text.count("(1) ") == 1 + text.count("(1) +") + text.count("(1) −")
+    assert not read(text).unread
+    assert not read(text).broken
+    assert words(text) <= LONGEST + (40 if recipe == "pulley" else 0)  # there each case has two unknowns and two ways

@@ -1,0 +1,99 @@
+"""Oscillations: why they take half a period, which way they begin, and that the place in question is on the way."""
+
+import pytest
+
+from plain_scenes import row
+from sim2reason import item
+from sim2reason.dsl.scene import Scene
+from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.halted import Halted
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions import Solution
+from worked import derived
+
+CART, SPRING = "row.carts.0", "row.springs.0"
+
+
+def rubbing(strain: float = 0.2, tilt: float = 0.0) -> Scene:
+    return row((1.8,), (132.0,), "right", strain=strain, friction=0.32, tilt=tilt)
+
+
+def spring(scene: Scene) -> str:
+    return scene.mechanism.lines[0].name
+
+
+def verified(found: Solution) -> dict[str, float]:
+    relations = (relation for relation in found.relations if relation.role == "verified")
+    return {held.left.latex(): float(held.right.value(found.values).real) for held in relations}
+
+
+def test_a_swing_says_which_way_friction_acts_and_that_it_is_half_an_oscillation() -> None:
+    text = derived(rubbing(), Query("event", Target("displacement", CART), Halted(CART))).text
+    assert r"constant friction $\mu m g$ acts to the left" in text
+    assert "half an oscillation, symmetric about the point at which the net force is zero" in text
+    assert text.index("half an oscillation") < text.index("first comes to rest at")
+    assert "next comes to rest, friction acts to the right; let" in text
+    assert "The equilibrium is at" not in text  # no body would stay there
+
+
+def test_a_speed_is_no_modulus_of_a_negative_velocity() -> None:
+    scene = row((1.8,), (132.0,), "left", strain=0.2, friction=0.32)
+    query = StretchQuery("extremum", None, Stopped(CART), "greatest speed", CART)
+    found = derived(scene, query)
+    assert r"\left|" not in found.text
+    assert "with the velocity $-v$ along $x$" in found.text
+    assert "Friction makes each swing smaller" not in found.text  # there is no other swing in question
+
+
+def test_the_place_of_the_greatest_speed_is_before_the_natural_length() -> None:
+    scene = rubbing()
+    query = StretchQuery("extremum", None, NaturalLength(spring(scene)), "greatest speed", CART)
+    found = derived(scene, query)
+    if found.strategy == "energy":
+        assert "This point is passed before the spring has its natural length" in found.text
+        assert verified(found)[r"x_{\text{end}}"] == pytest.approx(0.2)
+
+
+def test_what_starts_from_rest_says_which_way_it_begins() -> None:
+    scene = row((2.0,), (50.0,), "left", strain=0.3)
+    found = derived(scene, Query("time_to_event", None, Stopped(CART)))
+    assert "sets the trolley in motion to the left" in found.text
+    assert verified(found)["F_0"] == pytest.approx(15.0)
+    assert "The trolley turns back when" in found.text
+
+
+def test_modes_are_told_to_be_orthogonal_before_they_are_used() -> None:
+    scene = row((2.3, 2.2), (79.0, 93.0), "right", speed=1.4)
+    cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
+    text = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3))).text
+    assert text.index("normal modes are orthogonal: $m") < text.index("effective mass of mode 1")
+    assert "counted from the start" in text
+
+
+def test_a_string_in_an_oscillation_is_shown_to_stay_taut() -> None:
+    found = item(recipe="mixed", difficulty="easy", mode="multipart", seed=301914, index=0, solutions=True)
+    assert found.solution is not None
+    assert "sets block A in motion to the right" in found.solution.text
+    assert "and it stays taut" in found.solution.text
+    assert "It turns back" not in found.solution.text
+
+
+def test_a_relative_motion_turns_back_before_a_cart_comes_to_rest() -> None:
+    found = item(recipe="chain", difficulty="easy", mode="numeric", seed=301914, index=2, solutions=True)
+    assert found.solution is not None
+    text = found.solution.text
+    assert "the relative velocity is zero where" in text
+    assert "This is the negative root, as $x$ decreases at first." in text
+    assert "Until then cart A is faster, so it has not come to rest before." in text
+
+
+def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> None:
+    found = item(recipe="box", difficulty="easy", mode="symbolic", seed=301914, index=0, solutions=True)
+    assert found.solution is not None
+    text = found.solution.text
+    assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
+    assert text.index("the total kinetic energy is") < text.index("effective mass")
+    assert r"-\left(-" not in text
