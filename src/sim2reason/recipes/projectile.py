@@ -16,7 +16,10 @@ IDEAS = {
         Idea(KIND, {**FLYING, "side": ("above",)}, 2.0),
         Idea(KIND, {**BOUNCING, "angle": 0.0}),
     ),
-    "medium": (Idea(KIND, BOUNCING),),  # one flight after another
+    "medium": (  # one flight after another, or one that begins downwards
+        Idea(KIND, BOUNCING, 2.0),
+        Idea(KIND, {**FLYING, "side": ("below",), "angle": Range(15.0, 75.0)}),
+    ),
     "hard": (  # so lively that the flights add up, or thrown at the ground
         Idea(KIND, {**BOUNCING, "speed": Range(4.0, 10.0), "restitution": Range(0.6, 0.95)}),
         Idea(KIND, {**BOUNCING, "speed": Range(3.0, 10.0), "side": ("below",), "angle": Range(15.0, 75.0)}),
