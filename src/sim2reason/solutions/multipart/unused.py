@@ -33,13 +33,14 @@ def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], boo
     The text does not say on which equations those in numbers rest; where some remain, so do all before them.
     """
     for place in reversed(range(len(steps))):
+        in_numbers = steps[place].text.startswith(_IN_NUMBERS)
         for equation in reversed(_equations(steps[place])):
             others = (*steps[:place], *steps[place + 1 :])
             if any(label in referred(step.text) for step in others for label, _ in DEFINED.findall(equation)):
                 continue
             trial = (*steps[:place], _without(steps[place], equation), *steps[place + 1 :])
             steps = trial if accepted(trial) else steps
-        if steps[place].text.startswith(_IN_NUMBERS):
+        if in_numbers and any(DEFINED.search(step.text) for step in steps[place:]):
             break
     return steps
 
