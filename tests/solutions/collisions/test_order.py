@@ -140,3 +140,19 @@ def test_a_collision_without_influence_is_named() -> None:
     found = item(recipe="collision", difficulty="hard", mode="symbolic", seed=301913, index=0, solutions=True).solution
     assert found is not None
     assert "The collision of balls A and B does not affect ball C before the moment in question." in found.text
+
+
+def test_no_collision_is_excluded_before_a_time_that_is_not_said_yet() -> None:
+    """The time since the start is told only after the argument."""
+    C, moment = (0.3, -2.0, 0.01, 1.0), Collided(f"{PUCKS[0]} & {PUCKS[1]}", after=True)
+    setting = asked(scene(A, B, C), StretchQuery("extremum", None, moment, "greatest speed", PUCKS[0]))
+    text = solved(setting).text
+    assert not re.search(r"no further collision before \$t_\d", text)
+
+
+def test_discs_that_touch_after_an_inelastic_collision_do_not_collide_again() -> None:
+    found = after(scene(A, B, restitution=0.0), 0, 2.0)
+    assert (
+        "pucks A and B touch, but keep no relative velocity along their line of centres"
+        in found.text.lower().replace("pucks a and b", "pucks A and B")
+    )
