@@ -177,7 +177,7 @@ class PathLength(SumGoal):
         for term in terms:
             whole = added(whole, term)
         what, formula = self.said(target, known.setting), _gathered(whole)
-        if formula != whole:
+        if formula != whole and all(_gathered(term) == term for term in terms):
             lengths = joined([f"${term.latex()}$" for term in terms])
             what = f"part by part, the path of {known.setting.called(target.subject)} is {lengths} long, so {what}"
         return finish(known, formula, self.noun, "", what)
