@@ -20,7 +20,7 @@ from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
 
-VELOCITY = re.compile(r"its velocity at the time \$\\tau\$ after [a-z -]+ is \$([^$]*)\$")
+VELOCITY = re.compile(r"the velocity of the probe with the engine on is \$([^$]*)\$ at the time \$\\tau\$ after")
 UPPER = re.compile(r"integrated from 0 to \$([^$]*)\$, \$(s(?:_\{\\text\{out\}\})?) = ")
 HEAVY, LIGHT = 20.0, 9.0  # kg/s: of these rates of burning the first lifts the rocket at once
 
@@ -71,7 +71,7 @@ def test_the_time_of_a_distance_comes_from_the_integral_of_the_velocity() -> Non
     (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
     found = solve(asked(scene, Query("time_to_event", None, Moved(body, 1000.0))))
     assert VELOCITY.search(found.text)
-    assert found.text.index("its velocity") < found.text.index("By integration")
+    assert found.text.index("the velocity of the probe") < found.text.index("By integration")
 
 
 def test_a_rocket_has_a_name_where_it_waits_and_comes_to_rest_only_after_burnout() -> None:
@@ -79,7 +79,8 @@ def test_a_rocket_has_a_name_where_it_waits_and_comes_to_rest_only_after_burnout
     scene = Scene(entities=(Named(name="e", entity=rocket),))
     (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
     text = solve(asked(scene, Query("time_to_event", None, Stopped(body)))).text
-    assert "The probe stays on the ground until the thrust equals its weight" in text
+    assert "As $m_0 > m_{\\text{lift}}$, the thrust is less than the weight at first" in text
+    assert "the probe stays on the ground until its mass has fallen to this value" in text
     assert "the thrust exceeds the weight, so the speed grows and the probe can come to rest only after burnout" in text
 
 
@@ -108,3 +109,28 @@ def test_what_is_assumed_of_an_unknown_rocket_is_verified_in_the_end() -> None:
     assert "Assume that at $t$ no fuel is left and that the probe is moving up." in found.text
     assert found.text.index("With the given $v$") < found.text.index("so at $t$ the engine is off.")
     assert any(r.role == "exceeds" and r.left.latex() == "t" for r in found.relations)
+
+
+def unknown(place: StartingPlace, path: str, query: Query, unit: str) -> Solution:
+    rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=place, exhaust=0.6, rate=LIGHT)
+    setting = asked(Scene(entities=(Named(name="e", entity=rocket),)), query)
+    assert setting.answer is not None
+    found = solve(replace(setting, unknown=path, stated=StatedResult(repr(setting.answer), unit)))
+    assert found.answer is not None, found.reason
+    assert not faults(found, found.answer), found.text
+    return found
+
+
+def test_a_rocket_of_unknown_mass_that_waits_could_not_rise_from_the_start() -> None:
+    found = unknown(LevelGround(), "e.rocket.mass", Query("time_to_event", None, Stopped("e.rocket")), "s")
+    assert r"Assume that $m_0 > m_{\text{lift}}$; then the thrust is less than the weight at first" in found.text
+    assert r"Indeed $m_0 > m_{\text{lift}}$, as was assumed." in found.text
+    assert r"If the probe rose from the start, $m_0$ would be at most $m_{\text{lift}}$" in found.text
+    larger = [(r.left.latex(), r.right.latex()) for r in found.relations if r.role == "exceeds"]
+    assert ("m_0", r"m_{\text{lift}}") in larger
+    assert "t" in [left for left, _ in larger]
+
+
+def test_the_distance_of_a_rocket_in_deep_space_has_no_other_sign() -> None:
+    query = Query("state", Target("displacement", "e.rocket"), AtTime(46.0))
+    assert "Only a magnitude" not in unknown(DeepSpace(), "e.exhaust", query, "m").text

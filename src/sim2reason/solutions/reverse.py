@@ -196,7 +196,7 @@ class Inversion:
     def _drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
         """Say why another root does not count: a number that is positive would be negative."""
         book = self.book
-        if len(others) != 1 or book.values[self.unknown] <= 0.0 or others[0] * book.values[name] >= 0.0:
+        if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
             return
         number = f"The other root, ${with_unit(others[0], book.units[name])}$,"
         if name == self.unknown:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from sim2reason.solutions.algebra.closed_roots import fraction, roots
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.monotonic import trend
@@ -25,6 +26,16 @@ def test_an_equation_in_the_sine_and_cosine_of_an_angle_is_stated() -> None:
     left, right = sides
     assert left.value(AT) - right.value(AT) == pytest.approx((A * Call("sin", X) - T * Call("cos", X) - W).value(AT))
     assert right == W
+
+
+def test_a_factor_that_all_terms_share_is_cancelled() -> None:
+    """Of a w x² + a t x = a² w."""
+    held = A * W * Power(X, 2) + A * T * X
+    sides = stated_equation("x", held, Power(A, 2) * W, Polynomial.factored)
+    assert sides is not None
+    assert [side.latex() for side in sides] == ["w x^{2} + t x", "w a"]
+    found = [root.latex() for root in roots("x", fraction(held - Power(A, 2) * W).above)]
+    assert found[0] == r"\frac{\sqrt{t^{2} + 4\,w^{2} a} - t}{2\,w}"
 
 
 @pytest.mark.parametrize("function", ["sin", "cos"])

@@ -1,7 +1,7 @@
 """The order of collisions: each pair that might meet before the next collision is shown not to."""
 
 import re
-from math import hypot
+from math import cos, hypot, radians, sin
 
 import pytest
 
@@ -10,10 +10,12 @@ from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.checking import recompute
@@ -140,3 +142,33 @@ def test_a_collision_without_influence_is_named() -> None:
     found = item(recipe="collision", difficulty="hard", mode="symbolic", seed=301913, index=0, solutions=True).solution
     assert found is not None
     assert "The collision of balls A and B does not affect ball C before the moment in question." in found.text
+
+
+def tilted() -> Scene:
+    """Pucks A, B and C on a slope, of which A and B meet on their way up."""
+    places = (A, B, (0.3, -2.0, 0.01, 1.0))
+    held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy + 3.0) for x, y, vx, vy in places)
+    entity = TwoDCollisionPlane(table=Table(tilt=20.0), radius=RADIUS, pucks=held, restitution=0.5)
+    return Scene(entities=(Named(name="table", entity=entity),))
+
+
+def test_no_collision_is_excluded_before_a_time_that_is_not_said_yet() -> None:
+    """The time since the start is told only after the argument."""
+    text = solved(asked(tilted(), Query("time_to_event", None, HighestPoint(PUCKS[0])))).text
+    assert "so there is no further collision before the moment in question" in text
+
+
+def test_on_a_slope_the_velocity_up_the_slope_vanishes_at_the_top() -> None:
+    up = Sense("up the slope", (0.0, cos(radians(20.0)), sin(radians(20.0))), axis="y")
+    text = solved(asked(tilted(), Query("event", Target("displacement", PUCKS[0], up), HighestPoint(PUCKS[0])))).text
+    assert "At the highest point of the path the velocity of puck A along y is zero." in text
+    assert "be its displacement in this direction since the collision of pucks A and B; then" in text
+    assert "vertical" not in text
+
+
+def test_discs_that_touch_after_an_inelastic_collision_do_not_collide_again() -> None:
+    found = after(scene(A, B, restitution=0.0), 0, 2.0)
+    assert (
+        "pucks A and B touch, but keep no relative velocity along their line of centres"
+        in found.text.lower().replace("pucks a and b", "pucks A and B")
+    )

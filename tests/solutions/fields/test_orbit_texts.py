@@ -88,3 +88,23 @@ def test_a_constant_has_its_unit_and_an_angular_momentum_its_point() -> None:
     assert r"$G = 4 \pi^{2}\ \text{au}^3\text{/(Msun yr}^2\text{)}$" in text
     assert "The angular momentum per unit mass about the star is" in text
     assert "the speed of the planet is" in text
+
+
+@pytest.mark.parametrize("velocity", [OUTWARD, INWARD, NEAR_OUTWARD, FAR_INWARD, (0.0, 6.5)])
+def test_how_far_the_anomaly_grows_in_a_right_angle_is_derived(velocity: tuple[float, float]) -> None:
+    text = solved(Query("time_to_event", None, Orbited(PAIR, 90)), velocity).text
+    found = (
+        "by Lagrange's formulas, the sum of the initial position times",
+        r"$1 - \frac{a}{r_0} \left(1 - \cos\eta\right)$",
+    )
+    assert " ".join(found) in text
+    assert ("the scalar product of this with the initial position is zero" in text) == (velocity[0] != 0.0)
+
+
+def test_half_a_turn_ends_where_the_velocity_has_no_part_in_the_place() -> None:
+    """No relation about focal chords is quoted; between the ends of the axis it is half a period."""
+    text = solved(Query("time_to_event", None, Orbited(PAIR, 180))).text
+    assert "when the initial velocity has no part in it" in text
+    assert "chord" not in text
+    text = solved(Query("time_to_event", None, Orbited(PAIR, 180)), (0.0, 6.5)).text
+    assert "From one end of the major axis to the other it takes half a period" in text

@@ -1,5 +1,6 @@
 """What a solution says of a rolling body: its rim does not have its acceleration, and friction has a direction."""
 
+from dataclasses import replace
 from math import cos, radians, sin
 
 import pytest
@@ -11,10 +12,10 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import Rolling, Rough, Spinning, Start
 from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.questions import Query, Target
+from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived
 
@@ -43,7 +44,26 @@ def test_a_rolling_body_turns_with_the_acceleration_of_its_centre() -> None:
     assert "of the rim" not in found.text
     assert "rolls without slipping, so its radius times its angular acceleration is $a$, too." in found.text
     assert "Static friction $f" in found.text
-    assert r"whose moment of inertia is $\tfrac{2}{3} m" in found.text
+    assert r"whose moment of inertia is $\tfrac{2}{3} m_A R_A^{2}$, divided by its radius $R_A$:" in found.text
+
+
+def test_what_hangs_on_an_unknown_coefficient_is_verified_in_the_end() -> None:
+    """A pipe that is set spinning up a slope begins to roll, within the limit of friction, before the moment asked."""
+    scene = pipe(12.0, 0.21, Spinning(spin=16.0, way="up the slope"))
+    setting = asked(scene, Query("state", Target("displacement", body(scene)), AtTime(1.8)))
+    assert setting.answer is not None
+    stated = StatedResult(repr(setting.answer), "m")
+    found = solve(replace(setting, unknown="lane.grip.friction", stated=stated))
+    assert found.answer is not None, found.reason
+    assert not faults(found, found.answer), found.text
+    order = [
+        "so $\\mu = ",
+        "is positive, so the earlier motion ends before $t_1$.",
+        "is within the limit of static friction",
+    ]
+    assert [*map(found.text.find, order)] == sorted(map(found.text.find, order))
+    assert found.text.find(order[0]) > 0
+    assert "to the right" not in found.text  # the displacement is straight down the slope
 
 
 def test_what_slips_on_a_slope_is_shown_to() -> None:
@@ -52,7 +72,8 @@ def test_what_slips_on_a_slope_is_shown_to() -> None:
     found = turned(pipe(angle, friction), "angular velocity", time)
     slope = radians(angle)
     assert found.answer == pytest.approx(friction * G * cos(slope) * time / RADIUS)
-    needed, most = (held for held in found.relations if held.role == "verified")
+    rolling, needed, most = (held for held in found.relations if held.role == "verified")
+    assert rolling.right.value(found.values) == pytest.approx(0.5 * G * sin(slope))
     assert needed.right.value(found.values) == pytest.approx(0.5 * MASS * G * sin(slope))
     assert most.right.value(found.values) == pytest.approx(friction * MASS * G * cos(slope))
     assert "slips down the slope at the point of contact" in found.text

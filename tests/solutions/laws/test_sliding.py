@@ -1,5 +1,6 @@
 """Directions that are assumed: what starts to slide does so against friction, and strings between such bodies pull."""
 
+from dataclasses import replace
 from math import cos, radians, sin
 
 import pytest
@@ -57,8 +58,19 @@ def test_a_hoop_slips_as_rolling_would_need_more_friction() -> None:
     hoop = scene(RollingEntity(body=Hoop(mass=4.1, radius=0.11), plane=slope, grip=Rough(friction=0.18)))
     found = solved(speed(hoop, 0, 1.3))
     assert found.values["f"] == pytest.approx(0.5 * 4.1 * G * sin(radians(31.0)))
-    assert "To roll without slipping, the hoop would need the friction" in found.text
+    assert "Rolling without slipping, the hoop would move like a mass of $2\\,m$" in found.text
     assert found.text.count("so it slips") == 1
+
+
+def test_a_block_whose_friction_is_unknown_is_assumed_to_slide_back_which_is_verified() -> None:
+    place = ramp(angle=54.0, friction=0.22, speed=3.9)
+    setting = speed(place, 0, 1.2)
+    assert setting.answer is not None
+    path = next(path for path in setting.lexicon.givens if path.endswith("friction"))
+    found = solved(replace(setting, unknown=path, stated=StatedResult(repr(setting.answer), "m/s")))
+    order = ["Assume that the block slips in the opposite direction", r"so $\mu = ", "more than $f_"]
+    assert [*map(found.text.find, order)] == sorted(map(found.text.find, order))
+    assert found.text.find(order[0]) > 0
 
 
 def test_a_launched_block_needs_no_argument() -> None:

@@ -44,7 +44,8 @@ def test_what_cannot_roll_has_a_point_of_contact_at_rest_for_an_instant() -> Non
     found = pipe_that_spins(friction)
     assert "begins to roll" not in found.text
     assert "The point of contact of the tube is momentarily at rest when" in found.text
-    needed, most = (held for step in found.steps for held in step.relations if held.role == "verified")
+    rolling, needed, most = (held for step in found.steps for held in step.relations if held.role == "verified")
+    assert rolling.right.value(found.values) == pytest.approx(0.5 * 9.8 * sin(slope))
     assert needed.right.value(found.values) == pytest.approx(0.5 * MASS * 9.8 * sin(slope))
     assert most.right.value(found.values) == pytest.approx(friction * MASS * 9.8 * cos(slope))
     early, late = 9.8 * (sin(slope) + friction * cos(slope)), 9.8 * (sin(slope) - friction * cos(slope))

@@ -8,7 +8,7 @@ from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.sequence import times_in_sequence
 from sim2reason.solutions.solution import Solution, Step
 
-INERTIA = r"whose moment of inertia is $\tfrac{1}{2} m R^{2}$, divided by its radius:"
+INERTIA = r"whose moment of inertia is $\tfrac{1}{2} m R^{2}$, divided by its radius $R$:"
 
 
 def test_equations_about_one_moment_of_inertia_have_numbers_of_their_own() -> None:

@@ -179,9 +179,15 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
         size = Root(_over(rest.scaled(-1.0), square, written))
         yield from (size, -size)
         return
+    shared = common([*rest.terms, *linear.terms, *square.terms])
+    rest, linear, square = (divided(part, shared, 1.0) or part for part in (rest, linear, square))
     if written(square).negative:
         rest, linear, square = (part.scaled(-1.0) for part in (rest, linear, square))
     if all(abs(part) == 0.5 for part in square.terms.values()):  # 2 (½ b − √…)/a is (b − √…)/a
+        rest, linear, square = (part.scaled(2.0) for part in (rest, linear, square))
+    if written is Polynomial.factored and all(
+        part % 2.0 == 1.0 for part in linear.terms.values()
+    ):  # for (−b + √(b² − 4 a c))/(2 a)
         rest, linear, square = (part.scaled(2.0) for part in (rest, linear, square))
     half = linear.scaled(0.5)
     root = Root(written(half * half - square * rest))

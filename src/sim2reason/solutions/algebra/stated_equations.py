@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.closed_roots import (
 )
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Call
-from sim2reason.solutions.algebra.polynomials import Polynomial, divided
+from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided
 
 
 def stated_equation(
@@ -26,8 +26,7 @@ def stated_equation(
         zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
     except OverflowError:
         return None
-    least = min((dict(monomial).get(Symbol(name), 0) for monomial in zero.terms), default=0)
-    zero = (divided(zero, ((Symbol(name), least),), 1.0) or zero) if least else zero
+    zero = divided(zero, common([*zero.terms]), 1.0) or zero
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
     squares = ((atom, atom, (2, 1)) for atom in (symbol, sine, cosine))
     for first, second, powers in (*squares, (sine, cosine, (1, 1))):

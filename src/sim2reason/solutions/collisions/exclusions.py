@@ -65,6 +65,11 @@ def _part_in_line(held: Sequence[Excluded]) -> str:
     return f"{_pairs(held)} move apart at {_numbers(held)}"
 
 
+def _slide_off(held: Sequence[Excluded]) -> str:
+    """Return the clause about discs that touch after an inelastic collision, with no relative velocity to the other."""
+    return f"{_pairs(held)} touch, but keep no relative velocity along their line of centres and do not collide again"
+
+
 def _leave_walls(held: Sequence[Excluded]) -> str:
     return joined([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
 
@@ -75,6 +80,7 @@ CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
     "wall later": _reach_later,
     "pass": _pass,
     "apart": _part,
+    "touching": _slide_off,
     "line apart": _part_in_line,
     "wall apart": _leave_walls,
 }

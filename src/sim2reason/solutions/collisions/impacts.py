@@ -64,6 +64,9 @@ class Impacts(FreeFlights, ABC):
     ) -> Symbol:
         gap, rate, rise = motion
         step, name = self.book.open("impact time"), self.book.fresh("t")
+        if not rise and any(self.acceleration(k) for body in impact.bodies for k in self.coordinates(body)):
+            who = self.setting.listed(list(impact.bodies))
+            step.say(f"The acceleration of {who} is the same, so their relative velocity is constant.")
         t = Polynomial.of(name)
         if not rise:
             law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
@@ -83,6 +86,8 @@ class Impacts(FreeFlights, ABC):
         """The first time at which gap + rate t + ½ rise t² is zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
+        if not rate:
+            return Root(ratio(gap.scaled(-2.0).expression(), rise.expression()))
         root = Root(added(squares([v]), double))
         if self.book.value(rise.expression()) < 0.0:
             return ratio(added(root, v), rise.scaled(-1.0).expression())
@@ -180,9 +185,16 @@ class Impacts(FreeFlights, ABC):
         met = self.met(impact).replace(" hits ", " rebounds from ")
         if impact.number in self.times:  # the text has just said from what
             met = f"{capital(self.setting.called(body))} rebounds"
-        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
+        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
         step.close()
         return {k: Polynomial.of(name)}
+
+    def _kept(self, body: str, k: int) -> str:
+        """Return what a wall leaves unchanged, at the first rebound of a body in a plane."""
+        others = [j for j in self.coordinates(body) if j != k]
+        if not others or any(held.kind == "rebound" for held in self.book.steps):
+            return ""
+        return f"; its velocity along {self.mechanism.coordinates[others[0]].label} stays the same"
 
     def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
         """Momentum and restitution, both velocities."""

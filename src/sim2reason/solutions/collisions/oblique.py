@@ -62,7 +62,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     square = multiplied(p, Power(distance, 2))
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
-    step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
+    step.say(f"{flights.met(impact)} when {law}. With {joined(said)}, this multiplied by ${p.latex()}$ is {quadratic}.")
     later = f" after {flights.event(since)}" if since else ""
     step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{later}.")
     step.close()

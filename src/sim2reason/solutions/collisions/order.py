@@ -101,8 +101,12 @@ class CollisionOrder:
         if meets or any((body, leg) in self._flights.flown for body, leg in held.legs.items()):
             return None
         if meeting.normal is None:
-            return None if just_met else self._aside(step, held, meeting)
+            return self._aside(step, held, meeting) if not just_met else self._touching(held)
         return self._in_line(step, held, just_met=just_met)
+
+    def _touching(self, held: Together) -> Excluded | None:
+        """Return why two discs that touch after an inelastic collision do not collide again; else None."""
+        return None if self._flights.restitution(held.meeting) else self._excluded_by("touching", held, "")
 
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
         """Return why two discs do not collide in an interval."""
@@ -259,7 +263,9 @@ class CollisionOrder:
             return ""
         if self._until is None:
             return ", so there is no further collision"
-        return "" if self._at_end() else f", so there is no further collision before ${self._until.latex()}$"
+        stated = self._until.name in self._book.stated
+        until = f"${self._until.latex()}$" if stated else "the moment in question"
+        return "" if self._at_end() else f", so there is no further collision before {until}"
 
     def _meet(self, impact: Impact) -> str:
         met = self._flights.met(impact)

@@ -122,33 +122,69 @@ class Turned(OrbitPlace):
         return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
 
     def _anomaly(self) -> Expression:
-        """From where the place r₀ − a (1 − cos η) + … has turned: cot(η/2) = (b − q a)/r₀, or −q a/r₀."""
-        orbit = self.orbit
+        """By Lagrange's formulas: where the place is opposite to the first one, or at right angles to it."""
         if self._quarters == 2:
             return self._opposite_end()
-        small = self._swift / Root(orbit.parameter * orbit.axis)
-        rest = small - orbit.across if orbit.dot != ZERO else small
-        formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
-        if orbit.book.value(formula) <= 0.0:
-            formula = formula + TWO * PI
-        said = rf"The line has turned through $90^\circ$ when ${orbit.anomaly.latex()}$ has increased by"
-        return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)
+        return self._perpendicular() if self.orbit.dot != ZERO else self._from_apsis()
 
-    def _opposite_end(self) -> Expression:
-        """Return the increase of the eccentric anomaly over a focal chord, from cos(η/2) = e cos(E₀ + η/2)."""
+    def _lagrange(self, name: Symbol) -> str:
+        """Return a sentence about the place when the anomaly has grown by an angle."""
+        orbit = self.orbit
+        less, more = orbit.weights(name)
+        said = f"When ${orbit.anomaly.latex()}$ has increased by ${name.latex()}$, the position is, by Lagrange's"
+        said = f"{said} formulas, the sum of the initial position times ${(ONE + less).latex()}$"
+        return f"{said} and the initial velocity times ${more.latex()}$."
+
+    def _from_apsis(self) -> Expression:
+        """Return the increase over a quarter turn from an end of the major axis."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
-        E = orbit.anomaly.latex()
-        turned = rf"The line has turned through $180^\circ$ when ${E}$ has increased by"
-        if orbit.dot == ZERO:
-            return orbit.book.told("anomaly", turned, name, PI, RADIANS)
-        formula = PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
-        p, q, half = orbit.along, orbit.across, name / TWO
         step = orbit.book.open("anomaly")
-        law = step.law(Call("cos", half), p * Call("cos", half) - q * Call("sin", half))
-        mean = rf"{orbit.oval.latex()} \cos\left(E_0 + \tfrac{{1}}{{2}} \eta\right)"
-        step.say(rf"Let $E_0$ be the initial value of ${E}$. The ends of a chord through the focus, at $E_0$ and")
-        step.say(rf"$E_0 + \eta$, are those for which ${mean}$ is equal to $\cos\left(\tfrac{{1}}{{2}} \eta\right)$:")
-        step.say(f"{law}. Since $1 - {p.latex()}$ is ${(orbit.radius / orbit.axis).latex()}$,")
-        step.say(f"{turned[0].lower()}{turned[1:]} {step.result(name, formula, RADIANS)}.")
+        step.say(self._lagrange(name))
+        law = step.law(ONE + orbit.weights(name)[0], ZERO)
+        step.say("The initial velocity is perpendicular to the initial position, so the line has turned through")
+        step.say(rf"$90^\circ$ when {law}:")
+        step.say(f"{step.result(name, Call('arccos', ONE - orbit.radius / orbit.axis), RADIANS)}.")
         step.close()
         return name
+
+    def _perpendicular(self) -> Expression:
+        """Return the increase over a quarter turn, by a quadratic equation for cot(η/2)."""
+        orbit, book, name, cot = self.orbit, self.orbit.book, self.orbit.named(r"\eta"), self.orbit.named("c")
+        (less, more), r, a, q = orbit.weights(name), orbit.radius, orbit.axis, orbit.across
+        step, half = book.open("anomaly"), name / TWO
+        step.say(self._lagrange(name))
+        across = step.derived(Power(r, 2) * (ONE + less) + orbit.dot * more, ZERO)
+        step.say("The line has turned through one or three right angles when the scalar product of this with the")
+        step.say(f"initial position is zero: {across}. Let {step.law(cot, Call('cos', half) / Call('sin', half))}.")
+        rest = TWO * r * a - Power(r, 2)
+        quadratic = step.law(Power(r, 2) * Power(cot, 2) + TWO * a * q * r * cot + TWO * Power(a * q, 2), rest)
+        begun = step.derived(orbit.dot, Root(orbit.parameter * a) * q)
+        root = (Root(rest - Power(a * q, 2)) - a * q) / r
+        step.say(f"Divided by {_halved(name)}, with {begun} this is {quadratic}. As ${cot.latex()}$ decreases while")
+        step.say(f"the line turns, one right angle belongs to the larger root, {step.result(cot, root, '')}.")
+        step.say(f"So {step.result(name, PI - TWO * Call('arctan', cot), RADIANS)}.")
+        step.close()
+        return name
+
+    def _opposite_end(self) -> Expression:
+        """Return the increase over half a turn: the first velocity has no part in the place."""
+        orbit, name = self.orbit, self.orbit.named(r"\eta")
+        if orbit.dot == ZERO:
+            return PI
+        more, half = orbit.weights(name)[1], name / TWO
+        step = orbit.book.open("anomaly")
+        step.say(self._lagrange(name))
+        step.say("The line has turned through $180^\\circ$ when the initial velocity has no part in it:")
+        step.say(f"{step.derived(more, ZERO)}.")
+        sine = rf"$\sin{name.latex()} = 2\,\sin\left({half.latex()}\right) \cos\left({half.latex()}\right)$"
+        near = step.law(orbit.radius / orbit.axis * Call("cos", half) + orbit.across * Call("sin", half), ZERO)
+        formula = PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
+        step.say(f"As {sine} and {_halved(name)}, this means that {near},")
+        step.say(f"so {step.result(name, formula, RADIANS)}.")
+        step.close()
+        return name
+
+
+def _halved(angle: Symbol) -> str:
+    """Return how a cosine hangs on half an angle."""
+    return rf"$1 - \cos{angle.latex()} = 2\,\sin^{{2}} \left({(angle / TWO).latex()}\right)$"

@@ -247,7 +247,8 @@ def magnitude(
     whose = f"{noun.said} of {known.setting.called(body)}"
     if sentences:
         said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
-        step.say(f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {joined(sentences)}.")
+        none = "; the other component is zero" if axes != AXES and len(kept) == 1 else ""
+        step.say(f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {joined(sentences)}{none}.")
     step.close()
     if len(names) == 1:
         return modulus(names[0], known.book)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
 
 DISPLACEMENTS = VectorName.of("displacement")
 VELOCITIES = VectorName.of("velocity")
@@ -38,7 +38,11 @@ class VectorGoal(Goal):
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
             return finish(known, formula, self.noun, mark, along_sense(whose, target.sense))
-        formula = magnitude(known.vector(base, body), known, self.noun, body)
+        lone = None if known.book.in_symbols else known.lone(base, body)
+        if lone is not None and lone:
+            formula = modulus(lone.factored(), known.book)
+        else:
+            formula = magnitude(known.vector(base, body), known, self.noun, body)
         return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 
 

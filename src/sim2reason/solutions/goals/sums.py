@@ -9,7 +9,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symb
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude, modulus
 from sim2reason.solutions.goals.kinematics import VELOCITIES
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 WORK = VectorName.of("work of a tension")
@@ -169,6 +169,18 @@ class PathLength(SumGoal):
         """How far it travels in a part."""
         del setting
         return part.path(target.subject)
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """The sum, after its terms if it is written without them, as of a body that turns back."""
+        terms = [self.term(target, known.setting, part) for part in known.stretches]
+        whole: Expression = ZERO
+        for term in terms:
+            whole = added(whole, term)
+        what, formula = self.said(target, known.setting), _gathered(whole)
+        if formula != whole and all(_gathered(term) == term for term in terms):
+            lengths = joined([f"${term.latex()}$" for term in terms])
+            what = f"part by part, the path of {known.setting.called(target.subject)} is {lengths} long, so {what}"
+        return finish(known, formula, self.noun, "", what)
 
     def said(self, target: Target, setting: Setting) -> str:
         """Of a body."""

@@ -9,13 +9,14 @@ from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, ratio
+from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
 
 
@@ -84,11 +85,41 @@ class Burning(Way):
         if not self.waits:
             self._tell_rising()
             return self.first
-        thrust = self.rate_of_burning * self.exhaust
-        said = f"{self.who} stays on the ground until the thrust equals its weight, at the mass"
-        return self.book.told(
-            "wait", said, self.book.fresh("m", r"\text{lift}"), thrust / self.gravity.expression(), KILOGRAMS
-        )
+        formula = self.rate_of_burning * self.exhaust / self.gravity.expression()
+        step, name = self.book.open("wait"), self.book.fresh("m", r"\text{lift}")
+        equal = step.result(name, formula, KILOGRAMS, law=True)
+        step.say(f"The thrust equals the weight of {self.name} at the mass {equal}.")
+        step.say(f"{self._heavier(step, name)} the thrust is less than the weight at first,")
+        step.say(f"and {self.name} stays on the ground until its mass has fallen to this value.")
+        step.close()
+        return name
+
+    def _heavier(self, step: Writing, lift: Symbol) -> str:
+        """Return that the initial mass is too large to be lifted: shown, verified in the end, or by assumption."""
+        larger = f"${self.first.latex()} > {lift.latex()}$"
+        if self.book.in_symbols:
+            return f"By assumption {larger}, so"
+        if self.book.is_hidden(self.first - lift):
+            self.book.afterwards.append(lambda: self._verify_heavier(lift))
+            return f"Assume that {larger}; then"
+        exceeds(self.book, step, self.first, lift)
+        return f"As {larger},"
+
+    def _verify_heavier(self, lift: Symbol) -> None:
+        step = self.book.open("verify")
+        exceeds(self.book, step, self.first, lift)
+        step.say(f"Indeed ${self.first.latex()} > {lift.latex()}$, as was assumed.")
+        step.close()
+
+    def exclude_rising(self, time: Symbol, longest: Expression) -> None:
+        """Write that a rocket which rose from the start would not come to rest as late as it is said to."""
+        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{max}")
+        exceeds(self.book, step, time, longest)
+        self.book.observed[name.name] = self.book.value(longest)
+        told = step.verified(name, longest, SECONDS)
+        step.say(f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,")
+        step.say(f"and {self.name} would come to rest at the latest after {told}, which is before the given time.")
+        step.close()
 
     def _risen(self, time: Expression) -> Expression:
         """For how long it has risen by a time."""
@@ -96,17 +127,16 @@ class Burning(Way):
 
     @cached_property
     def _wait(self) -> Symbol:
-        formula = (self.first - self.full) / self.rate_of_burning
-        return self.book.told(
-            "wait", "Its mass has fallen to this value after", self.book.fresh("t", r"\text{lift}"), formula, SECONDS
-        )
+        said, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
+        name = self.book.fresh("t", r"\text{lift}")
+        return self.book.told("wait", said, name, formula / self.rate_of_burning, SECONDS)
 
     @cached_property
     def rising(self) -> Symbol:
         """Return the time for which it rises with its engine on."""
         if not self.waits:
             return self.burned
-        said, formula = "From then on its fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        said, formula = "From then on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
         return self.book.told("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
@@ -115,6 +145,22 @@ class Burning(Way):
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
+
+    @property
+    def rocket_equation(self) -> str:
+        """The law of the velocity while the engine is on, in words."""
+        return "By the rocket equation, with gravity" if self.gravity else "By the rocket equation"
+
+    @property
+    def course(self) -> str:
+        """Return a clause that gives the velocity as a function of the time of rising."""
+        time = self.book.fresh(r"\tau")
+        velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
+        if self.gravity:
+            velocity = velocity - self.gravity.expression() * time
+        since = "lift-off" if self.waits else "the start"
+        said = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${velocity.latex()}$"
+        return f"{said} at the time ${time.latex()}$ after {since}"
 
     @property
     def who(self) -> str:

@@ -69,15 +69,19 @@ def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:
-    """Return the moment of inertia of what turns with a hinge, as an aside; empty where it is no simple formula."""
+    """Return by what the torque on what turns with a hinge is divided, after its moment of inertia if it has one."""
     newton = dynamics.newton
     try:
         radius, inertia = newton.lexicon.read(newton.scale[k]), newton.turning(k, k)
     except UnreadError:
-        return ""
+        return ", divided by its radius"
     if radius.symbol is None:
-        return ""
-    return f", whose moment of inertia is ${(inertia * radius * radius).expression().latex()}$"
+        return ", divided by its radius"
+    size, called = (
+        (inertia * radius * radius).expression(),
+        radius_of(dynamics.setting, dynamics.mechanism.coordinates[k].body),
+    )
+    return f", whose moment of inertia is ${size.latex()}$, divided by its {called} ${radius.symbol.latex()}$"
 
 
 def rim_inertia_words(newton: Newton, setting: Setting, k: int) -> str:

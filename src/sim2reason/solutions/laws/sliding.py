@@ -7,7 +7,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, told_friction
+from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, needed_words
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
@@ -75,18 +75,16 @@ def _tell(dynamics: Dynamics) -> None:
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
     """Write that a lone body would need more friction than there is to stay at rest or to roll."""
-    book, newton, body = dynamics.book, dynamics.newton, dynamics.mechanism.faces[face].subject
+    book, newton = dynamics.book, dynamics.newton
     most = limit_of_friction(newton, face)
     needed = needed if book.value(needed) >= 0.0 else -needed
     if book.value(needed) <= book.value(most):  # a limiting case
         return
-    step, who = book.open("verify"), dynamics.setting.called(body)
+    step = book.open("verify")
     exceeds(book, step, needed, most)
-    told = told_friction(book, step, dynamics.setting.mark(body), needed, most)
-    rolls = newton.alone(face) is None
-    grip = "roll without slipping" if rolls else "stay at rest"
-    slides = "slips" if rolls else f"slides {way_of_slip(dynamics, face, newton.rough[face])}"
-    step.say(f"To {grip}, {who} would need the friction {told[0]}, more than {told[1]}, so it {slides}.")
+    said = needed_words(newton, dynamics.setting, step, book, face, (needed, most))
+    slips = newton.alone(face) is None
+    step.say(f"{said}, so it {'slips' if slips else f'slides {way_of_slip(dynamics, face, newton.rough[face])}'}.")
     step.close()
 
 

@@ -11,7 +11,7 @@ from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
-from sim2reason.solutions.writing.unit_latex import NEWTONS
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
 
 LIMIT = 1.0 + 1e-9
 
@@ -41,7 +41,10 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
     most = multiplied(dynamics.newton.coefficient(number).expression(), normal)
-    if book.is_hidden(friction) or book.is_hidden(most) or book.value(friction) > LIMIT * book.value(most):
+    if book.in_symbols or book.value(friction) > LIMIT * book.value(most):
+        return
+    if book.is_hidden(friction) or book.is_hidden(most):
+        book.afterwards.append(lambda: _tell(dynamics, number, friction, normal))
         return
     step = book.open("verify")
     named = dynamics.names.get(f"f{number}", NIL).names() - book.values.keys()
@@ -56,20 +59,59 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
 def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) -> None:
     """Write that a body slips the other way from now on, and why, with numbers if nothing else holds it."""
     body = setting.mechanism.faces[face].subject
-    step, who = book.open("verify"), capital(setting.called(body))
+    step, who = book.open("verify"), setting.called(body)
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
     needed = holding(newton, setting, face)
     if needed is None:
-        step.say(f"{said}.")
+        step.say(f"{capital(said)}.")
+    elif book.in_symbols:
+        step.say(f"By assumption {said}.")
+    elif book.is_hidden(needed) or book.is_hidden(limit_of_friction(newton, face)):
+        step.say(f"Assume that {said}.")
+        book.afterwards.append(lambda: _tell_not_held(newton, setting, book, face, needed))
     else:
-        friction, most = needed, limit_of_friction(newton, face)
-        friction = friction if book.value(friction) >= 0.0 else -friction
-        exceeds(book, step, friction, most)
-        told = told_friction(book, step, setting.mark(body), friction, most)
-        grip = "roll without slipping" if newton.alone(face) is None else "stay at rest"
-        step.say(f"To {grip} {setting.called(body)} would need the friction {told[0]}, more than {told[1]}.")
-        step.say(f"{said}.")
+        _tell_not_held(newton, setting, book, face, needed)
+        step.say(f"So {said}.")
     step.close()
+
+
+def _tell_not_held(newton: Newton, setting: Setting, book: Book, face: int, needed: Expression) -> None:
+    """Write that a body would need more friction than there is to stay at rest or to roll."""
+    step, most = book.open("verify"), limit_of_friction(newton, face)
+    friction = needed if book.value(needed) >= 0.0 else -needed
+    exceeds(book, step, friction, most)
+    step.say(f"{needed_words(newton, setting, step, book, face, (friction, most))}.")
+    step.close()
+
+
+def needed_words(
+    newton: Newton, setting: Setting, step: Writing, book: Book, face: int, forces: tuple[Expression, Expression]
+) -> str:
+    """Return the clause that a body would need more friction than the greatest to stay at rest or to roll."""
+    subject = setting.mechanism.faces[face].subject
+    mark, who = setting.mark(subject), setting.called(subject)
+    if newton.alone(face) is not None:
+        told = told_friction(book, step, mark, *forces)
+        return f"To stay at rest, {who} would need the friction {told[0]}, more than {told[1]}"
+    (k,) = [j for j in newton.slip(face) if setting.mechanism.coordinates[j].kind == "hinge"]
+    heavy = newton.mass(subject) + newton.turning(k, k)
+    load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
+    pull, name = over(load, heavy), book.fresh("a", r"\text{roll}")
+    pull = pull if book.value(pull) >= 0.0 else -pull
+    book.observed[name.name] = book.value(pull)
+    rolls = step.verified(name, pull, ACCELERATION)
+    told = told_friction(book, step, mark, *forces)
+    whole = (
+        f"{who} would move like a mass of ${heavy.expression().latex()}$, including the moment of inertia divided by"
+    )
+    whole = f"Rolling without slipping, {whole} the square of the radius, with the acceleration {rolls}"
+    return f"{whole}. This takes the friction {told[0]}, more than {told[1]}"
+
+
+def _way(setting: Setting, body: str) -> int:
+    """Return the coordinate along which a body slides."""
+    m = setting.mechanism
+    return next(m.number[c.name] for c in m.body[body].coordinates if c.kind == "slide")
 
 
 def holding(newton: Newton, setting: Setting, face: int) -> Expression | None:

@@ -1,9 +1,11 @@
-"""Whether a body that is slowed down has turned back by an instant, shown in numbers."""
+"""Whether a body has turned back, or a stage has ended, by an instant or a distance, shown in numbers."""
+
+from collections.abc import Callable
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
-from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 
 def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time: Symbol) -> str:
@@ -28,3 +30,35 @@ def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who:
     told = step.verified(name, formula, SPEED)
     step.say(f"At ${time.name}$ the velocity is {told} and still positive, so {who} is there for the first time.")
     step.close()
+
+
+def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) -> None:
+    """Write in the end, if it hangs on the unknown, that the earlier stages of a motion end before an instant."""
+
+    def write() -> None:
+        step = book.open("verify")
+        exceeds(book, step, left, ZERO)
+        told = step.verified(left, formula, SECONDS)
+        step.say(f"Indeed {told} is positive, so the earlier motion ends before ${until}$.")
+        step.close()
+
+    _in_the_end(book, left, write)
+
+
+def verify_farther(book: Book, rest: Expression) -> None:
+    """Write in the end, if it hangs on the unknown, that earlier stages of a motion do not cover a distance."""
+
+    def write() -> None:
+        step, name = book.open("verify"), book.fresh("s", r"\text{rest}")
+        left = rest if book.value(rest) > 0.0 else -rest
+        exceeds(book, step, left, ZERO)
+        book.observed[name.name] = book.value(left)
+        step.say(f"Indeed {step.verified(name, left, METRES)} is positive, so the distance is covered only after this.")
+        step.close()
+
+    _in_the_end(book, rest, write)
+
+
+def _in_the_end(book: Book, held: Expression, write: Callable[[], None]) -> None:
+    if book.is_hidden(held) and not book.in_symbols:
+        book.afterwards.append(write)

@@ -272,7 +272,7 @@ class DynamicsWriter:
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
-            return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}, divided by its radius"
+            return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}"
         said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
         riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]

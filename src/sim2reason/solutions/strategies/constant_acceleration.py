@@ -23,6 +23,7 @@ from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs
 from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import STILL, Way
+from sim2reason.solutions.laws.turning_back import verify_farther, verify_remaining
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -230,6 +231,8 @@ class _Staged(Way):
             self.book.say_given(name.name, moment.value, METRES)
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
             whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
+            if before:
+                verify_farther(self.book, whole.expression())
             return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$,")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
@@ -264,10 +267,9 @@ class _Staged(Way):
         self.book.say_given(name.name, moment.after, SECONDS)
         if not before or self.uses not in ("v", "s"):
             return End(name)
-        step, left = self.book.open("time"), self.book.fresh("t")
-        formula = Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)
-        step.say(f"The remaining time is {step.result(left, formula.expression(), SECONDS, law=True)}.")
-        step.close()
+        formula = (Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)).expression()
+        left = self.book.told("time", "The remaining time is", self.book.fresh("t"), formula, SECONDS)
+        verify_remaining(self.book, left, formula, name.name)
         return End(left)
 
     def _whole_time(self) -> Symbol:
@@ -275,11 +277,8 @@ class _Staged(Way):
         times = [stage.time for stage in self.stages]
         if len(times) == 1:
             return times[0]
-        step, name = self.book.open("time"), self.book.fresh("t")
         formula = total(Polynomial.of(time) for time in times).expression()
-        step.say(f"The total time is {step.result(name, formula, SECONDS, law=True)}.")
-        step.close()
-        return name
+        return self.book.told("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
         """Which contact stops slipping between two segments."""

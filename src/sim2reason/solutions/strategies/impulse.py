@@ -18,14 +18,15 @@ from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.need import Need
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import Impact, Leg
+from sim2reason.solutions.collisions.nearer import tell_nearer
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
-from sim2reason.solutions.collisions.tops import at_top
+from sim2reason.solutions.collisions.tops import at_top, height_at_rest, tell_top
 from sim2reason.solutions.collisions.uninvolved import tell_uninvolved
 from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.laws.newton import Newton
@@ -89,9 +90,7 @@ class _Struck(Way):
         if not self.book.in_symbols and self.setting.most == Need.INTEGRATION:
             self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
-            step = self.book.open("moment")
-            step.say("At the highest point of the path the vertical velocity is zero.")
-            step.close()
+            tell_top(self.flights, self.query.moment.name)
         found = self.time if self.target is None or self.goal is None else self.goal.write(self.target, self)
         met = self.impact.bodies if self.impact is not None else ()
         tell_uninvolved(self.flights, {*met, *(self.goal.bodies(self.target) if self.goal and self.target else ())})
@@ -180,7 +179,8 @@ class _Struck(Way):
             return self.flights.acceleration(k)
         turning = isinstance(self.query.moment, HighestPoint | Stopped) and body == self.query.moment.name
         if turning and self.flights.acceleration(k):
-            return NIL if kind == "v" else self._height(body, k)
+            top = isinstance(self.query.moment, HighestPoint)
+            return NIL if kind == "v" else height_at_rest(self.flights, body, k, top=top)
         number = self.number(body)
         if isinstance(self.query.moment, AtTime) and body not in self._flying:
             self._flying.add(body)
@@ -222,6 +222,7 @@ class _Struck(Way):
         if number == 0 and not any(self.flights.acceleration(k) for k in moves):
             return self._straight([leg.speeds[k] for k in moves if k in leg.speeds], name, body)
         before = {k: self.flights.place(body, number, k, None) for k in moves}
+        tell_nearer(self.flights, body, leg, name)
         step, time = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(time)
         for k in moves:
@@ -268,21 +269,6 @@ class _Struck(Way):
         step.say(f"{who} {turns} when {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return self.flights.counted(self.flights.begins(leg), name)
-
-    def _height(self, body: str, k: int) -> Polynomial:
-        """How far it has come where it turns back: v² = 2 a s, without the time."""
-        number, a = self.flights.count(body, None), self.flights.acceleration(k)
-        leg = self.flights.leg(body, number)
-        before, v = self.flights.place(body, number, k, None), leg.speeds[k].expression()
-        step, name = self.book.open("distance"), self.book.fresh("s", self.setting.mark(body))
-        double = multiplied(Number(2.0), a.expression())
-        law = step.law(added(Power(v, 2), multiplied(double, name)), ZERO)
-        formula = ratio(-Power(v, 2), double)
-        top = isinstance(self.query.moment, HighestPoint)
-        where = "At the highest point of the path the vertical velocity" if top else "There the velocity"
-        step.say(f"{where} of {self.setting.called(body)} is zero, so {law} and {step.result(name, formula, METRES)}.")
-        step.close()
-        return before + Polynomial.of(name)
 
     def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: Leg) -> Symbol:
         a = self.flights.acceleration(k)

@@ -71,7 +71,10 @@ class _Burning(Burning):
             raise UnsolvedError("the pull of the planet changes as it rises")
         if self.target is None or self.goal is None:
             return self.time.name
-        return self.goal.write(self.target, self).name
+        found = self.goal.write(self.target, self).name
+        if not self.gravity or not self.out:  # it never moves backwards
+            self.book.sign_chosen = False
+        return found
 
     # ---- the moment
 
@@ -106,13 +109,15 @@ class _Burning(Burning):
         step.say(f"is then ${velocity}$ at the time ${name.latex()}$. {self.who} comes to rest when {law},")
         step.say(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
+        if self.waits and self.book.is_hidden(self.first) and not self.book.is_hidden(given):
+            self.book.afterwards.append(lambda: self.exclude_rising(name, given / g))
         return name
 
     def _after(self, moment: Moved) -> Symbol:
         distance, name = self.book.fresh("d"), self.book.fresh("t")
         self.book.say_given(distance.name, moment.value, METRES)
         left = self.first - self.rate_of_burning * name
-        path, course = self._path(left, self._risen(name)), self._course
+        path, course = self._path(left, self._risen(name)), self.course
         step = self.book.open("time")
         step.say(f"{course}.")
         law = step.law(distance, path)
@@ -229,24 +234,14 @@ class _Burning(Burning):
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
             formula = formula - self.gravity.expression() * risen
-        told = "By the rocket equation," if not self.gravity else "By the rocket equation, with gravity,"
-        return self.book.told("velocity", f"{before}{told}", self.book.fresh(base, mark), formula, SPEED)
+        said = f"{before}{self.rocket_equation},"
+        return self.book.told("velocity", said, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered under power in a time of rising; return its symbol."""
         path = self._path(self.dry if self.out else self.left, risen)
-        said = f"{self._course}; integrated from 0 to ${risen.latex()}$,"
+        said = f"{self.course}; integrated from 0 to ${risen.latex()}$,"
         return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
-
-    @property
-    def _course(self) -> str:
-        """Return a clause that gives the velocity as a function of the time of rising."""
-        time = self.book.fresh(r"\tau")
-        velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
-        if self.gravity:
-            velocity = velocity - self.gravity.expression() * time
-        since = "lift-off" if self.waits else "the start"
-        return f"With the engine on, its velocity at the time ${time.latex()}$ after {since} is ${velocity.latex()}$"
 
     @cached_property
     def _v(self) -> Symbol:

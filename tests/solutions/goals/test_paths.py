@@ -1,0 +1,22 @@
+"""How a path there and back adds up."""
+
+import pytest
+
+from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.track import Track
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from worked import derived
+
+
+def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
+    """A light glider at 1.2 m/s rebounds from a heavy one at rest, 0.9 m off: v' = −(M − m) v/(M + m)."""
+    held = (Glider(mass=1.0, x=0.0, v=1.2), Glider(mass=3.0, x=0.9, v=0.0))
+    entity = ComplexCollisionPlane(track=Track(), gliders=held, restitution=1.0)
+    scene = Scene(entities=(Named(name="track", entity=entity),))
+    found = derived(scene, StretchQuery("sum", None, AtTime(2.0), "distance travelled", "track.gliders.0"))
+    assert found.answer == pytest.approx(0.9 + 0.6 * (2.0 - 0.75))
+    assert "Part by part, the path of cart A is $s_A$ and $s_A - s_{A,1}$ long, so the distance that" in found.text
