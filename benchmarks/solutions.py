@@ -1,5 +1,6 @@
 """Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPES] [MODES] [UNITS]``.
 
+Of a problem of several parts each part is looked at by itself, as `worked_parts` solves it.
 For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none.
 Then every line of the bar, figure against bar, by difficulty: how many have a solution, whether answers, relations and
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
@@ -22,7 +23,7 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.request import SI, Request
-from sim2reason.datasets.worked_solutions import worked
+from sim2reason.datasets.worked_solutions import worked, worked_parts
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.checking import recompute
@@ -37,6 +38,7 @@ from sim2reason.testing.solutions.reading import read
 AGREED = 1e-9  # relative
 PLANTED = 6  # of each kind in one text
 SIGN, NUMBER = re.compile(r" [+-] (?=[^$]*\$)"), re.compile(r"\d+\.\d{2,}")
+LETTER = re.compile(r"That is option \$\\boxed\{\\text\{[A-Z]\}\}\$\.")  # a sentence without an equation
 DERIVED = [strategy for strategy in STRATEGIES.values() if not strategy.integrates]
 SHARES = {  # what is counted, of what, and at least how much of it
     "have a solution": ("solved", "asked", 0.99),
@@ -79,10 +81,27 @@ class Tally:
             yield "CPU of the check, most", f"{1e3 * max(self.checks):.0f} ms", "", True
 
 
-def problem(request: Request) -> tuple[Item, Setting, Solution] | None:
-    """The problem of a request, its setting, and its solution as the text asks for it."""
+@dataclass(frozen=True)
+class Solved:
+    """A question with its worked solution: a problem, or one part of a problem of several parts."""
+
+    item: Item
+    setting: Setting
+    solution: Solution
+    whole: str  # the text that is graded as an answer to the problem
+
+
+def solved(request: Request) -> Iterator[Solved]:
+    """Yield the problem of a request with its solution as the text asks for it; each part by itself if it has parts."""
     found = ItemSearch(request).found()
-    return None if found is None else (item_of(request, found), found.setting, worked(request, found))
+    if found is None:
+        return
+    item, solution = item_of(request, found), worked(request, found)
+    if not found.parts or solution.answer is None:
+        yield Solved(item, found.setting, solution, solution.text)
+        return
+    for part, held in zip(found.parts, worked_parts(request, found), strict=False):
+        yield Solved(item, part.certified.setting, held, solution.text)
 
 
 def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
@@ -117,24 +136,21 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numer
     for number in range(items):
         recipe, difficulty = names[number % len(names)], DIFFICULTIES[number // len(names) % len(DIFFICULTIES)]
         mode = modes.split(",")[number // len(names) // len(DIFFICULTIES) % len(modes.split(","))]
-        drawn = problem(Request(recipe, difficulty, mode, seed, number // len(names), units=units))
-        if drawn is None:
-            continue
-        item, setting, solution = drawn
-        tally = tallies[difficulty]
-        begin = time.process_time()
-        solve(setting)
-        tally.times.append(time.process_time() - begin)
-        tally.count["asked"] += 1
-        if solution.answer is None:
-            count[recipe]["none"] += 1
-            why[recipe, setting.query.kind, solution.reason[:160]] += 1
-            continue
-        wrong = [*_wrong(item, forward(setting), solution, tally), *_reading(item, solution, tally, rng)]
-        wrong += _recomputed(forward(setting), solution, tally, rng)
-        count[recipe]["faulty" if wrong else solution.strategy] += 1
-        for fault in wrong:
-            print(f"{item.id} {setting.query.kind}: {fault}")
+        for held in solved(Request(recipe, difficulty, mode, seed, number // len(names), units=units)):
+            tally, setting = tallies[difficulty], held.setting
+            begin = time.process_time()
+            solve(setting)
+            tally.times.append(time.process_time() - begin)
+            tally.count["asked"] += 1
+            if held.solution.answer is None:
+                count[recipe]["none"] += 1
+                why[recipe, setting.query.kind, held.solution.reason[:160]] += 1
+                continue
+            wrong = [*_wrong(held, tally), *_reading(held.item, held.solution, tally, rng)]
+            wrong += _recomputed(forward(setting), held.solution, tally, rng)
+            count[recipe]["faulty" if wrong else held.solution.strategy] += 1
+            for fault in wrong:
+                print(f"{held.item.id} {setting.query.kind}: {fault}", flush=True)
     for recipe in names:
         print(f"{recipe:16} {dict(count[recipe])}")
     for held, times_said in why.most_common(40):
@@ -142,14 +158,15 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numer
     return _tell(tallies)
 
 
-def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> Iterator[str]:
+def _wrong(solved: Solved, tally: Tally) -> Iterator[str]:
     """What checks, other strategies and the grader have to say."""
+    setting, solution = forward(solved.setting), solved.solution
     assert setting.answer is not None
     near = SEEN.get(setting.query.kind, WELL)
     found, held = faults(solution, setting.answer, near), derivations(setting)
     others = [other for other in held if other.strategy != solution.strategy]
     amiss = {other.strategy: _but_for_length(faults(other, setting.answer, near)) for other in others}
-    graded = grade(item, solution.text)
+    graded = grade(solved.item, solved.whole)
     tally.count.update(
         solved=1,
         derived=solution.derived,
@@ -176,7 +193,8 @@ def _but_for_length(told: list[str]) -> list[str]:
 def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
     """What the text says; of a problem in symbols, at its own numbers."""
     known = item.answer.formula.points[0] if item.answer.formula is not None else {}
-    difficulty, reading, size = item.difficulty, read(solution.text, known), words(solution.text)
+    shown = LETTER.sub("", solution.text)
+    difficulty, reading, size = item.difficulty, read(shown, known), words(shown)
     said = len(reading.equalities) + len(reading.sums) + len(reading.unread)
     wrong = [*reading.broken, *reading.unread]
     tally.lengths.append(size)
@@ -184,7 +202,7 @@ def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -
     yield from (f"in the text: {line}" for line in wrong)
     if size > WORDS[difficulty]:
         yield f"{size} words"
-    for kind, text in planted(solution.text, rng):
+    for kind, text in planted(shown, rng):
         spoiled = read(text, known)
         caught = bool(spoiled.broken or spoiled.unread)
         tally.count.update({f"planted {kind}": 1, f"caught {kind}": caught})
