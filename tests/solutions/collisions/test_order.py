@@ -172,3 +172,12 @@ def test_discs_that_touch_after_an_inelastic_collision_do_not_collide_again() ->
         "pucks A and B touch, but keep no relative velocity along their line of centres"
         in found.text.lower().replace("pucks a and b", "pucks A and B")
     )
+
+
+def test_two_walls_are_told_apart() -> None:
+    """Of a wall on the left and one on the right, neither is *the wall*."""
+    found = item(recipe="collision", difficulty="hard", mode="multipart", seed=301915, index=0, solutions=True)
+    assert found.solution is not None
+    assert "moves away from the right wall" in found.solution.text
+    assert " hits the left wall" in found.solution.text
+    assert " the wall" not in found.solution.text

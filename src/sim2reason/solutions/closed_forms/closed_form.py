@@ -85,7 +85,9 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     found = Substitution(definitions(solution), {name: renamed.get(name, name) for name in given}).named(solution.goal)
     if (bare := _without_bars(found)) != found:
         at = {renamed.get(name, name): solution.values[name] for name in given}
+        signed = any(at.get(name, 0.0) < 0.0 for name in bare.symbols())
         found = -bare if _negative(bare, at) else bare
+        found = Absolute(found) if signed else found  # no reader can tell the sign of the whole
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found
@@ -139,6 +141,9 @@ def shortened(whole: Expression) -> ClosedForm:
 @lru_cache(maxsize=512)
 def _written(whole: Expression) -> ClosedForm:
     """As short as is found; many scenes differ in their numbers alone, and lead to one formula."""
+    if isinstance(whole, Absolute):
+        found = Absolute(_written(whole.inside).expression)
+        return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
     short = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
     found = tidied(with_factors_in_front(short))
     return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))

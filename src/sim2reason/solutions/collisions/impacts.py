@@ -103,7 +103,12 @@ class Impacts(FreeFlights, ABC):
     def obstacle(self, meeting: int) -> str:
         """Return what a body hits that does not move, in words."""
         normal = self.mechanism.meetings[meeting].normal
-        return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
+        if normal is not None and normal[2] > 1.0 - ALIGNED:
+            return "the ground"
+        normals = {held.normal for held in self.mechanism.meetings if held.a is None}
+        if normal is None or len(normals) == 1:
+            return "the wall"
+        return "the left wall" if normal[0] > 0.0 else "the right wall"
 
     def event(self, time: Symbol) -> str:
         """Return the impact that comes at a time, in words; *then* if none does."""

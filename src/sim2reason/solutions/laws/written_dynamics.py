@@ -241,9 +241,9 @@ class DynamicsWriter:
 
     def _why(self, group: Sequence[Row]) -> str:
         if self.d.measure.values:
-            return (
-                f"No external force acts along this line on {self._who(group)}, so their centre of mass stays at rest"
-            )
+            who, _, direction = self._who(group).rpartition(", ")
+            said = f"No external force on {who} has a component {direction}, so their centre of mass does not move"
+            return f"{said} in this direction"
         return capital(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
