@@ -12,6 +12,7 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
 from sim2reason.bodies.wedge import Prism
+from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_prism_plane import MassPrismPlane
@@ -118,3 +119,12 @@ def test_bodies_on_two_faces_slide_one_up_and_one_down() -> None:
     place = scene(entity)
     found = solved(speed(place, 0, 0.5))
     assert "so block A slides up the face on the prism and block B slides down the face on the prism." in found.text
+
+
+def test_friction_in_a_stack_is_that_of_the_surface_beneath() -> None:
+    """A board that carries another one rubs on both faces; of these only one changes its direction."""
+    found = item(recipe="incline", difficulty="hard", mode="reverse", seed=301915, index=0, solutions=True)
+    assert found.solution is not None
+    assert "From the surface beneath, friction acts on boards A and C up the slope." in found.solution.text
+    said = "relative to board B from then on, and the friction between them is reversed."
+    assert said in found.solution.text

@@ -38,7 +38,10 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
             way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
             sticking.append(f"Static friction ${force}$ acts on {dynamics.setting.called(body)} {way}.")
     said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
-    return [*([f"Friction acts {joined(said)}."] if said else []), *sticking]
+    bodies = [body for some in ways.values() for body in some]
+    stacked = any(dynamics.mechanism.body[body].parent in bodies for body in bodies)  # and so rub on both faces
+    begin = "From the surface beneath, friction" if stacked else "Friction"
+    return [*([f"{begin} acts {joined(said)}."] if said else []), *sticking]
 
 
 def verify_sliding(dynamics: Dynamics) -> None:

@@ -59,8 +59,11 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
 def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) -> None:
     """Write that a body slips the other way from now on, and why, with numbers if nothing else holds it."""
     body = setting.mechanism.faces[face].subject
-    step, who = book.open("verify"), setting.called(body)
+    step, who, carrier = book.open("verify"), setting.called(body), setting.mechanism.body[body].parent
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
+    if carrier is not None:
+        way = f"in the opposite direction relative to {setting.called(carrier)}"
+        said = f"{who} slips {way} from then on, and the friction between them is reversed"
     needed = holding(newton, setting, face)
     if needed is None:
         step.say(f"{capital(said)}.")
