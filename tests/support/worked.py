@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from sim2reason.datasets.items import item
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.entity import Entity, Named
@@ -22,6 +23,13 @@ ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies
 def setting_of(search: QuestionSearch, query: Query) -> Setting:
     study = search.study
     return Setting(study.scene, search.words, search.description.symbols, study, query)
+
+
+def solution_text(recipe: str, difficulty: str, mode: str, index: int, seed: int = 301914) -> str:
+    """Return the worked solution of one generated problem, as its text."""
+    found = item(recipe=recipe, difficulty=difficulty, mode=mode, seed=seed, index=index, solutions=True)
+    assert found.solution is not None, found.unsolved
+    return found.solution.text
 
 
 def asked(scene: Scene, question: str | Query) -> Setting:

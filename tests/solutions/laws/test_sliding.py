@@ -12,7 +12,6 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
 from sim2reason.bodies.wedge import Prism
-from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_prism_plane import MassPrismPlane
@@ -23,7 +22,7 @@ from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.testing.solutions.faults import faults
-from worked import asked
+from worked import asked, solution_text
 
 G = 9.8
 
@@ -123,8 +122,7 @@ def test_bodies_on_two_faces_slide_one_up_and_one_down() -> None:
 
 def test_friction_in_a_stack_is_that_of_the_surface_beneath() -> None:
     """A board that carries another one rubs on both faces; of these only one changes its direction."""
-    found = item(recipe="incline", difficulty="hard", mode="reverse", seed=301915, index=0, solutions=True)
-    assert found.solution is not None
-    assert "From the surface beneath, friction acts on boards A and C up the slope." in found.solution.text
+    text = solution_text("incline", "hard", "reverse", 0, seed=301915)
+    assert "From the surface beneath, friction acts on boards A and C up the slope." in text
     said = "relative to board B from then on, and the friction between them is reversed."
-    assert said in found.solution.text
+    assert said in text

@@ -3,7 +3,6 @@
 import pytest
 
 from plain_scenes import row
-from sim2reason import item
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -12,7 +11,7 @@ from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution
-from worked import derived
+from worked import derived, solution_text
 
 CART, SPRING = "row.carts.0", "row.springs.0"
 
@@ -74,26 +73,21 @@ def test_modes_are_told_to_be_orthogonal_before_they_are_used() -> None:
 
 
 def test_a_string_in_an_oscillation_is_shown_to_stay_taut() -> None:
-    found = item(recipe="mixed", difficulty="easy", mode="multipart", seed=301914, index=0, solutions=True)
-    assert found.solution is not None
-    assert "sets block A in motion to the right" in found.solution.text
-    assert "and it stays taut" in found.solution.text
-    assert "It turns back" not in found.solution.text
+    text = solution_text("mixed", "easy", "multipart", 0)
+    assert "sets block A in motion to the right" in text
+    assert "and it stays taut" in text
+    assert "It turns back" not in text
 
 
 def test_a_relative_motion_turns_back_before_a_cart_comes_to_rest() -> None:
-    found = item(recipe="chain", difficulty="easy", mode="numeric", seed=301914, index=2, solutions=True)
-    assert found.solution is not None
-    text = found.solution.text
+    text = solution_text("chain", "easy", "numeric", 2)
     assert "the relative velocity is zero where" in text
     assert "This is the negative root, as $x$ decreases at first." in text
     assert "Until then cart A is faster, so it has not come to rest before." in text
 
 
 def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> None:
-    found = item(recipe="box", difficulty="easy", mode="symbolic", seed=301914, index=0, solutions=True)
-    assert found.solution is not None
-    text = found.solution.text
+    text = solution_text("box", "easy", "symbolic", 0)
     assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
     assert text.index("the total kinetic energy is") < text.index("effective mass")
     assert r"-\left(-" not in text

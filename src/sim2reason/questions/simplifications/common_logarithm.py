@@ -20,7 +20,7 @@ class CommonLogarithm(BurningSlip):
     reason = "the logarithm to base ten is taken for the natural one"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the rockets if the thrust is the only force."""
+        """Return the bodies that burn fuel if their thrust is the only force; else none."""
         mechanism = study.mechanism
         return [] if weighs(mechanism) or mechanism.attractions else super().subjects(query, study)
 

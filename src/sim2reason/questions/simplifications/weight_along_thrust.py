@@ -19,7 +19,7 @@ class WeightAlongThrust(ChangedMechanism):
     reason = "the weight of {subject} is added to the thrust instead of being subtracted"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the rockets if there is gravity."""
+        """Return the bodies that burn fuel if there is gravity; else none."""
         del query
         mechanism = study.mechanism
         return [burn.body for burn in mechanism.burns] if weighs(mechanism) else []

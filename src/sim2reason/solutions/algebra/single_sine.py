@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 
 
 def single_sine(name: str, found: Expression) -> str:
-    """Return the sentence that the left side is a single sine, where a solution is arcsin(…) ± arctan(…); else none."""
+    """Write a sin x + b cos x as a multiple of one sine if x is arcsin(…) ± arctan(…); return "" for any other x."""
     if not isinstance(found, Sum) or len(found.terms) != 2:
         return ""
     turns = [term for term in found.terms if _function(term) == "arctan"]
@@ -25,7 +25,7 @@ def single_sine(name: str, found: Expression) -> str:
 
 
 def beyond_right_angle(others: Sequence[float], value: float) -> str:
-    """Return the sentence that the other solution for an angle is more than 90°; empty unless it is."""
+    """State that the other solution for an angle exceeds 90°; return "" if it does not."""
     if len(others) != 1 or not 0.0 < value <= 0.5 * pi < others[0]:
         return ""
     return f"The other solution, ${with_unit(others[0], DEGREES)}$, is more than $90^\\circ$."

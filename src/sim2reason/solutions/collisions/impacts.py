@@ -195,7 +195,7 @@ class Impacts(FreeFlights, ABC):
         return {k: Polynomial.of(name)}
 
     def _kept(self, body: str, k: int) -> str:
-        """Return what a wall leaves unchanged, at the first rebound of a body in a plane."""
+        """State that the velocity along a wall is unchanged, at the first rebound in a plane; else return ""."""
         others = [j for j in self.coordinates(body) if j != k]
         if not others or any(held.kind == "rebound" for held in self.book.steps):
             return ""

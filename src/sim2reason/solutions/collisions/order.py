@@ -77,11 +77,11 @@ class CollisionOrder:
                 yield Together(number, legs, begins, ends if ends is not None else self._last(meeting))
 
     def _last(self, meeting: Meeting) -> Impact | None:
-        """Return the collision of two of the partners that ends the motion considered, if any."""
+        """Return the collision that ends the motion if both bodies belong to the given meeting; else None."""
         return next((held for held in self._at_end() if {*held.bodies} & {*meeting.names}), None)
 
     def _at_end(self) -> list[Impact]:
-        """Return the collisions at the end of the motion considered; an empty list if it has no end."""
+        """Return the collisions at the time at which the motion ends; an empty list if it has no end."""
         if self._time == inf:
             return []
         return [held for held in self._flights.impacts if abs(held.time - self._time) <= 1e-9 * self._time]

@@ -113,10 +113,9 @@ class Burning(Way):
 
     def exclude_rising(self, time: Symbol, longest: Expression) -> None:
         """Write that a rocket which rose from the start would not come to rest as late as it is said to."""
-        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{max}")
+        step = self.book.open("verify")
         exceeds(self.book, step, time, longest)
-        self.book.observed[name.name] = self.book.value(longest)
-        told = step.verified(name, longest, SECONDS)
+        told = self._observed(step, r"\text{max}", longest)
         step.say(f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,")
         step.say(f"and {self.name} would come to rest at the latest after {told}, which is before the given time.")
         step.close()
@@ -211,20 +210,25 @@ class Burning(Way):
         return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
 
     def _verify_spent(self, time: Symbol, formula: Expression) -> None:
-        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{out}")
+        step = self.book.open("verify")
         exceeds(self.book, step, time, formula)
-        self.book.observed[name.name] = self.book.value(formula)
-        told = step.verified(name, formula, SECONDS)
+        told = self._observed(step, r"\text{out}", formula)
         step.say(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
         step.close()
 
     def verify_burning(self, time: Symbol, spent: Expression) -> None:
         """Write that the fuel lasts for longer than a time."""
-        step, name = self.book.open("verify"), self.book.fresh("t", r"\text{out}")
+        step = self.book.open("verify")
         exceeds(self.book, step, spent, time)
-        self.book.observed[name.name] = self.book.value(spent)
-        step.say(f"The fuel lasts for {step.verified(name, spent, SECONDS)}, so the engine is still on at this time.")
+        told = self._observed(step, r"\text{out}", spent)
+        step.say(f"The fuel lasts for {told}, so the engine is still on at this time.")
         step.close()
+
+    def _observed(self, step: Writing, mark: str, formula: Expression) -> str:
+        """Return the equation of a time that only a verification uses."""
+        name = self.book.fresh("t", mark)
+        self.book.observed[name.name] = self.book.value(formula)
+        return step.verified(name, formula, SECONDS)
 
     def verify_farther(self, distance: Symbol, high: Expression) -> None:
         """Write that a distance is covered only after burnout."""

@@ -7,7 +7,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, needed_words
+from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, tell_not_held
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
@@ -77,18 +77,13 @@ def _tell(dynamics: Dynamics) -> None:
 
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
-    """Write that a lone body would need more friction than there is to stay at rest or to roll."""
+    """State that the friction needed to stay at rest or to roll exceeds the greatest; nothing in a limiting case."""
     book, newton = dynamics.book, dynamics.newton
     most = limit_of_friction(newton, face)
-    needed = needed if book.value(needed) >= 0.0 else -needed
-    if book.value(needed) <= book.value(most):  # a limiting case
-        return
-    step = book.open("verify")
-    exceeds(book, step, needed, most)
-    said = needed_words(newton, dynamics.setting, step, book, face, (needed, most))
-    slips = newton.alone(face) is None
-    step.say(f"{said}, so it {'slips' if slips else f'slides {way_of_slip(dynamics, face, newton.rough[face])}'}.")
-    step.close()
+    if abs(book.value(needed)) > book.value(most):
+        slips = newton.alone(face) is None
+        moves = "slips" if slips else f"slides {way_of_slip(dynamics, face, newton.rough[face])}"
+        tell_not_held(newton, dynamics.setting, book, face, needed, f", so it {moves}")
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:

@@ -71,26 +71,28 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
         step.say(f"By assumption {said}.")
     elif book.is_hidden(needed) or book.is_hidden(limit_of_friction(newton, face)):
         step.say(f"Assume that {said}.")
-        book.afterwards.append(lambda: _tell_not_held(newton, setting, book, face, needed))
+        book.afterwards.append(lambda: tell_not_held(newton, setting, book, face, needed))
     else:
-        _tell_not_held(newton, setting, book, face, needed)
+        tell_not_held(newton, setting, book, face, needed)
         step.say(f"So {said}.")
     step.close()
 
 
-def _tell_not_held(newton: Newton, setting: Setting, book: Book, face: int, needed: Expression) -> None:
-    """Write that a body would need more friction than there is to stay at rest or to roll."""
+def tell_not_held(
+    newton: Newton, setting: Setting, book: Book, face: int, needed: Expression, therefore: str = ""
+) -> None:
+    """State that the friction needed to stay at rest or to roll exceeds the greatest friction available."""
     step, most = book.open("verify"), limit_of_friction(newton, face)
     friction = needed if book.value(needed) >= 0.0 else -needed
     exceeds(book, step, friction, most)
-    step.say(f"{needed_words(newton, setting, step, book, face, (friction, most))}.")
+    step.say(f"{_needed_words(newton, setting, step, book, face, (friction, most))}{therefore}.")
     step.close()
 
 
-def needed_words(
+def _needed_words(
     newton: Newton, setting: Setting, step: Writing, book: Book, face: int, forces: tuple[Expression, Expression]
 ) -> str:
-    """Return the clause that a body would need more friction than the greatest to stay at rest or to roll."""
+    """State in a clause that the friction needed to stay at rest or to roll exceeds the greatest friction."""
     subject = setting.mechanism.faces[face].subject
     mark, who = setting.mark(subject), setting.called(subject)
     if newton.alone(face) is not None:

@@ -33,7 +33,7 @@ def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> No
 
 
 def _tell_taut(way: LinearWay, motion: LinearMotion, step: Writing, net: Symbol) -> None:
-    """Write how small tensions become at most, as far as the law of one body gives each: no acceleration is greater."""
+    """Verify that strings stay taut: find the least tension from the law of one body at the greatest acceleration."""
     held = [(line, row) for line in range(len(motion.laws.lines)) if (row := _law(motion, line)) is not None]
     (i,), book = motion.free, way.book
     mass = motion.mass(i, i).factored()

@@ -9,7 +9,7 @@ from sim2reason.solutions.setting import LEVEL, Setting
 
 @dataclass(frozen=True, slots=True)
 class MomentumWords:
-    """Sentences about a conserved momentum, without the full stop."""
+    """Sentences about the conservation of momentum, each without its full stop."""
 
     conserved: str
     zero: str

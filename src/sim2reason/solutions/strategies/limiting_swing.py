@@ -73,7 +73,7 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
 
 
 def _varied(setting: Setting, book: Book) -> str:
-    """Return the symbol of the number whose limit is meant; it may be given, and another number asked for."""
+    """Return the symbol of the quantity that has the limiting value, whether that value is given or asked for."""
     assert isinstance(setting.query, ThresholdQuery)
     given = setting.given(setting.query.parameter)
     return given.symbol if given is not None else book.sought

@@ -16,7 +16,7 @@ class BurningSlip(ChangedMechanism):
     """A common mistake about how one rocket burns its fuel."""
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the rockets."""
+        """Return the bodies that burn fuel."""
         del query
         return [burn.body for burn in study.mechanism.burns]
 
@@ -27,7 +27,7 @@ class BurningSlip(ChangedMechanism):
 
     @abstractmethod
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return the burn with the mistake made."""
+        """Return the burn of one rocket with the mistake made."""
 
 
 def without_loss(burn: Burn) -> Burn:

@@ -202,7 +202,7 @@ class Tape:
 
 @dataclass(frozen=True, slots=True)
 class _Code:
-    """What was written for a shape: a function of numbers, where these stand among all, and how long it is."""
+    """Generated code for one shape of equations: where its parameters stand among all constants, and its length."""
 
     make: Callable[..., Any]
     parameters: tuple[int, ...]
@@ -217,7 +217,7 @@ def _written(
     outputs: tuple[tuple[int, Said], ...],
     guards: tuple[tuple[int, Said], ...],
 ) -> _Code:
-    """Write the code of a tape, whatever its numbers are: most motions that are followed differ in these alone.
+    """Generate the code of a tape with its constants as parameters, so that mechanisms of one shape share it.
 
     Outputs and guards are nodes with a number; an output that is no node is numbered −1.
     """
