@@ -97,10 +97,11 @@ def solved(request: Request) -> Iterator[Solved]:
     if found is None:
         return
     item, solution = item_of(request, found), worked(request, found)
-    if not found.parts or solution.answer is None:
+    if not found.parts:
         yield Solved(item, found.setting, solution, solution.text)
         return
-    for part, held in zip(found.parts, worked_parts(request, found), strict=False):
+    parts = worked_parts(request, found) if solution.answer is not None else [solution] * len(found.parts)
+    for part, held in zip(found.parts, parts, strict=True):
         yield Solved(item, part.certified.setting, held, solution.text)
 
 

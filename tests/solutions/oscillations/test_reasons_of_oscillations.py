@@ -51,9 +51,9 @@ def test_the_place_of_the_greatest_speed_is_before_the_natural_length() -> None:
     scene = rubbing()
     query = StretchQuery("extremum", None, NaturalLength(spring(scene)), "greatest speed", CART)
     found = derived(scene, query)
-    if found.strategy == "energy":
-        assert "This point is passed before the spring has its natural length" in found.text
-        assert verified(found)[r"x_{\text{end}}"] == pytest.approx(0.2)
+    assert found.strategy == "energy"
+    assert "This point is passed before the spring has its natural length" in found.text
+    assert verified(found)[r"x_{\text{end}}"] == pytest.approx(0.2)
 
 
 def test_what_starts_from_rest_says_which_way_it_begins() -> None:

@@ -117,8 +117,8 @@ class Elimination:
         if not weights or not all(weights):
             self._one(self._alone(equations, left, wanted[0]), wanted[0])
             return
-        inertias = (total(e.zero * weight for e, weight in held) for held in weights)
-        hidden = any(self.book.is_hidden(held.coefficient(n).expression()) for held in inertias for n in free)
+        sums = (total(e.zero * weight for e, weight in held) for held in weights)
+        hidden = any(self.book.is_hidden(held.coefficient(n).expression()) for held in sums for n in free)
         labelled = len(weights) > 1 and hidden
         combined = [self._sum(held, free, labelled=labelled) for held in weights]
         if len(combined) == 1:

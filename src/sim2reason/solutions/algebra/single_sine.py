@@ -13,10 +13,10 @@ def single_sine(name: str, found: Expression) -> str:
     """Write a sin x + b cos x as a multiple of one sine if x is arcsin(…) ± arctan(…); return "" for any other x."""
     if not isinstance(found, Sum) or len(found.terms) != 2:
         return ""
-    turns = [term for term in found.terms if _function(term) == "arctan"]
-    if len(turns) != 1 or not any(_function(term) == "arcsin" for term in found.terms):
+    signed = {pair[1].function: pair for term in found.terms if (pair := _signed(term)) is not None}
+    if signed.keys() != {"arcsin", "arctan"}:
         return ""
-    sign, inner = _signed(turns[0])
+    sign, inner = signed["arctan"]
     argument = inner.argument
     if argument.negative:
         sign, argument = -sign, -argument
@@ -31,17 +31,12 @@ def beyond_right_angle(others: Sequence[float], value: float) -> str:
     return f"The other solution, ${with_unit(others[0], DEGREES)}$, is more than $90^\\circ$."
 
 
-def _signed(held: Expression) -> tuple[float, Call]:
-    """Return the sign of a term ± f(…), and the function without it."""
+def _signed(held: Expression) -> tuple[float, Call] | None:
+    """Return the sign of a term ± f(…) and the function without it; None for other terms."""
     match held:
         case Call():
             return 1.0, held
         case Product((Number(-1.0), Call() as inner)):
             return -1.0, inner
         case _:
-            return 0.0, Call("exp", held)
-
-
-def _function(held: Expression) -> str:
-    sign, inner = _signed(held)
-    return inner.function if sign else ""
+            return None

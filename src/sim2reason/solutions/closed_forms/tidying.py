@@ -43,8 +43,6 @@ def _function(held: Absolute | Call) -> Expression:
     match held:
         case Absolute(inside) | Call(_, inside) if inside.negative:
             return _outward(held, _opposite(inside))
-        case Absolute(Product((Number(x), *rest))) if x < 0.0:
-            return Absolute(reduce(multiplied, rest, Number(-x)))
         case Call(function, Number(0.0)):
             return AT_ZERO.get(function, held)
         case Call("cos" | "sin", Sum() as angle):

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from math import isinf
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -118,9 +119,7 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
 
 def way_of_slip(dynamics: Dynamics, face: int, sense: float) -> str:
     """Return the direction in which a body slides on a face if the surfaces slip in a sense, in words."""
-    m = dynamics.mechanism
-    pairs = [(m.number[name], radius) for name, radius in m.faces[face].slip]
-    slides = [(k, radius) for k, radius in pairs if m.coordinates[k].kind == "slide"]
+    slides = sliding_coordinates(dynamics.mechanism, face)
     return dynamics.moving(slides[0][0], 1 if sense * slides[0][1] > 0.0 else -1) if slides else ""
 
 
@@ -185,3 +184,9 @@ def _tell_taut(dynamics: Dynamics, place: int) -> None:
     who = joined([dynamics.setting.called(body) for body in bodies])
     step.say(f"The string between {who} stays taut, as its tension {told} is positive.")
     step.close()
+
+
+def sliding_coordinates(m: Mechanism, face: int) -> list[tuple[int, float]]:
+    """Return the coordinates along which a body slides on a face, each with its factor in the velocity of slip."""
+    pairs = [(m.number[name], factor) for name, factor in m.faces[face].slip]
+    return [(k, factor) for k, factor in pairs if m.coordinates[k].kind == "slide"]

@@ -1,5 +1,6 @@
 """Equations that a later part does not use, because the result of an earlier part replaces them."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.solution import Solution, Step
 
-_IN_NUMBERS = "In numbers: "
+_HEADING = re.compile(r"In (?:numbers|order of the unknowns): ")  # of one equation, and of those after it
 _UNLABELLED = frozenset(("constraint", "combine"))  # kinds of steps of one equation each
 
 
@@ -33,34 +34,30 @@ def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], boo
     The text does not say on which equations those in numbers rest; where some remain, so do all before them.
     """
     for place in reversed(range(len(steps))):
-        in_numbers = steps[place].text.startswith(_IN_NUMBERS)
+        headed = _HEADING.match(steps[place].text)
+        if headed and any(DEFINED.search(step.text) for step in steps[place + 1 :]):
+            break
         for equation in reversed(_equations(steps[place])):
             others = (*steps[:place], *steps[place + 1 :])
             if any(label in referred(step.text) for step in others for label, _ in DEFINED.findall(equation)):
                 continue
             trial = (*steps[:place], _without(steps[place], equation), *steps[place + 1 :])
             steps = trial if accepted(trial) else steps
-        if in_numbers and any(DEFINED.search(step.text) for step in steps[place:]):
+        if headed and steps[place].text:
             break
     return steps
 
 
 def _equations(step: Step) -> list[str]:
     """Return the equations of a step that may be left out, each with its label."""
-    if step.text.startswith(_IN_NUMBERS):
-        return step.text.removeprefix(_IN_NUMBERS).removesuffix(".").split("; ")
-    sentences = SENTENCE.split(step.text)
-    if step.kind in _UNLABELLED or all(map(DEFINED.match, sentences)):
-        return sentences
-    return []
+    sentences = SENTENCE.split(_HEADING.sub("", step.text))
+    return sentences if step.kind in _UNLABELLED or all(map(DEFINED.match, sentences)) else []
 
 
 def _without(step: Step, equation: str) -> Step:
     """Return a step without one of its equations; one without a text if none is left."""
-    kept = [each for each in _equations(step) if each != equation]
-    text = f"{_IN_NUMBERS}{'; '.join(kept)}." if step.text.startswith(_IN_NUMBERS) else " ".join(kept)
-    relations = tuple(r for r in step.relations if r.latex() in text) if kept else ()
-    return replace(step, text=text if kept else "", relations=relations)
+    text = " ".join(each for each in _equations(step) if each != equation)
+    return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
 
 def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:

@@ -1,4 +1,4 @@
-"""Where what has one way to move is fastest: where all forces balance, if that is on its way."""
+"""The place of greatest speed in motion with one degree of freedom: where the net force is zero."""
 
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
@@ -14,7 +14,7 @@ STILL = 1e-6  # relative, and m
 
 
 def fastest_place(way: SingleWay, seen: float) -> Symbol:
-    """Write where all forces balance, so that the kinetic energy is greatest; the engine has `seen` it there."""
+    """Find where the net force is zero; UnsolvedError unless the engine has `seen` the greatest speed there."""
     motion, name = way.motion, way.name
     (i,) = motion.free
     stiffness, load = motion.stiffness(i, i), motion.load(i)
@@ -38,7 +38,7 @@ def fastest_place(way: SingleWay, seen: float) -> Symbol:
 
 
 def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
-    """Write that the place is passed before the moment at which the motion of the question ends."""
+    """Verify that the body passes this place before the motion in question ends."""
     book, end = way.book, _end(way)
     if end is None or book.is_hidden(end) or book.is_hidden(name):
         return
@@ -54,7 +54,7 @@ def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
 
 
 def _end(way: SingleWay) -> Expression | None:
-    """Return where the motion of the question ends, if that is a stated place."""
+    """Return the place at which the motion in question ends, if the question states one."""
     moment = way.query.moment
     if isinstance(moment, NaturalLength):
         return way.relaxed_place(moment.name)

@@ -1,4 +1,4 @@
-"""Which way an oscillation from rest begins, and that light strings stay taut in it, shown in numbers."""
+"""The initial direction of an oscillation from rest, and verification that its strings stay taut."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -13,7 +13,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
 
 
 def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> None:
-    """Write of a smooth motion from rest which way it begins, by the net force at the start."""
+    """State the initial direction of a motion from rest without friction, by the net force at the start."""
     (i,), book = motion.free, way.book
     if isinstance(motion, RelativeMotion) or any(motion.laws.rough.values()) or way.first(i):
         return

@@ -1,5 +1,6 @@
-"""Kinetic friction on bodies on springs, in words: how large it is, and which way it acts."""
+"""Sentences about the size and the direction of kinetic friction in oscillations."""
 
+from sim2reason.solutions.laws.sliding import sliding_coordinates
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.linear_way import LinearWay
@@ -10,7 +11,7 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
     """Return which way kinetic friction acts, in words; and on whom, unless that is what moves with `motion`."""
     ways: dict[str, list[str]] = {}
     for face, side in motion.laws.rough.items():
-        found = [(k, radius) for k, radius in _slip(motion, face) if motion.ratios[k]]
+        found = [(k, radius) for k, radius in sliding_coordinates(motion.mechanism, face) if motion.ratios[k]]
         if side and found:
             k, radius = found[0]
             against = way.towards(k, forward=side * radius < 0.0)
@@ -21,7 +22,7 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
 
 
 def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
-    """Return what friction does until a swing ends, the first of which has the number 0, and how it moves then."""
+    """Return sentences about the friction in one half oscillation and the motion in it; the first has the number 0."""
     motion = held.motion
     assert isinstance(motion, LinearMotion)
     who, acts = way.who(motion.free[0]), friction_words(way, motion)
@@ -44,10 +45,3 @@ def _size(motion: LinearMotion) -> str:
     if len(faces) != 1:
         return ""
     return f" ${(motion.laws.coefficient(faces[0]) * motion.normal(faces[0])).factored().latex()}$"
-
-
-def _slip(motion: LinearMotion, face: int) -> list[tuple[int, float]]:
-    """Return the coordinates along which a body slides on a face, with what each adds to the slip."""
-    m = motion.mechanism
-    pairs = [(m.number[name], radius) for name, radius in m.faces[face].slip]
-    return [(k, radius) for k, radius in pairs if m.coordinates[k].kind == "slide"]

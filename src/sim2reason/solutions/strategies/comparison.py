@@ -95,7 +95,7 @@ class TwoCases(Strategy):
         step.close()
         other, begun = with_changed_scene(inner, changed, query.path, new.name), len(book.steps)
         after = solved(other, book, _closed(other))
-        shorten_second_case(book, begun)
+        shorten_second_case(book, begun, {new.name: symbol})
         return compared(book, query, goal, after)
 
 

@@ -204,7 +204,7 @@ class SwingAngle(ABC):
         found = added(self.angle, -self.first)
         return found if self.book.value(found) >= 0.0 else -found
 
-    _bent = ""  # begins a sentence with the change in momentum, where the velocity changes its direction
+    _law_of_cosines = ""  # begins a sentence with the change in momentum, where the velocity changes its direction
 
     def change(self, begun: Expression, speed: Expression) -> Expression:
         """Of the velocity, from one speed along the arc to another: the third side of a triangle."""
@@ -217,7 +217,7 @@ class SwingAngle(ABC):
         if self.sine != ZERO:
             turned = f"${self.between.latex()}$" if onward else f"$180^\\circ - {self.between.latex()}$"
             said = f"The two velocities make the angle {turned}, so by the law of cosines the impulse,"
-            self._bent = f"{said} which is the change in momentum, is"
+            self._law_of_cosines = f"{said} which is the change in momentum, is"
         return Root(Power(begun, 2) + Power(speed, 2) - along)
 
     # ---- what is asked
@@ -249,8 +249,8 @@ class SwingAngle(ABC):
         """Return the words before the formula of a quantity; of an acceleration, they name its components."""
         if quantity in BOTH and not self.vertical and (held := self.components) is not None:
             return of_components(quantity, *held, begins=not self.still)
-        if quantity == "impulse of the net force" and self._bent:
-            return self._bent
+        if quantity == "impulse of the net force" and self._law_of_cosines:
+            return self._law_of_cosines
         passed = quantity == "angle turned" and self.first != ZERO and self.angle.negative
         return PASSED if passed else self.WAYS[quantity][1]
 
