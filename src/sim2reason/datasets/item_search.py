@@ -19,7 +19,7 @@ from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES, Difficulty, difficulty_named
 
 SCENES = 60  # drawn for one item, at most
-TOGETHER = 3  # of them are asked for the first kind before another one has its turn
+TOGETHER = 2  # of them are asked for the first kind before another one has its turn
 TRIES = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn

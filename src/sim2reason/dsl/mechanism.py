@@ -4,7 +4,6 @@ At the start of the motion the axes of every body's frame are those of the room:
 reader, z up. All numbers are in one coherent system of units, SI unless `units` says otherwise, angles in radians.
 """
 
-from dataclasses import dataclass
 from math import inf
 from typing import ClassVar, Literal
 
@@ -13,6 +12,7 @@ from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Tensor, Vector
 from sim2reason.lazy import Memo, cached_property
+from sim2reason.record import record
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)
@@ -22,7 +22,7 @@ NO_INERTIA: Tensor = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 GRAVITY = 9.8
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Coordinate:
     """One way in which a body may move relative to its parent, zero at the start of the motion."""
 
@@ -36,7 +36,7 @@ class Coordinate:
     upper: float = inf
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class RigidBody:
     """A rigid body; its parent's frame carries it. Mass 0 means massless.
 
@@ -52,7 +52,7 @@ class RigidBody:
     coordinates: tuple[Coordinate, ...] = ()  # none: welded to the parent
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Face:
     """A face of its parent on which a body lies: the body may slide or roll along it and presses on it.
 
@@ -67,7 +67,7 @@ class Face:
     guided: bool = False  # it holds the body both ways, so that the normal force may have either sign
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Site:
     """A point fixed on a body, or in the room."""
 
@@ -76,7 +76,7 @@ class Site:
     at: Vector  # in the body's frame
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Wheel:
     """A line's grip on a massive pulley: its free length changes by `radius` times the pulley's angle."""
 
@@ -84,7 +84,7 @@ class Wheel:
     radius: float  # signed, in metres
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Inextensible:
     """A string: its length may not exceed that at the start + `slack` − `reel`·t; it pulls or is slack."""
 
@@ -94,21 +94,21 @@ class Inextensible:
     reel: float = 0.0  # m/s at which it is taken in
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Rigid:
     """A light rod: its length never changes; it pulls or pushes."""
 
     row: ClassVar[str] = "rod"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Prop:
     """A light strut that may be left: its length may not fall below that at the start; it pushes or is idle."""
 
     row: ClassVar[str] = "prop"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Elastic:
     """A light spring: its tension is stiffness·(length − natural length) + damping·rate.
 
@@ -128,7 +128,7 @@ class Elastic:
         return {"both": 0.0, "pushes": -1.0, "pulls": 1.0}[self.acts]
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class ConstantTension:
     """A string drawn in with a constant force, its tension."""
 
@@ -140,7 +140,7 @@ class ConstantTension:
 LineLaw = Inextensible | Rigid | Prop | Elastic | ConstantTension
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Line:
     """A light line of one tension, straight between its sites.
 
@@ -158,7 +158,7 @@ class Line:
     circle: tuple[str, str] | None = None  # the bodies that it joins, if it lies along a circle, counter-clockwise
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Force:
     """A force on a body at its centre of mass, by a law of place, velocity and time; in a region or everywhere."""
 
@@ -168,7 +168,7 @@ class Force:
     region: Region | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Attraction:
     """Two bodies attract each other with `constant`·m·m′/rᵖ between their centres of mass."""
 
@@ -178,7 +178,7 @@ class Attraction:
     power: float = 2.0
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Burn:
     """A body that ejects mass backwards: thrust rate·exhaust along `direction` until a time."""
 
@@ -189,7 +189,7 @@ class Burn:
     direction: Vector = Z
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Foot:
     """A point of a body that may stand on a plane of the room: it does not go through it, nor slips while it stands."""
 
@@ -200,7 +200,7 @@ class Foot:
     height: float  # of the plane: n·r of its points
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Meeting:
     """Two bodies that bounce when they touch: their centres within `distance`, along `normal` if there is one."""
 
@@ -217,7 +217,7 @@ class Meeting:
         return (self.b,) if self.a is None else (self.a, self.b)
 
 
-@dataclass(frozen=True)
+@record()
 class Mechanism(Memo):
     """Everything that an engine needs, and nothing that only a reader needs.
 

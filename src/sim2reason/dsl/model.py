@@ -2,7 +2,6 @@
 
 import types
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 from math import inf
 from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, get_args, get_origin
@@ -14,6 +13,7 @@ from sim2reason.dsl.bounds import bounds
 from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
+from sim2reason.record import record
 
 
 class Model(BaseModel):
@@ -54,7 +54,7 @@ class Model(BaseModel):
 M = TypeVar("M", bound=Model)
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Parameter:
     """One declared number of a value: its address, what it is (None: absent), what it means, if it may be negative."""
 
@@ -65,7 +65,7 @@ class Parameter:
     signed: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class FieldType:
     """A field's annotation taken apart once: `models` are the classes that it may hold."""
 

@@ -1,7 +1,7 @@
 """What a motion looks like to whoever reads it: arrays over time, the same from every engine."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from typing import NamedTuple, Self
 
@@ -12,6 +12,7 @@ from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.dsl.triples import Triple, minus, product
 from sim2reason.lazy import cached_property
+from sim2reason.record import record
 
 Array = NDArray[np.float64]
 
@@ -25,7 +26,7 @@ class Dynamics(NamedTuple):
     friction: Mapping[str, Array]
 
 
-@dataclass(frozen=True)
+@record()
 class State:
     """The motion of a mechanism at n instants.
 

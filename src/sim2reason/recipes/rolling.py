@@ -4,6 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.measures import Range
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
@@ -27,9 +28,18 @@ ROCKS = {  # with a hole so large, and on so gentle a slope, that it counts
     "grip": ("NoSlipping",),
     "bearing": Range(20.0, 160.0),
     "radius": Range(0.15, 0.2),
-    "hole": Range(0.1, 0.14),
-    "offset": Range(0.03, 0.07),
+    "hole": Range(0.11, 0.15),
+    "offset": Range(0.03, 0.055),
 }
+COUNTS = 1.22  # times the inertia that it would have without its hole, about its centre of mass: less would be forgiven
+
+
+def _hole_counts(entity: RollingEntity) -> bool:
+    """Return whether who forgets the hole in the moment of inertia gets another answer."""
+    solid, plain = (held.inertia(1.0)[1] for held in (entity.body.solid, entity.body.plainer["hole"]))
+    return solid >= COUNTS * plain
+
+
 LIVELY = {**ROLLS, "grip": ("Rough",), "start?": 1.0, "start": ("Sliding", "Spinning", "Spinning")}
 IDEAS = {
     "easy": (
@@ -39,10 +49,10 @@ IDEAS = {
     "medium": (  # it slips until it rolls, slips all the way on too steep a slope, or has its weight on one side
         Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 2.0),
         Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.3}),
-        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 2.0),
+        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 2.0, _hole_counts),
     ),
     "hard": (
-        Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 2.0),
+        Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 2.0, _hole_counts),
         Idea(KIND, LIVELY, 2.0),
         Idea(
             PRISM,

@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.needs import need_of
-from sim2reason.solutions.algebra.signs import with_plain_signs
+from sim2reason.solutions.algebra.signs import plain_latex
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]
@@ -39,8 +39,8 @@ class Relation:
 
     def latex(self, value: float | None = None) -> str:
         """As it stands in the text, with dollars; of a result the value follows."""
-        formula, sign = with_plain_signs(self.right).latex(), ">" if self.role == "exceeds" else "="
-        text = f"{with_plain_signs(self.left).latex()} {sign} {formula}"
+        formula, sign = plain_latex(self.right), ">" if self.role == "exceeds" else "="
+        text = f"{plain_latex(self.left)} {sign} {formula}"
         if value is not None:
             number = with_unit(value, self.unit)
             bare = formula == rounded(value) and self.unit != DEGREES

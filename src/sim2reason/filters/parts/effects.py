@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
-from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification
+from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification, in_order
 from sim2reason.questions.tolerance import NEARLY
 
 SAME = 0.02  # of the tolerance: an answer that changes by less is the same
@@ -53,7 +53,7 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
     Nothing that the question itself speaks of is taken away or held. What such answers by nature do not depend on may
     well be left out, as how it begins of the period of small oscillations: that is no slip.
     """
-    for simplification in SIMPLIFICATIONS.values():
+    for simplification in in_order():
         if simplification.part == part:
             yield from effects_of(simplification, candidate)
 

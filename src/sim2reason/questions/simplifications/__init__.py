@@ -26,6 +26,7 @@ class Simplification(ABC):
         misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
         sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
             or a choice that need not be made.
+        common: whether it refuses many questions for the time that it takes, so that it is tried before the others.
     """
 
     name: ClassVar[str]
@@ -34,6 +35,7 @@ class Simplification(ABC):
     holds: ClassVar[bool] = False
     misleads: ClassVar[bool] = True
     sound_if_same: ClassVar[bool] = False
+    common: ClassVar[bool] = False
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
@@ -74,6 +76,11 @@ class OtherReading(Simplification):
 
 S = TypeVar("S", bound=Simplification)
 SIMPLIFICATIONS: Registry[Simplification] = Registry("questions.simplifications")
+
+
+def in_order() -> list[Simplification]:
+    """Return all slips, the common ones first."""
+    return sorted(SIMPLIFICATIONS.values(), key=lambda each: not each.common)
 
 
 def simplification(cls: type[S]) -> type[S]:

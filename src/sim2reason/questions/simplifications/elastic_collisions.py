@@ -11,3 +11,4 @@ class ElasticCollisions(OneRestitution):
     name = "elastic collisions"
     reason = "every collision is taken as elastic"
     restitution = 1.0
+    common = True

@@ -16,6 +16,7 @@ class FaceFriction(ChangedMechanism):
 
     name = "friction on one body left out"
     reason = "the friction under {subject} is left out"
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Each of several bodies that lie on rough faces; a single one is covered by leaving out all friction."""

@@ -17,6 +17,7 @@ class FixedCarrier(ChangedMechanism):
     name = "fixed carrier"
     reason = "{subject} is taken as fixed"
     holds = True
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Whatever carries something and can move."""

@@ -11,3 +11,4 @@ class HoleInInertia(OtherFigure):
     name = "hole left out of the inertia"
     reason = "the moment of inertia of {subject} about its centre of mass is taken to be that without the hole"
     overlooked = "hole"
+    common = True

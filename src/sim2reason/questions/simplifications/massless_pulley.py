@@ -17,6 +17,7 @@ class MasslessPulley(ChangedMechanism):
 
     name = "massless pulley"
     reason = "pulleys are taken as light"
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """All pulleys at once."""

@@ -20,6 +20,7 @@ class ParallelAxisForgotten(ChangedMechanism):
 
     name = "parallel axis forgotten"
     reason = "the parallel-axis theorem is not applied"
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where something with a size turns about an axis beside its centre of mass that nothing moves."""

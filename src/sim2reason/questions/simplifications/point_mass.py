@@ -16,6 +16,7 @@ class PointMass(ChangedMechanism):
 
     name = "point mass"
     reason = "the moment of inertia about the centre of mass is left out"
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where anything with inertia about its centre of mass can turn."""

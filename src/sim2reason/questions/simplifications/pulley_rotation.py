@@ -18,6 +18,7 @@ class PulleyRotationLeftOut(ChangedMechanism):
 
     name = "pulley rotation left out"
     reason = "the rotational inertia of {subject} is left out"
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Each pulley whose mass alone matters too, and each of several.

@@ -11,3 +11,4 @@ class ThinDisc(OtherFigure):
     name = "body taken as a thin disc"
     reason = "the moment of inertia of {subject} is taken to be that of a thin disc"
     overlooked = "height"
+    common = True

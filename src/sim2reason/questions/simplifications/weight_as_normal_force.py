@@ -21,6 +21,7 @@ class WeightAsNormalForce(ChangedMechanism):
     name = "weight as normal force"
     reason = "the normal force that friction hangs on is taken to be the whole weight, though the face is sloped"
     sound_if_same = True  # then what lies there does not slip
+    common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where a slope is rough."""

@@ -1,8 +1,8 @@
 """Formulas that stand in a text as the numbers that they come to, and exact derivatives."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from sim2reason.record import record
 from sim2reason.solutions.algebra.digits import rounded, shortened
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
@@ -11,7 +11,7 @@ NEWTON = 6  # steps from a root that is known nearly
 STEP = 1e-30  # imaginary: a derivative by it is exact
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Worked(Expression):
     """A formula that is written as the number that it comes to, as in *34.800 a*."""
 
@@ -41,7 +41,7 @@ class Worked(Expression):
         return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class NumericRoot(Expression):
     """Where a formula of one further symbol vanishes, found by Newton's method from near by; written as its value."""
 
@@ -73,7 +73,7 @@ class NumericRoot(Expression):
         return (name for name in self.residual.symbols() if name != self.name)
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class ClosedRoot(NumericRoot):
     """The root of an equation that has a closed form once all but the unknown is in numbers.
 
@@ -85,7 +85,7 @@ class ClosedRoot(NumericRoot):
     closed: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class ImplicitRoot(NumericRoot):
     """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
 
@@ -100,7 +100,7 @@ class QuadraticRoot(ImplicitRoot):
     __slots__ = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Chain(Expression):
     """What the last of several names comes to, each a formula of those before it; it is never written."""
 

@@ -1,9 +1,9 @@
 """Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from math import prod
 
+from sim2reason.record import record
 from sim2reason.solutions.algebra.digits import pure_number
 
 FRACTION = r"\frac{"
@@ -98,10 +98,10 @@ class Expression:
             return Sum(tuple(-term for term in self.terms))
         if isinstance(self, Quotient) and self.negative:
             return Quotient(-self.above, self.below)
-        return multiplied(Number(-1.0), self)
+        return multiplied(MINUS_ONE, self)
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Number(Expression):
     """A pure number, written as a fraction where it is a simple one."""
 
@@ -122,7 +122,7 @@ class Number(Expression):
         return 2 if self.x >= 0.0 else 0
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Symbol(Expression):
     """A named value."""
 
@@ -146,7 +146,7 @@ class Symbol(Expression):
         yield self.name
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Sum(Expression):
     """Terms added up."""
 
@@ -176,7 +176,7 @@ class Sum(Expression):
         return 0
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Product(Expression):
     """Factors multiplied."""
 
@@ -198,7 +198,7 @@ class Product(Expression):
     def latex(self) -> str:
         """Side by side; numbers in digits are kept apart by a sign."""
         first, *rest = self.factors
-        if first == Number(-1.0):
+        if first == MINUS_ONE:
             return "-" + Product(tuple(rest)).latex() if len(rest) > 1 else f"-{parenthesized(rest[0], 1)}"
         plain = [factor.latex() for factor in self.factors]
         parts = [p if factor.rank else rf"\left({p}\right)" for factor, p in zip(self.factors, plain, strict=True)]
@@ -216,7 +216,7 @@ class Product(Expression):
         return 0 if self.negative else 1
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Quotient(Expression):
     """One divided by another, written as a fraction."""
 
@@ -248,7 +248,7 @@ class Quotient(Expression):
         return 0 if self.negative else 1
 
 
-ZERO, ONE = Number(0.0), Number(1.0)
+ZERO, ONE, MINUS_ONE = Number(0.0), Number(1.0), Number(-1.0)
 
 
 def ratio(above: Expression, below: Expression) -> Expression:

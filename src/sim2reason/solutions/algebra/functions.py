@@ -3,13 +3,13 @@
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from typing import Literal, cast
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.record import record
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     ZERO,
@@ -33,7 +33,7 @@ def _applied(name: str, inside: Scalar) -> Scalar:
     return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Power(Expression):
     """A whole power."""
 
@@ -69,7 +69,7 @@ class Power(Expression):
         return self.base.symbols()
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class _OfOne(Expression):
     """A function of one formula."""
 
@@ -90,7 +90,7 @@ class _OfOne(Expression):
         return self.inside.symbols()
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Root(_OfOne):
     """A square root, the positive one."""
 
@@ -103,7 +103,7 @@ class Root(_OfOne):
         return rf"\sqrt{{{self.inside.latex()}}}"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Call(Expression):
     """A function of an angle in radians, or of a ratio."""
 
@@ -136,7 +136,7 @@ class Call(Expression):
         return self.argument.symbols()
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Absolute(_OfOne):
     """An absolute value."""
 
@@ -152,7 +152,7 @@ class Absolute(_OfOne):
         return rf"\left|{self.inside.latex()}\right|"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Pi(Expression):
     """The ratio of a circle's circumference to its diameter."""
 

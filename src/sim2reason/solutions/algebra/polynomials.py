@@ -1,9 +1,9 @@
 """Polynomials of symbols: sums of products, in which equal terms find each other and what cancels is gone."""
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Self
 
+from sim2reason.record import record
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,
@@ -21,7 +21,7 @@ PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t"
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
 
 
-@dataclass(frozen=True)
+@record()
 class Polynomial:
     """Σ coefficient · product of powers of atoms; an atom is a symbol, or the sine or cosine of one."""
 
@@ -198,7 +198,10 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:
-    return any(isinstance(atom, Symbol) and atom.name in names for atom, _ in monomial)
+    for atom, _ in monomial:
+        if isinstance(atom, Symbol) and atom.name in names:
+            return True
+    return False
 
 
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
@@ -224,14 +227,20 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
 
 def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Without what cancels; the same object where nothing does, since to hash all terms again takes time."""
-    if all(abs(part) > NOTHING for part in terms.values()):
+    for part in terms.values():
+        if -NOTHING <= part <= NOTHING:
+            break
+    else:
         return terms
     return {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
 
 
 def _squared_sine(monomial: Monomial) -> Call | None:
     """The first sine in a term that is squared."""
-    return next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
+    for atom, power in monomial:
+        if power == 2 and isinstance(atom, Call) and atom.function == "sin":
+            return atom
+    return None
 
 
 def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:

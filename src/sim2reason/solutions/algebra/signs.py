@@ -13,17 +13,17 @@ SUSPECT = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
 """Matches the LaTeX of formulas whose signs can be simplified."""
 
 
+def plain_latex(held: Expression) -> str:
+    """Return the LaTeX of a formula, with signs as one would write them."""
+    found = held.latex()
+    return with_plain_signs(held).latex() if SUSPECT.search(found) else found
+
+
 def with_plain_signs(held: Expression) -> Expression:
     """Return a formula with the same value whose signs stand as one would write them."""
-    if not SUSPECT.search(held.latex()):
-        return held
-    return _plain(held)
-
-
-def _plain(held: Expression) -> Expression:
     if not held.parts or isinstance(held, Worked):
         return held
-    found = held.built_of([_plain(part) for part in held.parts])
+    found = held.built_of([with_plain_signs(part) for part in held.parts])
     if isinstance(found, Power) and found.base.negative and found.exponent % 2 == 0:
         return Power(_opposite(found.base), found.exponent)
     if isinstance(found, Call) and found.argument.negative and found.function in (*ODD, "cos"):

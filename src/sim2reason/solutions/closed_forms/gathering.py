@@ -1,11 +1,12 @@
 """Sums as one would write them by hand: what terms share stands before them, as in g (m_A - m_B), at any depth."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import reduce
 from itertools import combinations
 from math import copysign, gcd, isclose, sqrt
 
+from sim2reason.record import record
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import (
     ONE,
@@ -26,7 +27,7 @@ MANY = 30  # terms: of more, none is looked at
 FEW = 6  # terms of a sum in which products of two sums are looked for
 
 
-@dataclass(frozen=True)
+@record()
 class Term:
     """A number times factors, over others; powers are factors several times."""
 

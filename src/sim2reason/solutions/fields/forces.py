@@ -10,7 +10,7 @@ from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.algebra.signs import with_plain_signs
+from sim2reason.solutions.algebra.signs import plain_latex
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
@@ -217,7 +217,7 @@ class Fields:
         sides = [self.acceleration(n, self.clock, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)]
         rate = r"\dot{v}"
         told = [
-            rf"${name.name.replace('v', rate, 1)} = {with_plain_signs(side).latex()}$"
+            rf"${name.name.replace('v', rate, 1)} = {plain_latex(side)}$"
             for name, side in zip(self.velocity, sides, strict=True)
         ]
         both = f"${vx.latex()}$ and ${vy.latex()}$"

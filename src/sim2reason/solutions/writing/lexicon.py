@@ -6,7 +6,6 @@ a mass in both, or the sine of an angle in both, is that mass or sine. Entities 
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations_with_replacement
@@ -21,6 +20,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
 from sim2reason.prose.formula_numbers import factor
+from sim2reason.record import record
 from sim2reason.solutions.algebra.digits import EXACT, SIMPLE
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
@@ -39,7 +39,7 @@ class UnreadError(Exception):
     """A number of the mechanism that is no simple function of what the text says."""
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class StatedNumber:
     """A number that the text says: its symbol, its value and unit as said, and its value in the mechanism."""
 
@@ -82,7 +82,7 @@ class StatedNumber:
         return self.parameter.measure.unit == "deg"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class Both:
     """One number of a mechanism and of its twin."""
 

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 
 from sim2reason.dsl.state import Array
+from sim2reason.record import record
 
 
-@dataclass(frozen=True)
+@record()
 class Row:
     """A one-sided row (or one that acts both ways): J·q̈ ≤ target, spare ≥ 0, used up at `rate`."""
 
@@ -23,7 +24,7 @@ class Row:
         return self.kind in ("rod", "hold", "stuck")
 
 
-@dataclass(frozen=True)
+@record()
 class Moving:
     """A point: where it is, its velocity, its acceleration at q̈ = 0, and its Jacobian (3, joints)."""
 
