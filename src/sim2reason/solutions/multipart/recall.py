@@ -34,13 +34,24 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     kept = [_without(step, known, solution.goal) for step in steps]
     used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
-    if not recalled:
+    shorter = whole and bool(earlier) and _results(kept) < _results(solution.steps)
+    if not recalled and not shorter:
         return solution
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
     first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name] for name in known if name in recalled}, solution)
+    told = told or _verified_earlier(solution, earlier)
     return replace(solution, steps=renumbered([*first, *told, *kept]))
+
+
+def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
+    """Return a step that refers to the first earlier part which verifies the same of the motion; none if none does."""
+    reasons = {step.text for step in solution.steps if _is_reason(step)}
+    parts = (label for label, other in earlier if any(step.text in reasons for step in other.steps))
+    label = next(parts, "")
+    text = f"What was verified of this motion in part ({label}) holds here, too."
+    return [Step(-1, "reference", text, (), (), ())] if label else []
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:

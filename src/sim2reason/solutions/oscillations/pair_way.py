@@ -25,6 +25,11 @@ class PairWay(SingleWay):
         return "the relative velocity is greatest"
 
     @property
+    def fast(self) -> str:
+        """Of the relative motion."""
+        return "it"
+
+    @property
     def standing(self) -> str:
         """Of the relative motion."""
         return "The relative motion turns back"

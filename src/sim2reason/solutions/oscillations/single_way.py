@@ -47,6 +47,11 @@ class SingleWay(LinearWay):
         return f"{self.mover} is fastest"
 
     @property
+    def fast(self) -> str:
+        """Return what its speed is called after that."""
+        return "its speed"
+
+    @property
     def standing(self) -> str:
         """Begin a sentence with where, or when, it is at rest for an instant."""
         return f"{capital(self.mover)} turns back"
