@@ -172,7 +172,7 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
 
 def given_for(step: Step, used: Collection[str]) -> Step:
     """Return the step of givens, reduced to those in use."""
-    said = re.findall(r"\$[^$]*\$", step.text)
+    said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
         return step
     pairs = [
