@@ -233,11 +233,11 @@ def test_on_which_side_a_distance_is_reached_is_said() -> None:
 
 
 def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> None:
-    place = carts((3.1, -1.96, -1.69), (1.2, -1.59, 0.21), left=-2.11, restitution=0.34)
+    place = carts((3.1, -1.96, -1.69), (1.2, -1.59, 0.10), left=-2.11, restitution=0.34)
     first, second = (f"track.gliders.{n}" for n in range(2))
     moment = Collided(AND.join((first, second)), after=True)
     found = solved(asked(place, Query("event", Target("velocity", first), moment)))
-    assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.36460" in found.text
+    assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.47460" in found.text
     assert "so they collide next." in found.text
     assert "$e = 1.00$ (elastic)" not in found.text
 
