@@ -150,5 +150,5 @@ def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
         r"significant figures, inside \boxed{}."
     )
     found, _ = solve_prompt(prompt)
-    assert "As $s < d$, the pipe has not moved $d$ by then." in found.text
+    assert "As $s < d$, the pipe covers the distance $d$ only later." in found.text
     assert found.text.count("From then on it rolls, which on level ground needs no friction") == 1

@@ -66,7 +66,9 @@ def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomi
     if place and not book.in_symbols and not book.is_hidden(rest):
         step = book.open("verify")
         exceeds(book, step, distance, covered)
-        step.say(f"As ${covered.latex()} < {distance.latex()}$, {who} has not moved ${distance.latex()}$ by then.")
+        step.say(
+            f"As ${covered.latex()} < {distance.latex()}$, {who} covers the distance ${distance.latex()}$ only later."
+        )
         step.close()
 
 

@@ -1,7 +1,7 @@
 """Results of earlier parts in place of the steps that lead to them again."""
 
 import re
-from collections.abc import Collection, Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
@@ -119,15 +119,20 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
-    symbols = {name for step in kept for name in step.symbols()}
-    symbols |= {name.partition("_")[0] for name in symbols}
+    symbols = with_bases(name for step in kept for name in step.symbols())
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
 
 
+def with_bases(names: Iterable[str]) -> set[str]:
+    """Return names, and what they are without their subscripts: x_1 is a value of the x that a text introduces."""
+    found = {*names}
+    return found | {name.partition("_")[0] for name in found}
+
+
 def _introduced(solution: Solution) -> Iterator[str]:
     """Yield the texts of steps, of introductions only those of names in use."""
-    used = {*names_of(solution.steps)}
+    used = with_bases(names_of(solution.steps))
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 

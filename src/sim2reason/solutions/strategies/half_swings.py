@@ -103,10 +103,11 @@ class _Swinging(Oscillating):
         """The last swing."""
         if len(self.linear.free) != 1:
             raise UnsolvedError("nothing moves at last, or several modes do")
-        self.introduce({self.linear.free[0]: self.whole_name})
+        first = self.book.fresh("x")
+        self.introduce({self.linear.free[0]: first})
         before: Harmonic | None = None
         for number, segment in enumerate(self._segments):
-            name = self.book.fresh("s", str(number + 1)) if number else self.whole_name
+            name = self.book.fresh("s", str(number + 1)) if number else first
             held = self._swing(segment, name, before)
             self._begins(held, number)
             if segment is self._segments[-1]:
