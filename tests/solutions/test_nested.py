@@ -1,5 +1,6 @@
 """Solutions of questions about how the answer to another question depends on a number: closed forms and drawn ones."""
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from math import isclose
@@ -7,7 +8,7 @@ from math import isclose
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp
+from plain_scenes import atwood, ramp, row
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
@@ -17,6 +18,7 @@ from sim2reason.questions import MODES, Query, Study, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.closed_forms import closed_form
@@ -115,3 +117,16 @@ def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:
     study = Study.of(scene, np.linspace(0.0, 1.0, 5))
     assert not may_have_solution("state", study, ELEMENTARY)
     assert may_have_solution("start", study, ELEMENTARY)
+
+
+def test_what_the_first_case_rests_on_is_shown_of_the_second_too() -> None:
+    """With half the stiffness the spring still pulls harder at the start than friction can hold."""
+    scene = row((1.8,), (132.0,), "right", friction=0.32, strain=0.2)
+    path = next(p.path for p in scene.parameters if p.measure.name == "stiffness")
+    trolley = next(body.name for body in scene.mechanism.bodies if body.mass)
+    inner = Query("event", Target("displacement", trolley), Stopped(trolley))
+    query = ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, 0.5, False, False)
+    told = solve(asked(scene, query)).text
+    assert re.search(
+        r"With \$k\$ halved, \$F_\{0,\\text\{new\}\} = [^$]*\$ still exceeds \$f_\{\\text\{max\}\}\$", told
+    )

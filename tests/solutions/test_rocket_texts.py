@@ -16,6 +16,7 @@ from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution, solve
+from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
@@ -134,3 +135,41 @@ def test_a_rocket_of_unknown_mass_that_waits_could_not_rise_from_the_start() -> 
 def test_the_distance_of_a_rocket_in_deep_space_has_no_other_sign() -> None:
     query = Query("state", Target("displacement", "e.rocket"), AtTime(46.0))
     assert "Only a magnitude" not in unknown(DeepSpace(), "e.exhaust", query, "m").text
+
+
+def test_a_rocket_that_falls_is_shown_to_be_still_in_the_air() -> None:
+    """Its height is the integral of u ln(m/m(t)) − g t, up to burnout and after it."""
+    found = flight(LevelGround(), HEAVY, AtTime(60.0), "velocity")
+    assert found.values["v"] < 0.0
+    u, rate, burnt = 600.0, HEAVY, (700.0 - 300.0) / HEAVY
+    log = np.log(700.0 / 300.0)
+    high = u * burnt - u * 300.0 / rate * log + u * log * (60.0 - burnt) - 0.5 * 9.8 * 60.0**2
+    assert "is falling then, but it is still in the air" in found.text
+    assert found.values["h"] == pytest.approx(high, rel=1e-9)
+
+
+def test_an_empty_mass_with_which_it_would_never_rise_is_excluded() -> None:
+    prompt = (
+        r"A probe, whose mass is $m_0$ with its fuel and $m_1$ without, stands upright on level ground in "
+        r"a uniform gravitational field, without air. From t = 0 on the probe burns fuel at a rate of "
+        r"$\mu$, ejecting the gas backwards at speed $u$ relative to itself, until none is left. Here g = "
+        r"9.8 m/s². Determine the mass $m_1$ so that the speed of the probe at the time t = 360 s is 3240 "
+        r"m/s. Use $m_0$ = 1320 kg, $\mu$ = 3.9 kg/s and $u$ = 3.0 km/s. State the answer in kg to three "
+        r"significant figures, inside \boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    assert "If the probe moved down at this speed, its empty mass would be $m_{1,\\text{down}} = " in found.text
+    assert "= 1205.4\\ \\text{kg}$, more than the mass $m_{\\text{lift}}$" in found.text
+
+
+def test_a_rate_of_burning_with_which_the_engine_would_still_be_on_is_excluded() -> None:
+    prompt = (
+        r"A probe of mass 707 kg (139 kg without its fuel) is at rest in deep space, far from all other "
+        r"bodies. Suppose that its engine, started at t = 0, ejects gas backwards at speed 0.95 km/s "
+        r"relative to the probe and burns fuel at a rate of $\mu$ until none is left. At the instant t = "
+        r"100 s, the distance between the probe and its starting point is 76000 m. What is the burn rate "
+        r"$\mu$? Give your answer in kg/s, to three significant figures, inside \boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    assert "If the engine were still on at $t$, $\\mu$ would be at most" in found.text
+    assert "57185\\ \\text{m}$ from its start, less than $s$." in found.text

@@ -226,14 +226,16 @@ def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
         if given.symbol in used and given.symbol != book.sought:
-            said[given.symbol] = given.latex
+            elastic = given.parameter.path.endswith("restitution") and given.value == 1.0
+            said[given.symbol] = f"{given.latex}{' (elastic)' if elastic else ''}"
             relations.append(Relation(Symbol(given.symbol), Number(given.value), "given"))
     for name, text in book.stated.items():
         if name in used:
             said[name] = text
             relations.append(Relation(Symbol(name), Number(book.values[name]), "given"))
     symbols = setting.formula.symbols if book.in_symbols and setting.formula is not None else ()
-    numbers = [f"${name} = {text}$" for name, text in said.items() if name not in symbols]
+    pairs = [(name, *text.partition(" (elastic)")[:2]) for name, text in said.items() if name not in symbols]
+    numbers = [f"${name} = {text}${why}" for name, text, why in pairs]
     text = f"Given: {joined(numbers)}." if numbers else ""
     return Step(-1, "givens", text, tuple(relations), (), ())
 

@@ -5,18 +5,23 @@ from math import cos, hypot, radians, sin
 
 import pytest
 
+from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.puck import Puck, Table
+from sim2reason.bodies.track import Track
 from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.last_collision import LastCollision
+from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
@@ -180,3 +185,67 @@ def test_two_walls_are_told_apart() -> None:
     assert "moves away from the right wall" in text
     assert " hits the left wall" in text
     assert " the wall" not in text
+
+
+def test_relative_motion_is_numbered_by_the_collision_after_which_it_is_told() -> None:
+    """All pairs have no number at the start, 1 after the first collision, 2 after the second one."""
+    found = after(scene(A, SLOW, AHEAD), 0, 2.0)
+    assert "Position and velocity of puck B relative to puck A at t = 0: $x_{AB} = x_B" in found.text
+    met = (
+        "Position and velocity of puck C relative to puck B just after the collision of pucks A and B: $x_{BC,1} = x_C"
+    )
+    assert met in found.text
+    assert "impulse $J_1 = " in found.text
+    assert "In the same way, $J_2 = " in found.text
+
+
+def test_velocities_after_a_collision_are_told_before_the_next_one_is_looked_for() -> None:
+    found = after(scene(A, SLOW, AHEAD), 0, 2.0)
+    told = next(part for part in found.text.split("\n\n") if part.startswith("After the impact, "))
+    assert all(f"v'_{{{axis},{puck}}} = " in told for axis in "xy" for puck in "AB")
+    assert found.text.index(told) < found.text.index("just after the collision of pucks A and B")
+
+
+def test_on_a_slope_relative_velocities_are_those_just_after_the_collision() -> None:
+    """No term is left that gravity adds since the start to one velocity alone."""
+    held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy) for x, y, vx, vy in (A, SLOW, AHEAD))
+    entity = TwoDCollisionPlane(table=Table(tilt=20.0), radius=RADIUS, pucks=held, restitution=0.5)
+    place = Scene(entities=(Named(name="table", entity=entity),))
+    found = after(place, 0, 2.0)
+    relative = [r for r in found.relations if r.left.latex().startswith(("x_{", "y_{", "u_{"))]
+    assert any(r.left.latex() == "u_{y,AB,2}" for r in relative)
+    assert all("g" not in r.right.symbols() for r in relative)
+
+
+def carts(*held: tuple[float, float, float], left: float | None = None, restitution: float = 1.0) -> Scene:
+    """Carts on a track by mass, place and velocity; a wall stands at `left`."""
+    gliders = tuple(Glider(mass=m, x=x, v=v) for m, x, v in held)
+    entity = ComplexCollisionPlane(track=Track(), gliders=gliders, left=left, restitution=restitution)
+    return Scene(entities=(Named(name="track", entity=entity),))
+
+
+def test_on_which_side_a_distance_is_reached_is_said() -> None:
+    """B first moves to the left, but not as far as asked for; the collision sends it to the right."""
+    place = carts((9.9, -1.43, 2.48), (6.9, -0.85, -0.78))
+    found = solved(asked(place, Query("time_to_event", None, Moved("track.gliders.1", 1.5))))
+    assert "never as far as $d$ from its start; then it moves to the right. The two do not meet again" in found.text
+    assert "has moved $d$ when $s_B + v'_B t_1 = d$" in found.text
+
+
+def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> None:
+    place = carts((3.1, -1.96, -1.69), (1.2, -1.59, 0.10), left=-2.11, restitution=0.34)
+    first, second = (f"track.gliders.{n}" for n in range(2))
+    moment = Collided(AND.join((first, second)), after=True)
+    found = solved(asked(place, Query("event", Target("velocity", first), moment)))
+    assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.47460" in found.text
+    assert "so they collide next." in found.text
+    assert "$e = 1.00$ (elastic)" not in found.text
+
+
+def test_an_elastic_collision_is_the_reason_for_its_coefficient() -> None:
+    found = solved(
+        asked(
+            carts((9.9, -1.43, 2.48), (6.9, -0.85, -0.78)), Query("time_to_event", None, Moved("track.gliders.1", 1.5))
+        )
+    )
+    assert "$e = 1.00$ (elastic)" in found.text

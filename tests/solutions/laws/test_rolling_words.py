@@ -16,6 +16,7 @@ from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
+from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived
 
@@ -137,3 +138,17 @@ def test_senses_of_turning_are_stated_and_what_is_turned_back() -> None:
     assert "in the sense of rolling up the slope, then back through" in found.text
     assert "The net angle of rotation" in found.text
     assert "same time" not in found.text
+
+
+def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
+    prompt = (
+        r"In this problem g = 9.8 m/s². A fixed horizontal plane carries a thin-walled pipe of radius "
+        r"0.097 m and mass 5.6 kg; it is free to roll along the plane in a straight line. The coefficient "
+        r"of friction (static and kinetic) between it and the plane is 0.31. At t = 0 its centre is at "
+        r"rest, and it spins at 19 rad/s in the sense in which it would roll to the right. Through what "
+        r"net angle has the pipe turned when it has moved 1.2 m? Give your answer in rad, to three "
+        r"significant figures, inside \boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    assert "As $s < d$, the pipe covers the distance $d$ only later." in found.text
+    assert found.text.count("From then on it rolls, which on level ground needs no friction") == 1

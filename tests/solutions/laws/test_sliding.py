@@ -21,6 +21,7 @@ from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, solution_text
 
@@ -126,3 +127,22 @@ def test_friction_in_a_stack_is_that_of_the_surface_beneath() -> None:
     assert "From the surface beneath, friction acts on boards A and C up the slope." in text
     said = "relative to board B from then on, and the friction between them is reversed."
     assert said in text
+
+
+def test_what_slides_on_a_body_still_does_when_that_stops_sliding() -> None:
+    """The relative speed of C and B has fallen from v to v + (a_B + a_C) t by then."""
+    prompt = (
+        r"Slab A of mass 8.6 kg lies on a smooth, fixed plane inclined at 62° to the horizontal and "
+        r"carries slab B (12 kg). On B lies slab C (3.7 kg). Between A and B the coefficient of friction, "
+        r"static and kinetic, is 0.24. Between B and C the coefficient of friction, static and kinetic, "
+        r"is 0.24. At t = 0 B has a velocity of 1.8 m/s, directed up the slope, and all else is at rest. "
+        r"No body gets to an edge. Here g = 9.8 m/s². What is the distance, relative to the ground, "
+        r"between slab B and its starting point at the moment when it first stops sliding on slab A? Give "
+        r"your answer in m, to three significant figures, inside \boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    at = found.values
+    left = at["v"] + (at["a_B"] + at["a_C"]) * at["t"]
+    assert left > 0.0
+    assert at["u_{BC}"] == pytest.approx(left, rel=1e-9)
+    assert "After the time $t$, slab C still slides on slab B, as their relative speed is $u_{BC} = " in found.text

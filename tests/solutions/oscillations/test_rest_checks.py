@@ -1,5 +1,6 @@
 """Springs and friction: each swing is timed as what it is, and rest at turning points is shown, not assumed."""
 
+import re
 from math import atan, pi, sqrt
 
 import pytest
@@ -7,13 +8,16 @@ import pytest
 from plain_scenes import row
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.solve import solve_prompt
 from worked import derived
 
 G, MASS, STIFFNESS, FRICTION, SPEED, TIME = 9.8, 1.8, 132.0, 0.32, 2.0, 0.58
@@ -45,7 +49,7 @@ def test_only_the_time_between_turning_points_is_half_an_oscillation() -> None:
     """The first stage begins with a speed: it takes arctan(v ω/µg)/ω, less than π/2ω."""
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
-    early = "first comes to rest after $t_1"
+    early = r"so $\tan\left(\omega t_1\right)"
     late = "From one moment of rest to the next it takes half an oscillation: $t_2"
     assert found.text.index(early) < found.text.index("next comes to rest, friction") < found.text.index(late)
     assert "This half oscillation" not in found.text
@@ -58,7 +62,7 @@ def test_what_begins_at_rest_takes_half_an_oscillation_from_the_start() -> None:
     scene = struck(strain=0.2)
     found = derived(scene, Query("time_to_event", None, Halted(cart(scene))))
     assert found.text.count(r"\frac{\pi}{\omega}") == 1
-    assert "All half oscillations take the same time, so the total time is $t_1 = 2\\,t" in found.text
+    assert "Both half oscillations take the same time, so the total time is $t_1 = 2\\,t" in found.text
     assert found.answer == pytest.approx(2.0 * pi / RATE, rel=1e-8)
 
 
@@ -78,7 +82,7 @@ def test_what_comes_to_rest_for_good_is_held_by_friction() -> None:
     *moving, last = (held[name] for name in sorted(held) if name.startswith("F"))
     assert all(pull > LIMIT for pull in moving)
     assert last < LIMIT
-    assert "is less than $f_{\\text{max}}$, so it stays." in found.text
+    assert "is less than $f_{\\text{max}}$, so the trolley stays at rest." in found.text
     assert "starts to move to the right" in found.text
     assert "turns back" not in found.text
     assert found.text.count("comes to rest at") == len(moving)
@@ -101,7 +105,7 @@ def test_a_distance_is_moved_before_the_first_turning_point() -> None:
     scene = struck(strain=0.1)
     found = derived(scene, Query("time_to_event", None, Moved(cart(scene), 0.05)))
     assert verified(found)["x_1"] == pytest.approx(2.0 * (0.1 - LIMIT / STIFFNESS), rel=1e-9)
-    assert "beyond $x = d_1$, so friction is still constant there." in found.text
+    assert "beyond $x = d_1$, so friction is constant until then." in found.text
 
 
 def test_a_later_part_says_what_it_counts_from() -> None:
@@ -113,7 +117,7 @@ def test_a_later_part_says_what_it_counts_from() -> None:
     text = starting_from(later, [("a", first)], whole=True).text
     assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
     assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")
-    assert "so it moves back" in text
+    assert "moves back" in text
 
 
 def test_a_velocity_is_the_derivative_of_a_displacement_that_is_shown() -> None:
@@ -122,3 +126,50 @@ def test_a_velocity_is_the_derivative_of_a_displacement_that_is_shown() -> None:
     assert "let $s_3$ be the displacement from here" in found.text
     shown = r"The displacement is $s_{\text{eq},3} - s_{\text{eq},3} \cos\left(\omega t_3\right)$; its derivative is $v"
     assert shown in found.text
+
+
+def test_forces_that_are_compared_with_friction_have_a_direction() -> None:
+    found = derived(
+        struck(speed=SPEED), Query("state", Target("displacement", cart(struck(speed=SPEED))), AtTime(TIME))
+    )
+    assert re.search(r"The spring force here is \$F_1[^$]*\$ to the left; it exceeds", found.text)
+    assert re.search(r"The spring force here is \$F_2[^$]*\$ to the right; it exceeds", found.text)
+
+
+def test_the_first_time_at_rest_is_derived_from_the_velocity() -> None:
+    """From v cos ωt + x₀ω sin ωt = 0 follows tan ωt = −v/(ωx₀); x₀ < 0 chooses the branch."""
+    found = derived(
+        struck(speed=SPEED), Query("state", Target("displacement", cart(struck(speed=SPEED))), AtTime(TIME))
+    )
+    assert (
+        r"so $\tan\left(\omega t_1\right) = -\frac{v}{\omega x_0}$. As $x_0 < 0$, $\omega t_1$ is less than"
+        in found.text
+    )
+
+
+def test_a_spring_has_its_natural_length_before_friction_changes() -> None:
+    """On the way back of a cart that was struck, it next comes to rest only beyond the natural length."""
+    scene = row((MASS,), (STIFFNESS,), "left", friction=FRICTION, speed=SPEED, strain=0.05)
+    spring = next(line.name for line in scene.mechanism.lines)
+    found = derived(scene, StretchQuery("sum", None, NaturalLength(spring), "distance travelled", cart(scene)))
+    back = 2.0 * (LIMIT / STIFFNESS - 0.05 - found.values["x_1"])
+    assert verified(found)[r"s_{\text{turn}}"] == pytest.approx(back, rel=1e-9)
+    assert "would next come to rest at" in found.text
+    assert "Part by part, the path of the trolley is $x_1$ and $x_1 - x_2$ long" in found.text
+
+
+def test_what_is_assumed_of_an_unknown_is_verified_in_the_end() -> None:
+    """Whether friction lets it start, move back and stay is compared once the unknown mass is known."""
+    prompt = (
+        "A rough, fixed plane inclined at 60° to the horizontal carries a block (mass $m$). The block is joined to a "
+        "stop at the foot of the slope by a light spring with a stiffness of 365 N/m and a natural length of 0.54 m. "
+        "The coefficients of static and of kinetic friction on this plane are both 0.31. The initial length of the "
+        "spring is 0.56 m. The motion starts from rest. The magnitude of the change in the block's gravitational "
+        "potential energy between release and the moment when it comes to rest for good is 0.82 J. What is $m$? "
+        "Use g = 9.8 m/s². State the answer in kg to three significant figures, inside \\boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    assert "Assume that the block starts to move down the slope and moves back at each turning point" in found.text
+    told = found.text.partition("m = 1.7035")[2]
+    assert told.count("as was assumed") == 4
+    assert "it is less than $f_{\\text{max}}$, so the block stays at rest." in told

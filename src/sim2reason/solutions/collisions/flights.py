@@ -1,8 +1,7 @@
 """Bodies that fly freely between impacts: where each is, and how fast, written on demand."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.legs import Impact, Leg
 from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.lexicon import Both
@@ -20,26 +20,6 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9
-
-
-@dataclass
-class Leg:
-    """A flight: when it begins (None at t = 0), with which rates, and where, by coordinate."""
-
-    begins: Symbol | None
-    speeds: Mapping[int, Polynomial]
-    places: dict[int, Polynomial] = field(default_factory=dict[int, Polynomial])
-    after: "Impact | None" = None
-
-
-@dataclass(frozen=True)
-class Impact:
-    """A collision of the motion: its number among all, when it is, and whose."""
-
-    number: int
-    time: float  # s
-    bodies: tuple[str, ...]
-    meeting: int
 
 
 class FreeFlights(ABC):
@@ -135,6 +115,14 @@ class FreeFlights(ABC):
         if impact is None:
             early = [held for held in early if held.time < self.setting.time]
         return sum(body in held.bodies for held in early)
+
+    def pair_mark(self, bodies: Iterable[str], begins: Impact | None) -> str:
+        """Return the subscript of the relative motion of a pair: its letters, and the number of an impact.
+
+        It is the impact just after which the motion is told; there is no number for what is so at t = 0.
+        """
+        letters = "".join(map(self.setting.mark, bodies))
+        return letters if begins is None else f"{letters},{begins.number + 1}"
 
     @abstractmethod
     def when(self, impact: Impact) -> Symbol:
@@ -235,13 +223,25 @@ class FreeFlights(ABC):
             formula = before + speed * self._lasting(leg, time)
         if formula == ZERO:
             return NIL
-        step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
+        mark = ",".join(part for part in (self.mark(body, k), self._instant(time)) if part)
+        step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", mark)
         whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.called(body)}"
         says = f"At ${time.name}$ the displacement{whose} is"
         step.rest_on(time.name)
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
+
+    def _instant(self, time: Symbol) -> str:
+        """Return the number of the collision of discs that comes at a time, as a subscript; nothing for other times."""
+        impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
+        oblique = impact is not None and self.mechanism.meetings[impact.meeting].normal is None
+        return self.which(impact) if impact is not None and oblique else ""
+
+    def which(self, impact: Impact) -> str:
+        """Return the number of an impact, as a subscript; nothing if it is the only one before the moment."""
+        several = sum(held.time <= self.setting.time for held in self.impacts) > 1
+        return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Leg, time: Symbol) -> Expression:
         """How long a flight has lasted at a time, as a name only where it has one."""

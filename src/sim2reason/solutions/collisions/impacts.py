@@ -7,7 +7,8 @@ from sim2reason.questions.spoken import ORDINALS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
+from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights
+from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED

@@ -2,8 +2,8 @@
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares
-from sim2reason.solutions.collisions.flights import Leg
 from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Leg
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import METRES
 

@@ -4,8 +4,8 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
@@ -49,14 +49,15 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     law = step.derived(whole, Power(distance, 2))
     speeds = summed(Power(w, 2) for w in u)
     along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
-    p, q = book.fresh("p"), book.fresh("q")
+    pair = flights.pair_mark(impact.bodies, flights.latest(impact)[1])
+    p, q = book.fresh("p", pair), book.fresh("q", pair)
     said = [
         step.result(p, speeds, latex("m^2/s^2"), law=True),
         step.result(q, along, latex("m^2/s"), law=True),
     ]
     aside: Expression = ZERO
     if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would leave few digits where they hardly touch
-        c = book.fresh("c")
+        c = book.fresh("c", pair)
         said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
         aside = Power(c, 2)
     square = multiplied(p, Power(distance, 2))
@@ -98,7 +99,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
         who = capital(flights.setting.listed([body.name for body in flights.mechanism.bodies if body.mass]))
         step.say(f"{who} have the same acceleration, so their relative velocities are constant.")
-    pair = "".join(flights.setting.mark(body) for body in impact.bodies)
+    pair = flights.pair_mark(impact.bodies, latest)
     for label, apart, w in found:
         x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")
         said += [step.result(x, apart.expression(), METRES, law=True), step.result(v, w.expression(), SPEED, law=True)]
@@ -106,7 +107,8 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         u.append(v)
         labels.append(label)
     who = [flights.setting.called(body) for body in impact.bodies]
-    step.say(f"Position and velocity of {who[1]} relative to {who[0]}: {joined(said)}.")
+    when = f"just after {flights.collision(latest)}" if latest is not None else "at t = 0"
+    step.say(f"Position and velocity of {who[1]} relative to {who[0]} {when}: {joined(said)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
@@ -118,13 +120,13 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     X, u, since, labels = flights.relative[impact.number]
     span = time if since is None else flights.passed(since, time)
     distance = _distance(flights, impact)
-    step, n = book.open("normal"), dict[str, Symbol]()
+    step, n, number = book.open("normal"), dict[str, Symbol](), flights.which(impact)
     said: list[str] = []
     for label, x, w in zip(labels, X, u, strict=True):
-        n[label] = book.fresh("n", label)
+        n[label] = book.fresh("n", ",".join(part for part in (label, number) if part))
         said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
     step.say(f"The unit vector along the line of centres is then {joined(said)}.")
-    approach = book.fresh("u", r"\text{n}")
+    approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"The relative velocity along it is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
@@ -137,18 +139,17 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     one, other = impact.bodies
     m, k = (flights.mass(body).expression() for body in impact.bodies)
     e = flights.restitution(impact.meeting).expression()
-    step, push = book.open("impulse"), book.fresh("J")
+    step, push = book.open("impulse"), book.fresh("J", flights.which(impact))
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
     said = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
     step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
-    found: dict[int, Polynomial] = {}
+    found = {i: flights.just_before(impact, body, i) for body in impact.bodies for i in flights.coordinates(body)}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
         for number in flights.coordinates(body):
-            before, label = flights.just_before(impact, body, number), flights.mechanism.coordinates[number].label
+            before, label = found[number], flights.mechanism.coordinates[number].label
             if label not in n:
-                found[number] = before
                 continue
             step, name = book.open("after"), book.after("v", flights.mark(body, number))
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))

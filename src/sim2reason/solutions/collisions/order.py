@@ -10,8 +10,9 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import Excluded, clauses
-from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact
+from sim2reason.solutions.collisions.next_pair import late_values, told_approach
 from sim2reason.solutions.collisions.relative import RelativeMotion
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
@@ -46,23 +47,42 @@ class CollisionOrder:
     def follow(self) -> None:
         """Write all collisions before the end in the order of time."""
         for impact in self._early:
-            self._flights.when(impact)
+            time = self._flights.when(impact)
+            self._tell_all(impact, time)
             self._flights.after(impact)
+
+    def _tell_all(self, impact: Impact, time: Symbol) -> None:
+        """Write where all discs are and how fast, just before a collision, before the next one is looked for."""
+        flights = self._flights
+        if flights.mechanism.meetings[impact.meeting].normal is not None:
+            return
+        for body in flights.mechanism.bodies:
+            number = flights.count(body.name, impact)
+            for k in flights.coordinates(body.name):
+                flights.place(body.name, number, k, time)
+                flights.velocity(body.name, number, k, time)
 
     def tell(self, until: Symbol | None) -> None:
         """Write a sentence for the start and for each collision after which it is not obvious who meets next.
 
         `until` names the time until which the motion counts; None if it never ends.
         """
-        self._until = until
+        self._until, flights = until, self._flights
         for begins in (None, *self._early):
             step, told = self._book.open(ORDER), list[Excluded]()
             for stretch in self._stretches():
                 found = self._excluded(step, stretch) if stretch.begins == begins else None
                 told += [found] if found is not None else []
+            known = [*self._early, *self._at_end()]
+            following = known[known.index(begins) + 1 :] if begins is not None else []
+            closing = told_approach(flights, step, begins, following[0]) if begins is not None and following else ""
+            last = begins if self._early and begins == self._early[-1] else None
+            step.say(*late_values(flights, step, last, until))
             if told:
                 step.say(*(each.motion for each in told))
                 step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
+            if told or closing:
+                step.say(closing)
                 step.close()
                 self._book.earliest[self._book.steps[-1].id] = self._first
 
@@ -110,11 +130,13 @@ class CollisionOrder:
 
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
         """Return why two discs do not collide in an interval."""
-        book, d = self._book, self._flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
+        flights, book = self._flights, self._book
+        d = flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
         parts = [part for part in self._relative(held, meeting) if any(map(book.value, part[1:]))]
         if max((abs(book.value(w)) for _, _, w in parts), default=0.0) < STILL:
             return None
-        motion, more = RelativeMotion(book, step, self._letters(held)), RelativeMotion(book, step, self._letters(held))
+        mark = flights.pair_mark(held.legs, held.begins)
+        motion, more = RelativeMotion(book, step, mark), RelativeMotion(book, step, mark)
         X, u = zip(*((motion.named(a, x, METRES), motion.named("u", w, SPEED, a)) for a, x, w in parts), strict=True)
         square, along = summed(Power(w, 2) for w in u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
         aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
@@ -132,7 +154,7 @@ class CollisionOrder:
             )
             root = Root(added(multiplied(p, Power(d, 2)), -Power(c, 2)) if c != ZERO else multiplied(p, Power(d, 2)))
             found = self._later(motion, held, -ratio(added(q, root), p))
-        one, other = map(self._flights.setting.called, meeting.names)
+        one, other = map(flights.setting.called, meeting.names)
         told = f"Position and velocity of {other} relative to {one} {self._when(held)}: {joined(motion.told)}"
         told += f"; hence {joined(more.told)}." if more.told else "."
         return replace(found, limit=d.latex(), motion=told)
@@ -148,7 +170,8 @@ class CollisionOrder:
             a = flights.acceleration(k).scaled(sign)
             gap, rate, rise = gap + place.scaled(sign), rate + velocity.scaled(sign), rise + a
         rate, gap = rate + rise * begin, gap + (rise * begin * begin).scaled(0.5)
-        motion, speed = RelativeMotion(book, step, self._letters(held)), book.value(rate.expression())
+        mark = flights.pair_mark(held.legs, held.begins)
+        motion, speed = RelativeMotion(book, step, mark), book.value(rate.expression())
         if rise:
             return self._thrown(motion, held, (NIL if just_met else gap, rate, rise))
         if just_met or abs(speed) < STILL:
@@ -204,14 +227,18 @@ class CollisionOrder:
 
     def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[str, Expression, Expression]]:
         """Yield each axis with position and velocity of the second body relative to the first at the beginning."""
-        flights, begin = self._flights, self._begin(held)
+        flights = self._flights
+        since = None if held.begins is None else flights.when(held.begins)
         one, other = meeting.names
         places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
         lexicon = flights.setting.lexicon
         for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
             axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
             along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
-            (s, v), (r, w) = (self._drift(b, held.legs[b], k, begin) for b, k in ((one, i), (other, j)))
+            (s, v), (r, w) = (
+                (flights.place(b, held.legs[b], k, since), flights.velocity(b, held.legs[b], k, since))
+                for b, k in ((one, i), (other, j))
+            )
             axis = flights.mechanism.coordinates[i].label
             yield axis, (lexicon.read(Both(*along)) + r - s).expression(), (w - v).expression()
 

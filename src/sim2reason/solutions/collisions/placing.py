@@ -9,6 +9,8 @@ from sim2reason.solutions.solution import Step
 LAST = "so there is no further collision"  # ends an argument about the last flights, but for the time until when
 SOLVED = "solve for the unknown"  # the kind of the steps that do so
 
+OUTCOME = frozenset({"after", "solve"})  # the kinds of the steps that give velocities just after a collision
+
 
 def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
     """Put each argument after the last step from which its numbers follow, and after the time of the first collision.
@@ -26,7 +28,10 @@ def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractS
         begins = earliest[step.id]
         times = (n for n, held in enumerate(found) if held.kind == "impact time" and held.id >= begins)
         first = next(times, next((n - 1 for n, held in enumerate(found) if held.id >= begins), len(found) - 1))
-        found.insert(max([first, *after]) + 1, step)
+        place = max([first, *after]) + 1
+        while place < len(found) and found[place].kind in OUTCOME:
+            place += 1
+        found.insert(place, step)
     return _with_supposition(found)
 
 

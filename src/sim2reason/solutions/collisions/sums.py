@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.collisions.flights import Impact
+from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.goals.turning import squared

@@ -2,8 +2,8 @@
 
 from collections.abc import Set as AbstractSet
 
-from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capital
 
 SAME = 1e-9  # relative: an impact that comes with the moment itself

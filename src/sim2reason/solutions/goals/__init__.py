@@ -52,6 +52,10 @@ class Stretch(ABC):
     def path(self, body: str) -> Expression:
         """How far a body travels along its line, to and fro."""
 
+    def paths(self, body: str) -> Sequence[Expression]:
+        """How far it travels each time, if it turns back in this part."""
+        return (self.path(body),)
+
 
 class Known(Protocol):
     """What a strategy can tell of the motion at the moment that is asked about; it writes the steps that lead there."""

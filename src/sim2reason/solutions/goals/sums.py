@@ -172,7 +172,7 @@ class PathLength(SumGoal):
 
     def write(self, target: Target, known: Known) -> Symbol:
         """The sum, after its terms if it is written without them, as of a body that turns back."""
-        terms = [self.term(target, known.setting, part) for part in known.stretches]
+        terms = [term for part in known.stretches for term in part.paths(target.subject)]
         whole: Expression = ZERO
         for term in terms:
             whole = added(whole, term)

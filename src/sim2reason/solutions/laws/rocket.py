@@ -135,7 +135,7 @@ class Burning(Way):
         """Return the time for which it rises with its engine on."""
         if not self.waits:
             return self.burned
-        said, formula = "From then on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        said, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
         return self.book.told("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property

@@ -9,6 +9,8 @@ from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.lexicon import UnreadError
 
+REASON = "From then on it rolls, which on level ground needs no friction"
+
 
 def radius_of(setting: Setting, body: str) -> str:
     """Return the radius with which a body touches the ground, in words; a thick-walled pipe has two."""
@@ -119,9 +121,11 @@ def arc_words(dynamics: Dynamics, shared: Shared) -> str:
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
-    """Return why a rate does not change any more: of what has begun to roll, that this needs no friction."""
+    """Return why a rate does not change any more: of what has begun to roll, once, that this needs no friction."""
     newton = dynamics.newton
     rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
     turns = dynamics.mechanism.coordinates[k].kind == "hinge"
-    why = "From then on it rolls, which on level ground needs no friction, so" if rolls else "From then on"
-    return f"{why} the {'speed of the rim relative to the centre' if turns else 'velocity'} is constant"
+    rate = f"the {'speed of the rim relative to the centre' if turns else 'velocity'}"
+    if rolls and any(step.text.startswith(REASON) for step in dynamics.book.steps):
+        return f"Then {rate} is constant"
+    return f"{f'{REASON}, so' if rolls else 'From then on'} {rate} is constant"

@@ -47,7 +47,7 @@ class Stage:
         self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
         self.speeds = self._by_themselves(self.speeds)
         self.places = self._by_themselves(self.places)
-        self._time: Symbol | None = self.end.time
+        self.written_time: Symbol | None = self.end.time
         self._velocity: dict[str, Polynomial] = {}
         self._moved: dict[str, Polynomial] = {}
 
@@ -184,9 +184,9 @@ class Stage:
     @property
     def time(self) -> Symbol:
         """How long it takes."""
-        if self._time is None:
-            self._time = self._lasting()
-        return self._time
+        if self.written_time is None:
+            self.written_time = self._lasting()
+        return self.written_time
 
     def _mark(self, shared: Shared) -> str:
         """The subscript of its acceleration."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added, multiplied
+from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
@@ -45,8 +46,12 @@ def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) 
     _in_the_end(book, left, write)
 
 
-def verify_farther(book: Book, rest: Expression) -> None:
-    """Write in the end, if it hangs on the unknown, that earlier stages of a motion do not cover a distance."""
+def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
+    """Write that earlier stages of a motion do not cover a distance; in the end, if it hangs on the unknown.
+
+    `whole` is what is left of the way; `covers` are the distance, and how far the body has come.
+    """
+    rest, (distance, place) = whole.expression(), covers
 
     def write() -> None:
         step, name = book.open("verify"), book.fresh("s", r"\text{rest}")
@@ -57,6 +62,14 @@ def verify_farther(book: Book, rest: Expression) -> None:
         step.close()
 
     _in_the_end(book, rest, write)
+    covered = place.expression() if book.value(place.expression()) > 0.0 else place.scaled(-1.0).expression()
+    if place and not book.in_symbols and not book.is_hidden(rest):
+        step = book.open("verify")
+        exceeds(book, step, distance, covered)
+        step.say(
+            f"As ${covered.latex()} < {distance.latex()}$, {who} covers the distance ${distance.latex()}$ only later."
+        )
+        step.close()
 
 
 def _in_the_end(book: Book, held: Expression, write: Callable[[], None]) -> None:

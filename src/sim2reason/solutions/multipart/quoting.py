@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
 from sim2reason.solutions.multipart.quantities import LABEL, introduced, names_of
-from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
+from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered, with_bases
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step
@@ -46,7 +46,7 @@ class _Told:
         steps = [labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
-        used = {*names_of(kept)}
+        used = with_bases(names_of(kept))
         for step in kept:
             said = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
             self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}

@@ -1,7 +1,7 @@
 """Results of earlier parts in place of the steps that lead to them again."""
 
 import re
-from collections.abc import Collection, Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
@@ -34,13 +34,24 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     kept = [_without(step, known, solution.goal) for step in steps]
     used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
-    if not recalled:
+    shorter = whole and bool(earlier) and _results(kept) < _results(solution.steps)
+    if not recalled and not shorter:
         return solution
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
     first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name] for name in known if name in recalled}, solution)
+    told = told or _verified_earlier(solution, earlier)
     return replace(solution, steps=renumbered([*first, *told, *kept]))
+
+
+def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
+    """Return a step that refers to the first earlier part which verifies the same of the motion; none if none does."""
+    reasons = {step.text for step in solution.steps if _is_reason(step)}
+    parts = (label for label, other in earlier if any(step.text in reasons for step in other.steps))
+    label = next(parts, "")
+    text = f"What was verified of this motion in part ({label}) holds here, too."
+    return [Step(-1, "reference", text, (), (), ())] if label else []
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
@@ -108,15 +119,20 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
-    symbols = {name for step in kept for name in step.symbols()}
-    symbols |= {name.partition("_")[0] for name in symbols}
+    symbols = with_bases(name for step in kept for name in step.symbols())
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
 
 
+def with_bases(names: Iterable[str]) -> set[str]:
+    """Return names, and what they are without their subscripts: x_1 is a value of the x that a text introduces."""
+    found = {*names}
+    return found | {name.partition("_")[0] for name in found}
+
+
 def _introduced(solution: Solution) -> Iterator[str]:
     """Yield the texts of steps, of introductions only those of names in use."""
-    used = {*names_of(solution.steps)}
+    used = with_bases(names_of(solution.steps))
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 
@@ -161,7 +177,7 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
 
 def given_for(step: Step, used: Collection[str]) -> Step:
     """Return the step of givens, reduced to those in use."""
-    said = re.findall(r"\$[^$]*\$", step.text)
+    said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
         return step
     pairs = [

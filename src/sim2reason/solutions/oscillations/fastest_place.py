@@ -5,6 +5,7 @@ from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.net_force import collected
 from sim2reason.solutions.oscillations.single_way import SingleWay
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError
@@ -26,12 +27,14 @@ def fastest_place(way: SingleWay, seen: float) -> Symbol:
     if not load:
         raise UnsolvedError("it begins in balance")
     step = way.book.open("balance")
-    law = step.law(stiffness.expression() * name, load.expression())
+    gathered = collected(load, stiffness)
+    law = step.law(stiffness.expression() * name, gathered)
     swings = [held for held in way.setting.motion.segments if held.start < way.setting.time * (1.0 - STILL)]
     if isinstance(motion, LinearMotion) and motion.friction(i) and len(swings) > 1:
         step.say(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
+    formula = over(load, stiffness) if gathered == load.expression() else gathered / stiffness.expression()
     step.say(f"The kinetic energy is greatest where the net force is zero: {law},")
-    step.say(f"so {step.result(name, over(load, stiffness), METRES)}.")
+    step.say(f"so {step.result(name, formula, METRES)}.")
     step.close()
     _tell_on_the_way(way, name)
     return name

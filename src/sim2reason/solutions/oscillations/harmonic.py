@@ -10,6 +10,7 @@ from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.net_force import collected
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import split
@@ -73,6 +74,8 @@ class Harmonic:
     def swinging(self, angle: Expression) -> Expression:
         """Return the displacement at a phase ωt."""
         formula: Expression = self.rest - self.rest * Call("cos", angle) if self.rest != ZERO else ZERO
+        if self.begun.negative:
+            return formula - (-self.begun) * Call("sin", angle)
         return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
 
     def displacement(self, time: Symbol) -> Expression:
@@ -112,7 +115,7 @@ class Harmonic:
         if self.like is not None:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
-        whence = "that point" if self._rubs else "equilibrium"
+        whence = "the point of zero net force" if self._rubs else "equilibrium"
         said = f"The restoring force is proportional to the displacement from {whence}, so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
@@ -126,12 +129,12 @@ class Harmonic:
         name = self.book.fresh(base, rf"\text{{eq}},{mark}" if mark.isdecimal() else "0")
         step = self.book.open("balance")
         held = self.motion.stiffness(self._free, self._free)
-        strained = [n for n in sorted(held.names()) if len(load.coefficient(n).terms) > 1]
-        law = step.law(self.stiffness * name, load.collected(strained))
+        gathered = collected(load, held)
+        law = step.law(self.stiffness * name, gathered)
         what = "The net force is zero" if self._rubs else "The equilibrium is"
         step.say(f"{what} at ${name.name}$, where {law},")
         formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
-        formula = load.collected(strained) / self.stiffness if strained else formula
+        formula = gathered / self.stiffness if gathered != load.expression() else formula
         step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name

@@ -2,6 +2,7 @@
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.algebra.polynomials import Polynomial, common
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import Setting, capital, joined
@@ -26,6 +27,37 @@ def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expre
         pull = motion.laws.stiffness(n).expression() * stretched
         found = found + (-pull if part == -1.0 else Number(part) * pull)
     return found
+
+
+def collected(held: Polynomial, stiffness: Polynomial) -> Expression:
+    """Return a sum of forces with the stiffness of each spring once, and times the whole stretching at the start."""
+    return held.collected([n for n in sorted(stiffness.names()) if len(held.coefficient(n).terms) > 1])
+
+
+def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
+    """Return the net force along the free coordinate, where it is counted from, without friction; times `sign`."""
+    (i,) = motion.free
+    whole = (motion.load(i) - motion.friction(i)).scaled(sign)
+    if common([*whole.terms]):
+        return whole.factored()
+    steady = (motion.steady(i) - motion.friction(i)).scaled(sign)
+    found = steady.factored() if steady else ZERO
+    for n in motion.springs:
+        drawn = motion.drawn(n, i)
+        stretched, part = motion.laws.strain(n) + motion.begin.scaled(drawn), -sign * drawn
+        if not stretched:
+            continue
+        if part < 0.0:
+            stretched, part = stretched.scaled(-1.0), -part
+        pull = motion.laws.stiffness(n).expression() * _positive_first(stretched)
+        found = found + (pull if part == 1.0 else Number(part) * pull)
+    return found
+
+
+def _positive_first(held: Polynomial) -> Expression:
+    """Return a sum with the terms of positive sign first."""
+    ordered = sorted(held.terms.items(), key=lambda term: term[1] < 0.0)
+    return Polynomial(dict(ordered)).expression()
 
 
 def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int = -1) -> Expression:

@@ -19,10 +19,9 @@ class PairWay(SingleWay):
         """Of the relative motion."""
         return "the relative velocity is zero"
 
-    @property
-    def fastest(self) -> str:
+    def fastest(self, where: str) -> str:
         """Of the relative motion."""
-        return "the relative velocity is greatest"
+        return f"the relative velocity is greatest at {where}, where it is"
 
     @property
     def standing(self) -> str:

@@ -6,8 +6,11 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.sticking import told_friction
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.oscillations.net_force import without_friction
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 LIMIT = 1.0 + 1e-9
@@ -16,9 +19,9 @@ LIMIT = 1.0 + 1e-9
 class RestChecks:
     """A writer of comparisons of forces with the greatest static friction, in numbers; no result rests on them."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Take the setting, and the book into which comparisons are written."""
-        self._setting, self._book = setting, book
+    def __init__(self, way: LinearWay) -> None:
+        """Take the way to an answer, into whose book comparisons are written."""
+        self._way, self._setting, self._book = way, way.setting, way.book
         self._most = ""  # the symbol of the greatest static friction on what moves, once it is written
 
     # ---- of what moves
@@ -26,27 +29,44 @@ class RestChecks:
     def moves_on(self, motion: LinearMotion, number: int, said: str) -> bool:
         """Write that friction does not hold the system where places are counted from; `said` is what it does then.
 
-        The place is the start or, if the `number` is not zero, that turning point. Return whether numbers are known.
+        The place is the start or, if the `number` is not zero, that turning point. Return whether numbers are known;
+        where they are not, it is written in the end.
         """
-        return self._compare(motion, number, "exceeds", f"so {said}", moves=True)
+        where = "here" if number else "at the start"
+        return self._compare(motion, number, where, ("exceeds", f"so {said}"), moves=True)
 
     def stays(self, motion: LinearMotion, number: int) -> None:
         """Write that friction holds the system at a turning point, from which places are counted."""
-        self._compare(motion, number, "is less than", "so it stays", moves=False)
+        said = "is less than", f"so {self._way.who(motion.free[0])} stays at rest"
+        self._compare(motion, number, "here", said, moves=False)
 
-    def _compare(self, motion: LinearMotion, number: int, than: str, so: str, *, moves: bool) -> bool:
+    def hidden(self, motion: LinearMotion) -> bool:
+        """Return whether one of the forces that are compared hangs on what is unknown."""
+        return any(map(self._book.is_hidden, (without_friction(motion), motion.friction(motion.free[0]).factored())))
+
+    def _compare(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> bool:
+        if self.hidden(motion):
+            if not self._book.in_symbols:
+                place = f"at ${motion.begin.expression().latex()}$" if number else where
+                later = said[0], said[1] if not moves else "as was assumed"
+                self._book.afterwards.append(lambda: self._tell(motion, number, place, later, moves=moves))
+            return False
+        self._tell(motion, number, where, said, moves=moves)
+        return True
+
+    def _tell(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> None:
         book, (i,) = self._book, motion.free
         friction = motion.friction(i)
-        pull, most = (self._size(held) for held in (motion.load(i) - friction, friction))
-        if book.is_hidden(pull) or book.is_hidden(most):
-            return False
+        pull, most = without_friction(motion), self._size(friction)
+        forward = book.value(pull) > 0.0
+        pull = pull if forward else without_friction(motion, sign=-1.0)
         if (book.value(pull) * LIMIT < book.value(most)) if moves else (book.value(pull) > LIMIT * book.value(most)):
             raise UnsolvedError("friction is not as strong as it should be")
-        what = "The spring force"
+        what = "spring force"
         if motion.steady(i) - friction:
-            what = "The net force without friction"
+            what = "net force without friction"
         elif len(motion.springs) > 1:
-            what = "The net force of the springs"
+            what = "net force of the springs"
         step, name = book.open("verify"), book.fresh("F", str(number))
         book.observed[name.name] = book.value(pull)
         told, limit = step.verified(name, pull, NEWTONS), f"${self._most}$"
@@ -54,9 +74,11 @@ class RestChecks:
             greatest = book.fresh("f", r"\text{max}")
             self._most, book.observed[greatest.name] = greatest.name, book.value(most)
             limit = f"the greatest static friction {step.verified(greatest, most, NEWTONS)}"
-        step.say(f"{what} {'here' if number else 'at the start'}, {told}, {than} {limit}, {so}.")
+        if moves:
+            exceeds(book, step, pull, most)
+        towards, (than, so) = self._way.towards(i, forward=forward), said
+        step.say(f"The {what} {where} is {told} {towards}; it {than} {limit}, {so}.")
         step.close()
-        return True
 
     def _size(self, held: Polynomial) -> Expression:
         formula = held.factored()
@@ -89,8 +111,16 @@ class RestChecks:
         most, sizes = (motion.laws.coefficient(face) * motion.normal(face)).factored(), [*map(self._size, needed)]
         greatest = max(sizes, key=book.value)
         hidden = book.is_hidden(greatest) or book.is_hidden(most)
-        if hidden or book.value(beyond) > LIMIT * book.value(greatest):
+        if book.value(beyond) > LIMIT * book.value(greatest):
             return
+        if hidden:
+            if not book.in_symbols:
+                book.afterwards.append(lambda: self._tell_resting(motion, face, greatest, most))
+            return
+        self._tell_resting(motion, face, greatest, most)
+
+    def _tell_resting(self, motion: LinearMotion, face: int, greatest: Expression, most: Expression) -> None:
+        book = self._book
         if book.value(greatest) > LIMIT * book.value(most):
             raise UnsolvedError("friction could not hold what rests")
         body = motion.mechanism.faces[face].subject

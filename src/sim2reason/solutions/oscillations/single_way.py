@@ -41,10 +41,9 @@ class SingleWay(LinearWay):
         """Return the clause that it is at rest for an instant."""
         return f"{self.mover} is at rest"
 
-    @property
-    def fastest(self) -> str:
-        """Return the clause that its speed is greatest."""
-        return f"{self.mover} is fastest"
+    def fastest(self, where: str) -> str:
+        """Return the clause that its speed is greatest at a place; the speed follows."""
+        return f"{self.mover} is fastest at {where}, where its speed is"
 
     @property
     def standing(self) -> str:

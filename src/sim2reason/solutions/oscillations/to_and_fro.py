@@ -7,7 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from sim2reason.simulation.trace import Trace
-from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.functions import summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.oscillations.linear_way import LinearWay
@@ -39,14 +40,19 @@ class Travelled(Stretch):
 
     def path(self, body: str) -> Expression:
         """The sum of all ways without their signs."""
-        own, book, found = self.way.moving([body]), self.way.book, ZERO
+        return summed(self.paths(body))
+
+    def paths(self, body: str) -> Sequence[Expression]:
+        """Each way without its sign."""
+        own, book, found = self.way.moving([body]), self.way.book, list[Expression]()
         if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")
         (part,) = self.way.motion.ratios[own[0]].values()
         for one, other in pairwise(self.places):
             apart = other - one
-            found = found + (apart if book.value(apart) >= 0.0 else -apart)
-        return found * abs(part) if abs(part) != 1.0 else found
+            length = apart if book.value(apart) >= 0.0 else -apart
+            found.append(length * abs(part) if abs(part) != 1.0 else length)
+        return found
 
 
 class Rubbing(Travelled):

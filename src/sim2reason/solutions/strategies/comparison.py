@@ -16,6 +16,7 @@ from sim2reason.solutions.laws.nested import (
     with_other_value,
 )
 from sim2reason.solutions.laws.second_case import shorten_second_case
+from sim2reason.solutions.laws.still_holds import verify_again
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -53,7 +54,9 @@ class Comparison(Strategy):
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
         goal = solved(inner, book, _deriving(inner))
         changed = Number(query.factor) * Symbol(symbol)
-        after = with_other_value(inner, book, goal, symbol, changed, f"With ${symbol}$ {WORDS[query.factor]}")
+        lead = f"With ${symbol}$ {WORDS[query.factor]}"
+        verify_again(book, symbol, changed, lead)
+        after = with_other_value(inner, book, goal, symbol, changed, lead)
         unit, found = book.units.get(goal, ""), book.values[after.name]
         wanted = answered(query.inner, query.changed(setting.study))
         if wanted is None or abs(found - counted(wanted, unit)) > SAME * abs(found):

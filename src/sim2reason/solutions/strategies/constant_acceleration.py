@@ -22,6 +22,7 @@ from sim2reason.solutions.laws.stage import Stage
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs
 from sim2reason.solutions.laws.sticking import tell_slipping_on
+from sim2reason.solutions.laws.still_sliding import verify_still_sliding
 from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.laws.turning_back import verify_farther, verify_remaining
 from sim2reason.solutions.setting import Setting, capital
@@ -81,8 +82,9 @@ class _Staged(Way):
         """All stages that matter, then the goal."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
-        _ = self.stages
-        return self.goal.write(self.target, self).name
+        found = self.goal.write(self.target, self).name
+        verify_still_sliding(self.stages)
+        return found
 
     @property
     def newton(self) -> Newton:
@@ -232,7 +234,7 @@ class _Staged(Way):
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
             whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
             if before:
-                verify_farther(self.book, whole.expression())
+                verify_farther(self.book, whole, (name, places.get(k, NIL)), self.setting.called(moment.name))
             return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$,")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
@@ -251,10 +253,9 @@ class _Staged(Way):
             j, sign = carried[slips[0]]
             slip = {slips[0]: Polynomial.of(1.0), j: Polynomial.of(-sign)}
             return End(None, slips[0], None, self._stops(body), slip)
-        newton = Newton(self.setting.lexicon, self.segments[0])
         face = list(self.mechanism.contacts).index(body)
         what = f"{capital(self.setting.called(body))} begins to roll without slipping when"
-        return End(None, slips[0], None, what, newton.slip(face))
+        return End(None, slips[0], None, what, Newton(self.setting.lexicon, self.segments[0]).slip(face))
 
     def _stops(self, body: str) -> str:
         """That it stops sliding, in words."""

@@ -26,7 +26,7 @@ from sim2reason.solutions.oscillations.fastest_place import fastest_place
 from sim2reason.solutions.oscillations.friction_words import friction_words
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
-from sim2reason.solutions.oscillations.net_force import net_force, power_words, told_extensions, work
+from sim2reason.solutions.oscillations.net_force import collected, net_force, power_words, told_extensions, work
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.single_way import SingleWay, signed
 from sim2reason.solutions.setting import Setting, capital
@@ -94,7 +94,7 @@ class EnergyWay(SingleWay):
         if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
             way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
             said = f"{self.mover} starts to move {way}"
-            told = RestChecks(self.setting, self.book).moves_on(motion, 0, said)
+            told = RestChecks(self).moves_on(motion, 0, said)
             step = self.book.open("names")
             step.say("" if told else f"{capital(said)}.", f"Friction acts {friction_words(self, motion)}.")
             step.close()
@@ -193,7 +193,9 @@ class EnergyWay(SingleWay):
         if not stiffness:
             formula = -first / load.factored()
         elif first == ZERO:
-            formula = over(load.scaled(2.0), stiffness)
+            gathered = collected(load, stiffness)
+            plain = gathered == load.expression()
+            formula = over(load.scaled(2.0), stiffness) if plain else 2.0 * gathered / stiffness.expression()
         else:
             under = self._mass * stiffness.expression() * Power(self._first, 2)
             size = load.factored() if self.book.value(load.factored()) > 0.0 else load.scaled(-1.0).factored()

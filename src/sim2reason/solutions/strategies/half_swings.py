@@ -11,10 +11,12 @@ from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.oscillations.first_rest import tell_beyond, told_first_rest
 from sim2reason.solutions.oscillations.friction_words import swing_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
@@ -23,7 +25,6 @@ from sim2reason.solutions.oscillations.to_and_fro import Rubbing
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
-from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
@@ -67,7 +68,7 @@ class _Swinging(Oscillating):
 
     @cached_property
     def _checks(self) -> RestChecks:
-        return RestChecks(self.setting, self.book)
+        return RestChecks(self)
 
     def write(self) -> Symbol:
         """Verify what is assumed of friction, as far as numbers are known, before the moment."""
@@ -76,7 +77,8 @@ class _Swinging(Oscillating):
         if isinstance(moment, Halted):
             there = self.whole_place
             self._checks.stays(self._motion(self.segment, there), len(self._segments))
-        if isinstance(moment, Moved) and len(self._segments) == 1 and not held.turns(self.since_begun):
+        marked = isinstance(moment, Moved | NaturalLength) and not (self.greatest or self.book.in_symbols)
+        if marked and not held.turns(self.since_begun):
             self._turns_beyond(held)
         return super().write()
 
@@ -101,10 +103,11 @@ class _Swinging(Oscillating):
         """The last swing."""
         if len(self.linear.free) != 1:
             raise UnsolvedError("nothing moves at last, or several modes do")
-        self.introduce({self.linear.free[0]: self.whole_name})
+        first = self.book.fresh("x")
+        self.introduce({self.linear.free[0]: first})
         before: Harmonic | None = None
         for number, segment in enumerate(self._segments):
-            name = self.book.fresh("s", str(number + 1)) if number else self.whole_name
+            name = self.book.fresh("s", str(number + 1)) if number else first
             held = self._swing(segment, name, before)
             self._begins(held, number)
             if segment is self._segments[-1]:
@@ -120,16 +123,28 @@ class _Swinging(Oscillating):
         """Write why a swing begins, and that friction is constant until it ends."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
+        resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting(motion)]
+        if resting and not number and not self.book.in_symbols:
+            self._say(f"Assume that {self.setting.listed(resting)} {'stays' if len(resting) == 1 else 'stay'} at rest.")
         if number:
-            self._checks.moves_on(motion, number, "it moves back")
+            self._checks.moves_on(motion, number, f"{self.mover} moves back")
         elif not held.first:
             (i,) = motion.free
             forward = motion.load(i).value(motion.givens) > 0.0
             said = f"{self.who(i)} starts to move {self.towards(i, forward=forward)}"
-            if not self._checks.moves_on(motion, number, said):
-                turned = "" if forward else ", so its velocity is negative at first"
-                self._say(f"{capital(said)}{turned}.")
+            self._assume(said if not self._checks.moves_on(motion, number, said) else "")
+        else:
+            self._assume("")
         self._say(*swing_words(self, held, number))
+
+    def _assume(self, said: str) -> None:
+        """Write what is verified only in the end: what moves at first, unless that is known, and what moves later."""
+        if self.book.in_symbols:
+            return
+        if len(self._segments) > 1 and self._checks.hidden(self._motion(self._segments[-1], ZERO)):
+            back = "moves back at each turning point before the moment in question"
+            said = f"{said} and {back}" if said else f"{self.mover} {back}"
+        self._say(f"Assume that {said}." if said else "")
 
     def _say(self, *sentences: str) -> None:
         step = self.book.open("names")
@@ -152,7 +167,7 @@ class _Swinging(Oscillating):
             there = book.told("turning", said, name, self.begin + there, METRES)
         self.begin = there
         self._places.append(there)
-        self.started += span
+        self.started, self.turned = self.started + span, self.turned + 1
 
     @cached_property
     def _places(self) -> list[Expression]:
@@ -184,13 +199,14 @@ class _Swinging(Oscillating):
         whole = held.begun == ZERO
         if whole and self._half is not None:
             return self._half
+        if not whole:
+            return told_first_rest(self, held, span, self._time_name())
         said = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
-            said = f"{capital(self.mover)} first comes to rest after{' half an oscillation,' if whole else ''}"
+            said = f"{capital(self.mover)} first comes to rest after half an oscillation,"
         formula = held.angle_of_turning(span) / held.rate
-        found = self.book.told("time", said, self._time_name(), formula, SECONDS)
-        self._half = found if whole else None
-        return found
+        self._half = self.book.told("time", said, self._time_name(), formula, SECONDS)
+        return self._half
 
     def since(self, time: Symbol) -> Symbol:
         """Less what the swings before take."""
@@ -224,7 +240,8 @@ class _Swinging(Oscillating):
     def _equal_times(self, *more: Symbol) -> str:
         """Begin a sentence with the reason why one time stands for several swings, if one does."""
         whole = [held for held in (*self._lasting, *more) if held == self._half]
-        return "all half oscillations take the same time, so " if len(whole) > 1 else ""
+        every = "both" if len(whole) == 2 else f"all {len(whole)}"
+        return f"{every} half oscillations take the same time, so " if len(whole) > 1 else ""
 
     @property
     def standing(self) -> str:
@@ -257,17 +274,12 @@ class _Swinging(Oscillating):
         step.close()
 
     def _turns_beyond(self, held: Harmonic) -> None:
-        """Write that it first comes to rest farther from its start than where it is at the moment."""
-        formula, place = held.turning(self._ends_after(held)), self._place
-        if self.book.is_hidden(formula) or self.book.is_hidden(place):
-            return
-        step, name, book = self.book.open("verify"), self.book.fresh("x", "1"), self.book
-        book.observed[name.name] = book.value(formula)
-        far, near = (-part if book.value(part) < 0.0 else part for part in (formula, place))
-        exceeds(book, step, far, near)
-        told, there = step.verified(name, formula, METRES), f"{held.name.latex()} = {place.latex()}"
-        step.say(f"It first comes to rest at {told}, beyond ${there}$, so friction is still constant there.")
-        step.close()
+        """Write that it comes to rest only beyond where it is at the moment; in the end, if numbers are unknown."""
+        formula, place, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
+        if any(map(self.book.is_hidden, (formula, place))):
+            self.book.afterwards.append(lambda: tell_beyond(self, held, formula, place, later=later))
+        else:
+            tell_beyond(self, held, formula, place, later=later)
 
     def _verify_others(self, held: Harmonic) -> None:
         """Write that bodies at rest stay so while this one moves between the places where it turns back."""

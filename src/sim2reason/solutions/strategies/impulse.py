@@ -21,10 +21,11 @@ from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.flights import Impact, Leg
+from sim2reason.solutions.collisions.legs import Impact, Leg
 from sim2reason.solutions.collisions.nearer import tell_nearer
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.collisions.order import CollisionOrder
+from sim2reason.solutions.collisions.sides import tell_side
 from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
 from sim2reason.solutions.collisions.tops import at_top, height_at_rest, tell_top
 from sim2reason.solutions.collisions.uninvolved import tell_uninvolved
@@ -199,10 +200,11 @@ class _Struck(Way):
         leg = self.flights.leg(moment.name, number)
         there = float(self.setting.motion.state(np.array([self.setting.time])).q[0, k])
         before = self.flights.place(moment.name, number, k, None)
-        gap = before - Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
-        return self._flown(
-            leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved ${name.name}$ when", leg
-        )
+        target = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
+        if number and not self.flights.acceleration(k):
+            tell_side(self.flights, moment.name, k, name)
+        said = f"{capital(self.setting.called(moment.name))} has moved ${name.name}$ when"
+        return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
 
     def _landing(self, body: str) -> Symbol:
         """When a body that flies comes down to the ground, where its description ends."""
@@ -210,7 +212,7 @@ class _Struck(Way):
         height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
         said = f"{capital(self.setting.called(body))} reaches the ground when"
-        return self._flown(leg.speeds[k], height, k, said, leg)
+        return self._flown(leg.speeds[k], (height, NIL), k, said, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
         """When a body in a plane is so far from where it began: a root that is found numerically."""
@@ -270,17 +272,19 @@ class _Struck(Way):
         step.close()
         return self.flights.counted(self.flights.begins(leg), name)
 
-    def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: Leg) -> Symbol:
-        a = self.flights.acceleration(k)
+    def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Leg) -> Symbol:
+        """Write when the `way`, what is left of it and where it leads to, is done."""
+        (gap, target), a = way, self.flights.acceleration(k)
         step, name = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(name)
-        law = step.law(NIL.expression(), (gap + speed * t + (a * t * t).scaled(0.5)).expression())
+        law = step.law((gap + target + speed * t + (a * t * t).scaled(0.5)).expression(), target.expression())
         if a:
             # gap and rise have opposite signs unless it is thrown back; the first root in either case
             sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
             formula = self.flights.root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))
         else:
             formula = ratio(gap.scaled(-1.0).expression(), speed.expression())
-        step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}.")
+        later = f" after {self.flights.collision(leg.after)}" if leg.after is not None else ""
+        step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}{later}.")
         step.close()
         return self.flights.counted(self.flights.begins(leg), name)

@@ -74,10 +74,11 @@ def not_driven_back(mechanism: Mechanism) -> str:
 
 
 class Oscillating(SingleWay):
-    """One free coordinate; its places are counted from `begin`, where it is at the time `started`, s."""
+    """One free coordinate; places are counted from `begin`, at `started` s, when it has `turned` so many times."""
 
     begin: Expression = ZERO
     started = 0.0
+    turned = 0
 
     @property
     def name(self) -> Symbol:
@@ -243,7 +244,7 @@ class Oscillating(SingleWay):
         else:
             forward = held.where(self.since_begun)[1] > 0.0
             changes = f"There ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
-            said = f"{capital(self.fastest)} at {held.balance}," if self._place == held.rest else changes
+            said = capital(self.fastest(held.balance)) if self._place == held.rest else changes
             step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
             step.close()
             return name if forward else -name
@@ -258,12 +259,8 @@ class Oscillating(SingleWay):
         if self.begin == ZERO:
             return self._place
         said = "The displacement from the start is then"
-        return self.book.told("place", said, self.whole_name, self.begin + self._place, METRES)
-
-    @cached_property
-    def whole_name(self) -> Symbol:
-        """Return the symbol of the displacement since the start, if the oscillation is counted from another point."""
-        return self.book.fresh("x")
+        name = self.book.fresh("x", str(self.turned + 1))
+        return self.book.told("place", said, name, self.begin + self._place, METRES)
 
     @property
     def stretches(self) -> Sequence[Stretch]:

@@ -16,6 +16,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol,
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.rocket import Burning
+from sim2reason.solutions.laws.rocket_checks import exclude_burning, tell_in_the_air
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -139,6 +140,7 @@ class _Burning(Burning):
         if isinstance(moment, AtTime):
             if self.book.is_hidden(self.time - self.burned):
                 self.tell_spent(self.time)
+                self.book.afterwards.append(lambda: exclude_burning(self, self.time))
             said = f"{self.who} then moves with its engine off for"
             return self.book.told("time", said, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
@@ -249,11 +251,14 @@ class _Burning(Burning):
             return self._burnt(self._now, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
             said = "" if self.tell_spent(self.time) else self.assumed_at(self.time)
-            return self._burnt(self._risen(self.time), "v", "", said)
+            found, risen = self._burnt(self._risen(self.time), "v", "", said), self._risen(self.time)
+            if not self.mechanism.attractions:
+                self.told_when_known(lambda: tell_in_the_air(self, found, risen), found, risen, self.dry, self.exhaust)
+            return found
         fast = self._at_end[0]
         if not self.gravity:
             return fast
-        said, formula = "Then gravity alone acts:", fast - self.gravity.expression() * self.coast
+        said, formula = "Its velocity is then", fast - self.gravity.expression() * self.coast
         return self.book.told("velocity", said, self.book.fresh("v"), formula, SPEED)
 
     @cached_property

@@ -1,0 +1,43 @@
+"""Why two bodies on a line collide next, where no time of their collision is written, and numbers known late."""
+
+from collections.abc import Iterator
+
+from sim2reason.solutions.algebra.expressions import ZERO, Symbol
+from sim2reason.solutions.algebra.polynomials import NIL
+from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact
+from sim2reason.solutions.collisions.relative import RelativeMotion
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.writing.unit_latex import SPEED
+
+
+def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Impact) -> str:
+    """Return the sentence that the bodies of the `following` collision approach each other; empty if that is told."""
+    book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
+    pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
+    if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
+        return ""
+    speed = NIL
+    for body, (k, sense) in flights.ways(meeting).items():
+        rate = flights.leg(body, flights.count(body, following)).speeds[k]
+        speed = speed - rate.scaled(sense * (1.0 if body == meeting.b else -1.0))
+    exceeds(book, step, speed.expression(), ZERO)
+    motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
+    said = motion.concluded("u", speed.expression(), SPEED)
+    who = flights.setting.listed(list(meeting.names))
+    return f"After {flights.collision(begins)}, {who} approach each other at {said}, so they collide next."
+
+
+def late_values(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> Iterator[str]:
+    """Yield what numbers of an argument come to that were unknown before; of the `last` collision, that it is early."""
+    book = flights.book
+    used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
+    late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
+    if late:
+        yield f"Now {joined([step.stated(Symbol(name), book.units[name]) for name in late])}."
+    time = flights.times.get(last.number) if last is not None else None
+    if time is not None and time.name in book.formulas and until is not None and until.name in book.stated:
+        exceeds(book, step, until, time)
+        yield f"The last collision, at {step.stated(time, book.units[time.name])}, comes before ${until.latex()}$."

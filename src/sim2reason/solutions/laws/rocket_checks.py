@@ -1,0 +1,73 @@
+"""Checks in numbers of where a rocket is, and that another course of its motion is impossible."""
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
+from sim2reason.solutions.algebra.functions import Call, Power
+from sim2reason.solutions.laws.rocket import Burning
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.unit_latex import KILOGRAMS, METRES
+
+HALF = Number(0.5)
+
+
+def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
+    """Write that a rocket which falls with its engine off is still in the air, or that it cannot be falling.
+
+    The latter is written where the empty mass is unknown: falling as fast, it would never have lifted off.
+    """
+    book, u, g = rocket.book, rocket.exhaust, rocket.gravity.expression()
+    if book.value(velocity) > 0.0:
+        _exclude_falling(rocket, velocity, risen)
+        return
+    log, burning = Call("ln", ratio(rocket.full, rocket.dry)), (rocket.full - rocket.dry) / rocket.rate_of_burning
+    height = (
+        u * log * risen - u * (rocket.full / rocket.rate_of_burning) * log + u * burning - HALF * g * Power(risen, 2)
+    )
+    step, name = book.open("verify"), book.fresh("h")
+    exceeds(book, step, height, ZERO)
+    book.observed[name.name] = book.value(height)
+    told = step.verified(name, height, METRES)
+    step.say(f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is")
+    step.say(f"{told}.")
+    step.close()
+
+
+def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
+    book, dry, g = rocket.book, rocket.dry, rocket.gravity.expression()
+    if not isinstance(dry, Symbol) or book.sought != dry.name or velocity.name not in book.stated:
+        return
+    would = rocket.full / Call("exp", (g * risen - velocity) / rocket.exhaust)
+    if book.value(would) <= book.value(rocket.full):
+        return
+    step, name = book.open("verify"), book.fresh(dry.name, r"\text{down}")
+    exceeds(book, step, would, rocket.full)
+    book.observed[name.name] = book.value(would)
+    told = step.verified(name, would, KILOGRAMS)
+    step.say(f"If {rocket.name} moved down at this speed, its empty mass would be {told}, more than the mass")
+    step.say(f"${rocket.full.latex()}$ at which it begins to rise.")
+    step.close()
+
+
+def exclude_burning(rocket: Burning, time: Symbol) -> None:
+    """Write that a rocket with its engine still on at a time would not be as far as it is said to be.
+
+    It is told of an unknown rate of burning, with which the distance grows.
+    """
+    book, rate, query = rocket.book, rocket.rate_of_burning, rocket.query
+    far = next((name for name, unit in book.units.items() if name in book.stated and unit == METRES), "")
+    target = query.target.quantity if query.target is not None else ""
+    unknown = isinstance(rate, Symbol) and book.sought == rate.name
+    if not unknown or rocket.waits or not far or target not in ("displacement", "distance from start"):
+        return
+    log, fuel = Call("ln", ratio(rocket.first, rocket.dry)), rocket.first - rocket.dry
+    most = rocket.exhaust * time - rocket.exhaust * rocket.dry * time / fuel * log
+    if rocket.gravity:
+        most = most - HALF * rocket.gravity.expression() * Power(time, 2)
+    if book.value(most) >= book.values[far]:
+        return
+    step, name = book.open("verify"), book.fresh("s", r"\text{max}")
+    exceeds(book, step, Symbol(far), most)
+    book.observed[name.name] = book.value(most)
+    told = step.verified(name, most, METRES)
+    step.say(f"If the engine were still on at ${time.latex()}$, ${rate.latex()}$ would be at most")
+    step.say(f"${(fuel / time).latex()}$, and {rocket.name} at most {told} from its start, less than ${far}$.")
+    step.close()

@@ -1,0 +1,59 @@
+"""When an oscillation that begins with a speed first comes to rest, and that another is not at rest sooner."""
+
+from math import pi
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call
+from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
+
+
+def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -> Symbol:
+    """Write when the velocity is first zero, `span` seconds after the start, and give back the `name` of that time."""
+    book, rate, begun, rest = way.book, held.rate, held.begun, held.rest
+    step, phase = book.open("time"), rate * name
+    velocity = rest * rate * Call("sin", phase) + held.first.expression() * Call("cos", phase)
+    who, law = way.who(held.motion.free[0]), step.law(velocity, ZERO)
+    step.say(f"{capital(who)} first comes to rest when its velocity, the derivative of the displacement")
+    step.say(f"${held.swinging(phase).latex()}$, is zero: {law}, so {step.derived(Call('tan', phase), begun / -rest)}.")
+    early = held.numbers[0] * span < 0.5 * pi
+    sign = f"{rest.latex()} {'<' if book.value(rest) < 0.0 else '>'} 0"
+    between = f"${phase.latex()}$ is {'less' if early else 'greater'} than ${(Number(0.5) * PI).latex()}$"
+    formula = held.angle_of_turning(span) / rate
+    found = step.result(name, formula, SECONDS)
+    if not book.is_hidden(rest):
+        step.say(f"As ${sign}$, {between}, and {found}.")
+    elif book.in_symbols:
+        step.say(f"For ${sign}$, {between}, and {found}.")
+    else:
+        step.say(f"Assume that ${sign}$; then {between}, and {found}.")
+        book.afterwards.append(lambda: _tell_sign(way, rest, sign))
+    step.close()
+    return name
+
+
+def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
+    """Write that what moves would come to rest, first or `later`, only beyond a place, so that friction is constant."""
+    book, step = way.book, way.book.open("verify")
+    name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
+    book.observed[name.name] = book.value(turning)
+    far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
+    exceeds(book, step, far, near)
+    told = step.verified(name, turning, METRES)
+    there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
+    who = capital(way.who(held.motion.free[0]))
+    step.say(f"{who} would {'next' if later else 'first'} come to rest at {told}, beyond ${there}$,")
+    step.say("so friction is constant until then.")
+    step.close()
+
+
+def _tell_sign(way: LinearWay, rest: Expression, sign: str) -> None:
+    """Write that the place of zero net force is on the side that was supposed."""
+    step = way.book.open("verify")
+    greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
+    exceeds(way.book, step, greater, less)
+    step.say(f"Indeed ${sign}$, as was assumed.")
+    step.close()

@@ -1,0 +1,24 @@
+"""Later parts neither verify again what an earlier part has verified of the motion, nor introduce a symbol again."""
+
+from plain_scenes import row
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.halted import Halted
+from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.quoting import quoting
+from sim2reason.solutions.multipart.recall import starting_from
+from worked import derived
+
+
+def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
+    """All half oscillations take π/ω: where the cart turns back is not worked out again, nor is x introduced again."""
+    scene = row((1.8,), (132.0,), "right", friction=0.32, strain=0.2)
+    trolley = next(body.name for body in scene.mechanism.bodies if body.mass)
+    place = derived(scene, Query("event", Target("displacement", trolley), Halted(trolley)))
+    time = derived(scene, Query("time_to_event", None, Halted(trolley)))
+    first, second = consistent([place, time])
+    later = starting_from(second, [("a", first)], whole=True)
+    _, told = quoting([first, later])
+    assert "What was verified of this motion in part (a) holds here, too." in told.text
+    assert "Let $x$ be the displacement" not in told.text
+    assert "next comes to rest at" not in told.text
+    assert "half oscillations take the same time" in told.text
