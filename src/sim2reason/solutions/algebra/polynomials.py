@@ -198,10 +198,7 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:
-    for atom, _ in monomial:
-        if isinstance(atom, Symbol) and atom.name in names:
-            return True
-    return False
+    return any(isinstance(atom, Symbol) and atom.name in names for atom, _ in monomial)
 
 
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
