@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.functions import Absolute
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
+from sim2reason.solutions.laws.either_way import reason_for_negative
 
 DISPLACEMENTS = VectorName.of("displacement")
 VELOCITIES = VectorName.of("velocity")
@@ -43,6 +45,11 @@ class VectorGoal(Goal):
             formula = modulus(lone.factored(), known.book)
         else:
             formula = magnitude(known.vector(base, body), known, self.noun, body)
+        if isinstance(formula, Absolute) and (
+            why := reason_for_negative(known.setting, known.book, formula.inside, body)
+        ):
+            what = f"{why}, so the magnitude of the {whose} is"
+            return finish(known, -formula.inside, self.noun, mark, what)
         return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 
 

@@ -17,6 +17,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
+from sim2reason.solutions.laws.either_way import of_motion
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, rim_speed_words
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
@@ -219,8 +220,9 @@ class Stage:
             step.say(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
         else:
             distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
-            law = step.law(distance, _path(begun, a, name))
-            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}.")
+            rate, why = self._over(shared)
+            law = step.law(distance, _path(begun, rate, name))
+            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}{why}.")
             slowed = self.book.value(begun) > 0.0 > self.book.value(a)
             if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
                 who = self.setting.called(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
@@ -232,10 +234,16 @@ class Stage:
         """The first positive time of d = v t + ½ a t²."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
-            return Root(Quotient(multiplied(Number(2.0), distance), a))
+            return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))
         under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
+
+    def _over(self, shared: Shared) -> tuple[Expression, str]:
+        """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
+        bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
+        found = of_motion(self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies)
+        return found, "" if found is shared.symbol else f", whichever way {self.setting.called(bodies[0])} moves"
 
     def _at_end(self, shared: Shared) -> Polynomial:
         name = shared.symbol.name
@@ -262,10 +270,11 @@ class Stage:
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
-        square = added(squares([begun]), multiplied(Number(2.0), multiplied(shared.symbol, distance)))
+        rate, why = self._over(shared)
+        square = added(squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
-        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")
+        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}{why}.")
         step.close()
         return Polynomial.of(name)
 

@@ -134,11 +134,14 @@ class Way(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Along the only line on which a body moves; None if it has several."""
-        own = self.own(body)
-        if len(own) != 1 or self.moving([body]) != own:
+        """Along the only line on which a body moves, in the sense of its own coordinate; None if it has several."""
+        own = self.moving([body]) if kind == "u" else self.own(body)
+        ways = [self._start.center(body).gradient[k] for k in own]
+        senses = [product(way, ways[-1]) for way in ways]
+        if not own or any(abs(abs(sense) - 1.0) > STILL for sense in senses):
             return None
-        return self.first_speeds.get(own[0], NIL) if kind == "u" else self.rate(kind, own[0])
+        rates = [self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k) for k in own]
+        return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
         """The coordinates of a body that has axes of its own in the text, at right angles."""

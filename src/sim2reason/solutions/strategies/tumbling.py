@@ -296,5 +296,5 @@ class _Tumbling:
         "rotational kinetic energy": ("_turning_energy", "The kinetic energy of the rotation about the axis is"),
         "angular momentum": ("_angular_momentum", "The angular momentum about the axis is"),
         "torque": ("_torque", "The torque about the axis is"),
-        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
     }
