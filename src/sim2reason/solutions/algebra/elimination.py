@@ -97,7 +97,7 @@ class Elimination:
     def _one(self, equation: Equation, name: str) -> None:
         step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
-        formula = solved(equation.zero, name)
+        formula = solved(equation.zero, name, grouped=True)
         where = f"From {joined(sorted({equation.label, *equation.among}))}, " if equation.label else "So "
         if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
@@ -291,7 +291,7 @@ def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 
 
-def solved(zero: Polynomial, name: str) -> Expression:
+def solved(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
     """The unknown, from an equation in which it is the only one."""
     before, rest = parts(zero, name)
-    return over(rest, before)
+    return over(rest, before, grouped=grouped)
