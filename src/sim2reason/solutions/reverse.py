@@ -70,15 +70,8 @@ class Inversion:
 
     def write(self, spelled: str = "") -> str:
         """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
-        book = self.book
-        formula, at = self._defined, self.goal
-        value: Expression = Symbol(self.goal) if spelled else ZERO
-        if spelled:
-            book.state(self.goal, self.stated, spelled)
-        else:
-            del book.formulas[self.goal]  # it keeps the value that is set
-            book.hidden.discard(self.goal)
-            book.values[self.goal] = 0.0
+        book, at = self.book, self.goal
+        formula, value = self._begun(spelled)
         for _ in range(LONGEST):
             if any(book.is_hidden(part) for part in numbers(formula)):
                 raise UnsolvedError("it would need numbers that are not known")
@@ -103,6 +96,17 @@ class Inversion:
             last = max(later, key=list(book.formulas).index)
             formula, self._together = put(formula, last, book.formulas[last]), True
         return self._numerically(at)
+
+    def _begun(self, spelled: str) -> tuple[Expression, Expression]:
+        """Return the formula of the goal and its value, which is given from now on; of a root, the residual and zero."""
+        book, formula = self.book, self._defined
+        if spelled:
+            book.state(self.goal, self.stated, spelled)
+            return (formula.residual, ZERO) if isinstance(formula, ImplicitRoot) else (formula, Symbol(self.goal))
+        del book.formulas[self.goal]  # it keeps the value that is set
+        book.hidden.discard(self.goal)
+        book.values[self.goal] = 0.0
+        return formula, ZERO
 
     def _short(self, formula: Expression) -> Expression:
         """A formula with numbers for what is known, if it is too long to be read."""
