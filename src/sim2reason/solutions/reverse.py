@@ -98,7 +98,7 @@ class Inversion:
         return self._numerically(at)
 
     def _begun(self, spelled: str) -> tuple[Expression, Expression]:
-        """Return the formula of the goal and its value, which is given from now on; of a root, the residual and zero."""
+        """Return the formula of the goal and its value, given from now on; of a root, the residual and zero."""
         book, formula = self.book, self._defined
         if spelled:
             book.state(self.goal, self.stated, spelled)

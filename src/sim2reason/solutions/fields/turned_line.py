@@ -61,10 +61,8 @@ class Turned(OrbitPlace):
     def _conic(self) -> str:
         """A sentence without its end that says what the equation of the conic is."""
         e, rectum = self.orbit.oval.latex(), self._rectum.latex()
-        said = (
-            rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity ${e}$"
-        )
-        return rf"{said} and the angle $\nu$ turned since the nearest point"
+        said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
+        return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step that gives the direction, or the components of the velocity."""

@@ -35,13 +35,14 @@ class VectorGoal(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """Components, then what is asked."""
         body, base = target.subject, self.noun.base
-        whose = f"{self.noun.said} of {known.setting.called(body)}"
+        whose, carrier = f"{self.noun.said} of {known.setting.called(body)}", known.setting.mechanism.body[body].parent
         mark = known.setting.mark(body)
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
             return finish(known, formula, self.noun, mark, along_sense(whose, target.sense))
         lone = None if known.book.in_symbols else known.lone(base, body)
         if lone is not None and lone:
+            whose = f"{whose} relative to the ground" if carrier is not None and lone.symbol is None else whose
             formula = modulus(lone.factored(), known.book)
         else:
             formula = magnitude(known.vector(base, body), known, self.noun, body)

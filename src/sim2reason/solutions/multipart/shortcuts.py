@@ -41,6 +41,8 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
         return None
     name = step.gives[0]
     given = {r.left.latex() for held in solution.steps for r in held.relations if r.role == "given"}
+    if not {*results[0].right.symbols()} - given - {*known}:
+        return None
     for source in solution.steps[:place]:
         for law in source.relations if source.kind in LAWS else ():
             if law.role != "law" or {*law.symbols()} - {name} - given - {*known} or name not in {*law.symbols()}:
