@@ -7,7 +7,7 @@ from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.algebra.tidied import tidied
-from sim2reason.solutions.multipart.quoting import DEFINED
+from sim2reason.solutions.multipart.quoting import DEFINED, referred
 from sim2reason.solutions.multipart.recall import kept_steps, known_from
 from sim2reason.solutions.solution import Relation, Solution, Step
 
@@ -41,7 +41,7 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
         return None
     name = step.gives[0]
     given = {r.left.latex() for held in solution.steps for r in held.relations if r.role == "given"}
-    if not {*results[0].right.symbols()} - given - {*known}:
+    if _is_direct(step, solution.steps[:place]):
         return None
     for source in solution.steps[:place]:
         for law in source.relations if source.kind in LAWS else ():
@@ -52,6 +52,13 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
                 new = _step(step, results[0], source, law, formula, solution)
                 return replace(solution, steps=(*solution.steps[:place], new, *solution.steps[place + 1 :]))
     return None
+
+
+def _is_direct(step: Step, before: Sequence[Step]) -> bool:
+    """Return whether a step takes its result from one law already."""
+    labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
+    used = referred(step.text)
+    return len(used) == 1 and used[0] in labels
 
 
 def _solved(name: str, law: Relation, solution: Solution) -> Expression | None:
