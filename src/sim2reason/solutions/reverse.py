@@ -9,8 +9,8 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, numbers
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
 from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.monotonic import trend
@@ -112,6 +112,9 @@ class Inversion:
         """A formula with numbers for what is known, if it is too long to be read."""
         if len(formula.latex()) <= LONG:
             return formula
+        plain = tidied(formula, self.unknown)
+        if len(plain.latex()) <= LONG:
+            return plain
         return settled(formula, frozenset(self.book.hidden), self.book.worked)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
@@ -158,7 +161,8 @@ class Inversion:
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return both sides of the equation that formulas put into each other give; None if it is long."""
-        if not self._together:
+        bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {Worked}
+        if not self._together and not bare:
             return None
         if next(numbers(found), None) is not None:
             short = self._in_numbers(name, formula)
@@ -253,10 +257,10 @@ class Inversion:
 
     def _lead(self, at: str, equation: Sides) -> str:
         """Return what is said before an equation that several formulas lead to; empty for any other."""
+        numeric, counted = any(next(numbers(side), None) is not None for side in equation), self.book.counts_in_si
+        units = f" in {'SI units' if counted else 'numbers'}," if numeric else ""
         if not self._together:
-            return ""
-        numeric = any(next(numbers(side), None) is not None for side in equation)
-        units = f" in {'SI units' if self.book.counts_in_si else 'numbers'}," if numeric else ""
+            return f"In{units[3:]} " if numeric else ""
         given = at == self.goal and self.stated and equation[0].latex() != at
         what = f"these equations and the given ${at}$" if given else "these equations"
         return f"Inserting {what} into each other gives{',' if units else ''}{units} "

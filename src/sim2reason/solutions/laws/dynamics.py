@@ -1,6 +1,6 @@
 """Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sim2reason.dsl.triples import product
 from sim2reason.lazy import cached_property
@@ -126,6 +126,14 @@ class Dynamics:
         found = list(values)
         for k, (j, sign) in self.carried.items():
             found[k] += sign * found[j]
+        return found
+
+    def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
+        """Return what is relative to carriers as that of the bodies themselves, where they are counted so."""
+        found = dict(relative)
+        for k, (j, sign) in self.carried.items():
+            if k in found or j in found:
+                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
         return found
 
     # ---- names

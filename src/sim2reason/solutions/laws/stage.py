@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
 from sim2reason.solutions.laws.either_way import of_motion
-from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, rim_speed_words
+from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, speed_words
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
@@ -46,19 +46,11 @@ class Stage:
     def __post_init__(self) -> None:
         """Nothing is written yet."""
         self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
-        self.speeds = self._by_themselves(self.speeds)
-        self.places = self._by_themselves(self.places)
+        self.speeds = self.dynamics.by_themselves(self.speeds)
+        self.places = self.dynamics.by_themselves(self.places)
         self._time: Symbol | None = self.end.time
         self._velocity: dict[str, Polynomial] = {}
         self._moved: dict[str, Polynomial] = {}
-
-    def _by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
-        """What is relative to carriers as that of the bodies themselves, where they are counted so."""
-        found = dict(relative)
-        for k, (j, sign) in self.dynamics.carried.items():
-            if k in found or j in found:
-                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
-        return found
 
     def relative(self, kind: str, k: int) -> Polynomial:
         """A rate or a way at the end, relative to what carries the body."""
@@ -126,7 +118,7 @@ class Stage:
         early = self.book.value(begun.expression())
         if not early or early * late >= -STILL * abs(early):
             return self._size(self._travelled(shared).expression())
-        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+        step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
         formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
         where = f"at {step.result(name, formula, METRES, law=True)}"
         turned = turned_before(self.book, step, begun.factored(), shared.symbol, self.time)
@@ -188,10 +180,6 @@ class Stage:
         if self._time is None:
             self._time = self._lasting()
         return self._time
-
-    def _mark(self, shared: Shared) -> str:
-        """The subscript of its acceleration."""
-        return subscript(shared.symbol.name)
 
     def _rolling(self) -> Symbol:
         """When the surfaces no longer slip: Σ factor (v + a t) = 0."""
@@ -259,17 +247,18 @@ class Stage:
         if self._ends(shared) and self.end.distance is not None:
             return self._by_distance(shared, begun)
         time = self.time
-        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         formula = added(begun, multiplied(a, time))
         told = step.result(name, formula, SPEED, law=True)
-        step.say(f"After the time ${time.name}$, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
+        said = speed_words(self.dynamics, shared, begun, name)
+        step.say(f"After the time ${time.name}$, {said}{told}.")
         step.close()
         return Polynomial.of(name)
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
-        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         rate, why = self._over(shared)
         square = added(squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
         law = step.law(Power(name, 2), square)
@@ -290,13 +279,13 @@ class Stage:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol
         if self._ends(shared) and self.end.time is None:
-            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
             formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
             step.say(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
         else:
             time = self.time
-            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
             step.say(f"After the time ${time.name}$, {what}{told}.")
         step.close()
