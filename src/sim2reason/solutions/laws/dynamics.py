@@ -12,6 +12,8 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
+AXES = ("x", "y")  # of which a text may speak
+
 
 class Dynamics:
     """Writes the steps from Newton's laws to what is wanted."""
@@ -240,6 +242,9 @@ class Dynamics:
         """The direction of a coordinate, in words."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
+        labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]
+        if coordinate.label in AXES and {*AXES} <= {*labels}:
+            return f"in the {'positive' if sense > 0 else 'negative'} {coordinate.label} direction"
         parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
         return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
 

@@ -1,6 +1,6 @@
 """Tumbling: a prism that tips over its edges; energy about each edge, angular momentum where the next one lands."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import radians
 from typing import ClassVar
 
@@ -240,7 +240,8 @@ class _Tumbling:
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")
         way, said = self.WAYS[quantity]
-        formula: Expression = held() if callable(held := getattr(self, way)) else held
+        held: Expression | Callable[[], Expression] = getattr(self, way)
+        formula = held() if callable(held) else held
         if self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol):
@@ -256,9 +257,8 @@ class _Tumbling:
         return self.mass * self._velocity()
 
     def _acceleration(self) -> Expression:
-        if self.growth == ZERO:
-            return self.radius * Power(self.spin, 2)
-        return self.radius * Root(Power(self.spin, 4) + Power(self.growth, 2))
+        inward = Power(self.spin, 2)
+        return self.radius * (inward if self.growth == ZERO else Root(Power(self.spin, 4) + Power(self.growth, 2)))
 
     def _force(self) -> Expression:
         return self.mass * self._acceleration()

@@ -46,9 +46,10 @@ def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, one_p
     """
     if extreme and quantity_of(setting) not in PLACES:
         return f"There the {noun} ${name.latex()}$ is given by"
-    places = {LowestPoint: "at the lowest point", HighestPoint: "at the highest point"}
-    at = places.get(type(setting.query.moment), "") if one_point else ""
-    return f"By conservation of energy, the {noun} ${name.latex()}$ {at or 'at that moment'} is given by"
+    at, moment = "at that moment", setting.query.moment
+    if one_point and isinstance(moment, LowestPoint | HighestPoint):
+        at = f"at the {'lowest' if isinstance(moment, LowestPoint) else 'highest'} point"
+    return f"By conservation of energy, the {noun} ${name.latex()}$ {at} is given by"
 
 
 def unasked(setting: Setting, quantities: Collection[str]) -> str:
