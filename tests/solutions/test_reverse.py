@@ -117,3 +117,37 @@ def test_that_a_body_has_not_turned_back_is_shown() -> None:
     found = solved(LAUNCHED)
     assert "and still positive, so the crate is there for the first time" in found.text
     assert found.text.index("still positive") > found.text.index("With the given $t$")
+
+
+HALTED = (
+    "A rough, fixed plane inclined at 60° to the horizontal carries a block (mass $m$). The block is joined to a stop "
+    "at the foot of the slope by a light spring with a stiffness of 365 N/m and a natural length of 0.54 m. The "
+    "coefficients of static and of kinetic friction on this plane are both 0.31. The initial length of the spring is "
+    "0.56 m. The motion starts from rest. The magnitude of the change in the block's gravitational potential energy "
+    "between release and the moment when it comes to rest for good is 0.82 J. What is $m$? Use g = 9.8 m/s². State "
+    "the answer in kg to three significant figures, inside \\boxed{}."
+)
+PRISM = (
+    "A prism of mass $M$ with smooth faces rising at 28° on the left and 31° on the right is free to slide on a smooth "
+    "floor. On the left face lies crate A of mass 1.6 kg, and on the right face crate B of mass 0.86 kg. Over a light "
+    "pulley at the apex a light string runs from A to B. Friction at the pulley is negligible, and no body reaches it "
+    "or an edge. Take g = 9.8 m/s². Given that the motion starts from rest with the string taut, calculate the mass "
+    "$M$ if the prism takes 0.660 s to move 0.29 m, counted from release. State the answer in kg to three significant "
+    "figures, inside \\boxed{}."
+)
+
+
+def test_formulas_put_into_each_other_stand_in_symbols_where_these_are_short() -> None:
+    text = solve_prompt(HALTED)[0].text
+    assert r"Inserting these equations into each other gives $U = \frac{8\,\mu m^{2} g^{2}" in text
+    assert "in numbers" not in text
+
+
+def test_the_opposite_of_a_magnitude_is_not_excluded_where_its_sign_is_seen() -> None:
+    assert "would not be real" not in solve_prompt(HALTED)[0].text
+
+
+def test_a_quotient_of_numbers_has_its_equation_before_it() -> None:
+    text = solve_prompt(PRISM)[0].text
+    assert r"In SI units, $a_M = \frac{" in text
+    assert r"so $M = \frac{4.5903}{3.2755} = 1.4014\ \text{kg}$." in text

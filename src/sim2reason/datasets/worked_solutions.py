@@ -14,6 +14,7 @@ from sim2reason.solutions.multipart.faults import naming_fault
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.shortcuts import shortened
 from sim2reason.solutions.multipart.unused import without_unused
 from sim2reason.solutions.parts import chosen, together
 from sim2reason.solutions.verification import verified
@@ -45,8 +46,11 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
     named = consistent([part.solution for part in found.parts], fixed)
     solutions, earlier = list[Solution](), list[tuple[str, Solution]]()
     for label, held, part in zip(LABELS, named, found.parts, strict=False):
-        solution = starting_from(held, earlier, whole=whole)
         setting = part.certified.setting
+        solution = starting_from(held, earlier, whole=whole)
+        if whole:
+            direct = (starting_from(each, earlier, whole=True) for each in shortened(held, earlier))
+            solution = next((each for each in direct if _accepted(each, setting)), solution)
         checked = solution if solution is held else verified(solution, setting)
         solutions.append(checked if whole else without_unused(checked, partial(_accepted, setting=setting)))
         earlier.append((label, solutions[-1]))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from functools import reduce
 
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root
 from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.setting import Setting
@@ -49,8 +49,8 @@ def _impossible(book: Book, step: Writing, name: str, formula: Expression) -> st
     """Return why a formula has no value, in words; empty if it has two, as a root of two signs; None if it has one."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
-            if book.value(part.inside) >= 0.0:
-                return ""
+            if book.value(part.inside) >= 0.0 or not any(isinstance(held, Sum) for held in _inner_first(part)):
+                return ""  # without a sum, whoever sees the formula sees its sign
             exceeds(book, step, ZERO, part.inside)
             return f"${name}$ would not be real, as what stands under the square root would be negative"
         if isinstance(part, Call) and part.function in SINES and abs(book.value(part.argument)) > 1.0:

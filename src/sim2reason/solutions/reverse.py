@@ -9,8 +9,8 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, numbers
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
 from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.monotonic import trend
@@ -70,15 +70,8 @@ class Inversion:
 
     def write(self, spelled: str = "") -> str:
         """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
-        book = self.book
-        formula, at = self._defined, self.goal
-        value: Expression = Symbol(self.goal) if spelled else ZERO
-        if spelled:
-            book.state(self.goal, self.stated, spelled)
-        else:
-            del book.formulas[self.goal]  # it keeps the value that is set
-            book.hidden.discard(self.goal)
-            book.values[self.goal] = 0.0
+        book, at = self.book, self.goal
+        formula, value = self._begun(spelled)
         for _ in range(LONGEST):
             if any(book.is_hidden(part) for part in numbers(formula)):
                 raise UnsolvedError("it would need numbers that are not known")
@@ -104,10 +97,24 @@ class Inversion:
             formula, self._together = put(formula, last, book.formulas[last]), True
         return self._numerically(at)
 
+    def _begun(self, spelled: str) -> tuple[Expression, Expression]:
+        """Return the formula of the goal and its value, given from now on; of a root, the residual and zero."""
+        book, formula = self.book, self._defined
+        if spelled:
+            book.state(self.goal, self.stated, spelled)
+            return (formula.residual, ZERO) if isinstance(formula, ImplicitRoot) else (formula, Symbol(self.goal))
+        del book.formulas[self.goal]  # it keeps the value that is set
+        book.hidden.discard(self.goal)
+        book.values[self.goal] = 0.0
+        return formula, ZERO
+
     def _short(self, formula: Expression) -> Expression:
         """A formula with numbers for what is known, if it is too long to be read."""
         if len(formula.latex()) <= LONG:
             return formula
+        plain = tidied(formula, self.unknown)
+        if len(plain.latex()) <= LONG:
+            return plain
         return settled(formula, frozenset(self.book.hidden), self.book.worked)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
@@ -154,7 +161,8 @@ class Inversion:
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return both sides of the equation that formulas put into each other give; None if it is long."""
-        if not self._together:
+        bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {Worked}
+        if not self._together and not bare:
             return None
         if next(numbers(found), None) is not None:
             short = self._in_numbers(name, formula)
@@ -249,10 +257,10 @@ class Inversion:
 
     def _lead(self, at: str, equation: Sides) -> str:
         """Return what is said before an equation that several formulas lead to; empty for any other."""
+        numeric, counted = any(next(numbers(side), None) is not None for side in equation), self.book.counts_in_si
+        units = f" in {'SI units' if counted else 'numbers'}," if numeric else ""
         if not self._together:
-            return ""
-        numeric = any(next(numbers(side), None) is not None for side in equation)
-        units = f" in {'SI units' if self.book.counts_in_si else 'numbers'}," if numeric else ""
+            return f"In{units[3:]} " if numeric else ""
         given = at == self.goal and self.stated and equation[0].latex() != at
         what = f"these equations and the given ${at}$" if given else "these equations"
         return f"Inserting {what} into each other gives{',' if units else ''}{units} "

@@ -1,8 +1,10 @@
 """How numbers are rounded, and written in LaTeX."""
 
+import re
 from fractions import Fraction
 from functools import lru_cache
 
+GUARDED = 7  # the same where differences of numbers are formed
 DIGITS = 5  # significant ones that a worked solution carries
 SIMPLE = 60  # the largest denominator of a number that is no accident
 EXACT = 1e-12  # relative, of a number not near zero: what rounding may have left of a simple fraction
@@ -22,6 +24,12 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     if -4 < exponent < digits:
         return f"{value:.{digits - 1 - exponent}f}"
     return rf"{mantissa} \times 10^{{{exponent}}}"
+
+
+def with_guard_digits(value: float) -> str:
+    """A number of which differences are formed, in LaTeX: with more digits, and without zeros at its end but one."""
+    text = rounded(value, GUARDED)
+    return text if "times" in text or "." not in text else re.sub(r"(\.\d+?)0+$", r"\1", text)
 
 
 def simple_fraction(x: float) -> Fraction | None:

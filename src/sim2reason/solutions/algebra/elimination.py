@@ -1,7 +1,7 @@
 """Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from sim2reason.solutions.algebra.cross_elimination import CrossElimination, Sym
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.numeric_equation import NumericEquation, term
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
@@ -22,15 +23,15 @@ LONG = 130  # characters of a formula that is better written in numbers
 class Equation:
     """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums.
 
-    `before` are the names in its forces as they are told, `among` the labels of equations that were put into it.
+    `told` are its forces as they are told, `links` the labels of equations that replaced names in them, by name.
     """
 
     label: str
     forces: Polynomial
     inertia: Polynomial
     moves: Polynomial
-    before: frozenset[str] = frozenset()
-    among: frozenset[str] = frozenset()
+    told: Polynomial = NIL
+    links: Mapping[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
 
     @cached_property
     def zero(self) -> Polynomial:
@@ -40,21 +41,17 @@ class Equation:
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
         """With polynomials in place of unknowns."""
         forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
-        return Equation(self.label, forces, inertia, moves, self.before or frozenset(self.forces.names()), self.among)
+        return Equation(self.label, forces, inertia, moves, self.told or self.forces, self.links)
+
+    @property
+    def among(self) -> frozenset[str]:
+        """The labels of equations that were put into it."""
+        return frozenset[str]().union(*self.links.values())
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
-        """Return the equation with `among` set to the labels of the equations that eliminated its forces."""
-        gone = self.before - self.forces.names()
-        return replace(self, among=frozenset[str]().union(*(labels[name] for name in gone if name in labels)))
-
-
-@dataclass(frozen=True, slots=True)
-class NumericEquation:
-    """A linear equation in numbers: Σ coefficient · unknown = `right`."""
-
-    label: str
-    left: Mapping[str, Expression]
-    right: Expression
+        """Return the equation with the labels of the equations that eliminated names from its forces."""
+        gone = self.told.names() - self.forces.names()
+        return replace(self, links={name: labels[name] for name in gone if name in labels})
 
 
 class Elimination:
@@ -97,7 +94,7 @@ class Elimination:
     def _one(self, equation: Equation, name: str) -> None:
         step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
-        formula = solved(equation.zero, name)
+        formula = solved(equation.zero, name, grouped=True)
         where = f"From {joined(sorted({equation.label, *equation.among}))}, " if equation.label else "So "
         if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
@@ -153,7 +150,9 @@ class Elimination:
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
         how = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
-        among = sorted(frozenset[str]().union(*(e.among for e, _ in weighted)))
+        left = total(e.told * weight for e, weight in weighted).names()  # what cancels needs no other equation
+        links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
+        among = sorted(frozenset[str]().union(*links))
         how += f", with {joined(among)}" if among else ""
         whole = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
         law = step.derived(forces.expression(), inertia.collected(names))
@@ -179,16 +178,17 @@ class Elimination:
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
         numeric: list[NumericEquation] = []
-        how = "In order of the unknowns: " if self.book.hidden else "In numbers: "
+        hidden = any(self.book.is_hidden(equation.zero.without(names).expression()) for equation in equations)
+        how = "In order of the unknowns: " if hidden else "In numbers: "
         for equation in equations:
-            before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
-            rest = self.book.worked(equation.zero.without(names).expression())
+            before = {n: self._number(-equation.zero.coefficient(n).expression()) for n in names}
+            rest = self._number(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(self.book.labels.next(), kept, rest))
             step = self._open("solve")
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
-            step.say(f"{how}{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}.")
+            step.say(f"{how}{numeric[-1].label} {step.derived(numeric[-1].sum, rest)}.")
             step.close()
             how = ""
         self._reduce(numeric, list(names))
@@ -201,6 +201,11 @@ class Elimination:
             left = {n: part for n, part in before.items() if part}
             ordered.append(SymbolicEquation(equation.label, left, equation.zero.without(names)))
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
+
+    def _number(self, formula: Expression) -> Expression:
+        """Return a formula as the number that it comes to, with guard digits, unless that hangs on what is unknown."""
+        found = self.book.worked(formula)
+        return replace(found, guarded=True) if isinstance(found, Worked) else found
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
         first = names[0]
@@ -221,21 +226,21 @@ class Elimination:
         step.rest_on(pivot.label)
         rest = pivot.right if self.book.value(pivot.right) else ZERO
         for name, part in pivot.left.items():
-            rest = added(rest, _term(part, name, -1.0)) if name != last else rest
+            rest = added(rest, term(part, name, -1.0)) if name != last else rest
         formula = rest / pivot.left[last]
         step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
 
     def _without(self, equation: NumericEquation, pivot: NumericEquation, last: str) -> NumericEquation:
         """An equation less so much of another that an unknown is gone."""
-        ratio = self.book.worked(equation.left[last] / pivot.left[last])
+        ratio = self._number(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
         left = {
-            name: self.book.worked(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
+            name: self._number(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
             for name in names
             if name != last
         }
-        right = self.book.worked(equation.right - multiplied(ratio, pivot.right))
+        right = self._number(equation.right - multiplied(ratio, pivot.right))
         found = NumericEquation(self.book.labels.next(), left, right)
         step = self._open("combine")
         step.rest_on(equation.label)
@@ -243,9 +248,9 @@ class Elimination:
         step.label(found.label)
         turned = isinstance(ratio, Worked) and ratio.comes_to < 0.0
         sign = "+" if turned else "−"
-        size = Worked(ratio, -ratio.comes_to).latex() if isinstance(ratio, Worked) and turned else ratio.latex()
+        size = (-ratio).latex() if isinstance(ratio, Worked) and turned else ratio.latex()
         size = size if isinstance(ratio, Worked) else f"${size}$"
-        step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(_left(found), right)}.")
+        step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(found.sum, right)}.")
         step.close()
         return found
 
@@ -253,20 +258,6 @@ class Elimination:
 def _key(equation: Equation) -> str:
     """What stands for an equation that was added up."""
     return f"sum {id(equation)}" if not equation.label else equation.label
-
-
-def _left(equation: NumericEquation) -> Expression:
-    found: Expression = ZERO
-    for name, part in equation.left.items():
-        found = added(found, _term(part, name, 1.0))
-    return found
-
-
-def _term(part: Expression, name: str, sign: float) -> Expression:
-    """A number times a symbol, with the minus sign before both."""
-    negative = isinstance(part, Worked) and part.comes_to < 0.0
-    size = Worked(-part.inner, -part.comes_to) if isinstance(part, Worked) and negative else part
-    return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))
 
 
 def _times(weight: Polynomial, label: str) -> str:
@@ -291,7 +282,7 @@ def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 
 
-def solved(zero: Polynomial, name: str) -> Expression:
+def solved(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
     """The unknown, from an equation in which it is the only one."""
     before, rest = parts(zero, name)
-    return over(rest, before)
+    return over(rest, before, grouped=grouped)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from sim2reason.record import record
-from sim2reason.solutions.algebra.digits import rounded, shortened
+from sim2reason.solutions.algebra.digits import rounded, shortened, with_guard_digits
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
 
@@ -13,10 +13,11 @@ STEP = 1e-30  # imaginary: a derivative by it is exact
 
 @record(slots=True)
 class Worked(Expression):
-    """A formula that is written as the number that it comes to, as in *34.800 a*."""
+    """A formula that is written as the number that it comes to, as in *34.800 a*; with guard digits none end in 0."""
 
     inner: Expression
     comes_to: float
+    guarded: bool = False
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The formula's, rounded if that is asked for."""
@@ -25,7 +26,7 @@ class Worked(Expression):
 
     def latex(self) -> str:
         """The number."""
-        return rounded(self.comes_to)
+        return with_guard_digits(self.comes_to) if self.guarded else rounded(self.comes_to)
 
     def symbols(self) -> Iterator[str]:
         """Those of the formula."""
@@ -33,7 +34,7 @@ class Worked(Expression):
 
     def __neg__(self) -> Expression:
         """Return the negative, again as one number."""
-        return Worked(-self.inner, -self.comes_to)
+        return Worked(-self.inner, -self.comes_to, self.guarded)
 
     @property
     def rank(self) -> int:

@@ -2,19 +2,21 @@
 
 from math import gcd
 
-from sim2reason.solutions.algebra.expressions import Expression, Quotient
+from sim2reason.solutions.algebra.expressions import Expression, Number, Quotient, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
 WHOLE = 1e-12  # by how much a factor may differ from an integer
 
 
-def over(above: Polynomial, below: Polynomial) -> Expression:
-    """A fraction without what both of its sides share."""
+def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expression:
+    """A fraction without what both of its sides share; with `grouped` a number that all terms share stands in front."""
     if below.number is None:
         above, below = _cancelled(above, below)
         above, below = quotient(above, below) or (above, below)
     if below.number is not None:
-        return above.scaled(1.0 / below.number).factored()
+        above = above.scaled(1.0 / below.number)
+        shared = _shared_number([*above.terms.values()]) if grouped else 1.0
+        return multiplied(Number(shared), above.scaled(1.0 / shared).factored())
     if all(part < 0.0 for part in below.terms.values()):
         above, below = above.scaled(-1.0), below.scaled(-1.0)
     shared = _common_number([*above.terms.values(), *below.terms.values()])
@@ -28,6 +30,13 @@ def _common_number(factors: list[float]) -> float:
     if any(abs(factor - number) > WHOLE for factor, number in zip(factors, whole, strict=True)):
         return 1.0
     return float(gcd(*whole)) or 1.0
+
+
+def _shared_number(factors: list[float]) -> float:
+    """Return the least factor, without its sign, if all others are multiples of it; one where they are not."""
+    least = min(map(abs, factors), default=1.0)
+    whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= WHOLE for factor in factors)
+    return least if whole else 1.0
 
 
 def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:

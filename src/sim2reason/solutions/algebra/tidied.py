@@ -20,18 +20,21 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
 
-def tidied(formula: Expression, name: str) -> Expression:
-    """Return a formula of a symbol as one fraction, under its square root if it is one, where that is shorter."""
+def tidied(formula: Expression, name: str, *, always: bool = False) -> Expression:
+    """Return a formula of a symbol as one fraction, under its square root if it is one, where that is shorter.
+
+    With `always` it is one fraction however long that is, with a number that all its terms share in front.
+    """
     if isinstance(formula, Root):
         return Root(tidied(formula.inside, name))
     plain = _without_squared_roots(formula)
     try:
-        found = over(*_sides(fraction(atoms_worked(plain, name))))
+        found = over(*_sides(fraction(atoms_worked(plain, name))), grouped=always)
     except OverflowError:
         return plain
     again = _without_squared_roots(found)  # of roots whose other terms have cancelled
     found = tidied(again, name) if again != found else found
-    return found if len(found.latex()) < len(plain.latex()) else plain
+    return found if always or len(found.latex()) < len(plain.latex()) else plain
 
 
 def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expression]) -> Expression | None:

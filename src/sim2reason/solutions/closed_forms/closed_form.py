@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.signs import is_difference
 from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.solution import Solution
+from sim2reason.solutions.solution import Solution, Step
 
 MOST = 150  # symbols in a formula before it is made shorter
 LONGEST = 200  # characters of LaTeX: nobody would write more into a box
@@ -95,9 +95,14 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
 
 def definitions(solution: Solution) -> dict[str, Expression]:
     """Return the formula by which a solution defines each of its names."""
-    return dict(solution.constants) | {
+    return dict(solution.constants) | defined_by(solution.steps)
+
+
+def defined_by(steps: Sequence[Step]) -> dict[str, Expression]:
+    """Return the formula by which steps define each of their names."""
+    return {
         relation.left.latex(): relation.right
-        for step in solution.steps
+        for step in steps
         for relation in step.relations
         if relation.left.latex() in step.gives and relation.role in ("result", "law")
     }

@@ -215,8 +215,12 @@ class FreeFlights(ABC):
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
         leg, a = self.leg(body, number), self.acceleration(k)
-        before, speed = self.place(body, number, k, None).expression(), leg.speeds[k].expression()
-        if a:
+        steady = number > 0 and not a and all(self.leg(body, n).speeds[k] == leg.speeds[k] for n in range(number))
+        before = ZERO if steady else self.place(body, number, k, None).expression()
+        speed = leg.speeds[k].expression()
+        if steady:
+            formula = speed * time
+        elif a:
             span = Polynomial.of(self.span(leg, time))
             formula = before + (leg.speeds[k] * span + (a * span * span).scaled(0.5)).expression()
         else:
@@ -227,6 +231,7 @@ class FreeFlights(ABC):
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", mark)
         whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.called(body)}"
         says = f"At ${time.name}$ the displacement{whose} is"
+        says = f"The velocity{self._axis(k)} is constant, so a{says[1:]}" if steady else says
         step.rest_on(time.name)
         step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()

@@ -162,7 +162,7 @@ class Fields:
             along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
             slope, more = (
                 self._part(number, "slope", axis) / self.mass,
-                f"The derivative of this acceleration with respect to {AXES[along]} is",
+                f"Away from the origin this component changes with {AXES[along]} at the rate",
             )
             slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
             return Drive(axis, name, slope=slope, along=along)

@@ -9,7 +9,7 @@ from sim2reason.solutions.fields.forces import AXES, TURNS, Drive, Fields
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, PER_SECOND_SQUARED, SPEED
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, PER_SECOND_SQUARED, SPEED
 
 HALF = Number(0.5)
 
@@ -19,6 +19,8 @@ class Crossed(Driven):
 
     Across the electric field the velocity changes by Ω times the way along it, so that along it the force is linear.
     """
+
+    _displacement: Expression | None = None
 
     @property
     def _turning(self) -> Symbol:
@@ -42,15 +44,15 @@ class Crossed(Driven):
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
         turned = self._turning * self.fields.places[self._drive.axis] * TURNS[1 - self._drive.axis]
         other = (self.launch[1 - self._drive.axis] + turned).latex()
-        said = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the derivative of the"
-        said = f"{said} acceleration along {along} with respect to {along} is"
+        said = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the acceleration along"
+        said = f"{said} {along} changes with {along} at the rate"
         return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """Along the field as without the magnetic one; across it, integrated."""
         along = self._drive.axis
         if axis == along:
-            return self._departed(axis, time)
+            return self._along(time)
         summed = self.center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
         return self.launch[axis] * time + self._turning * TURNS[axis] * summed
 
@@ -59,7 +61,17 @@ class Crossed(Driven):
         along = self._drive.axis
         if axis == along:
             return super().rate(axis, time)
-        return self.launch[axis] + self._turning * TURNS[axis] * self._departed(along, time)
+        return self.launch[axis] + self._turning * TURNS[axis] * self._along(time)
+
+    def _along(self, time: Expression) -> Expression:
+        """The displacement along the field, by a name at the moment that is asked about."""
+        if not isinstance(time, Symbol) or time.name not in self.book.values:
+            return self._departed(self._drive.axis, time)
+        if self._displacement is None:
+            axis = self._drive.axis
+            formula = self._departed(axis, time)
+            self._displacement = self.named(self.told("s", axis, time), "s", AXES[axis], formula, METRES)
+        return self._displacement
 
 
 class Slowed(FieldMotion):

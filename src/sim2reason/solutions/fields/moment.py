@@ -236,7 +236,7 @@ class FieldMoment:
         assert turning is not None
         said = (
             "The speed is greatest at the far end of the oscillation along "
-            f"{along}, whose centre is where the force is zero:"
+            f"{along}, whose centre is where the {along} component of the net force is zero:"
         )
         far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
         across = turning * far

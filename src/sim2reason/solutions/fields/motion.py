@@ -123,14 +123,16 @@ class Driven(FieldMotion):
         if self.swings:
             said = f"Along {along} this is the equation of a harmonic oscillation with the angular frequency"
             return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
-        said = f"Along {along} its solutions are a constant and exponentials that grow and decay at the rate"
+        said = f"The equation along {along} is linear; apart from a constant its solutions are exponentials"
+        said = f"{said} that grow and decay at the rate"
         return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property
     def center(self) -> Expression:
-        """Where along the field the force is zero."""
+        """Where along the field the component of the net force in its direction is zero."""
         along = AXES[self._drive.axis]
-        return self.named(f"The force is zero at {along} equal to", along, "c", -(self.push / self.slope), METRES)
+        said = f"The {along} component of the net force is zero at {along} equal to"
+        return self.named(said, along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """The cosine, or the hyperbolic one."""

@@ -22,7 +22,7 @@ class Turned(OrbitPlace):
     @cached_property
     def _rectum(self) -> Symbol:
         orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
-        said = "The semi-latus rectum of the ellipse is"
+        said = "The orbit is a conic section, whose semi-latus rectum is"
         return orbit.book.told("conic", said, orbit.named(r"\ell"), formula, METRES)
 
     @cached_property
@@ -59,10 +59,10 @@ class Turned(OrbitPlace):
 
     @property
     def _conic(self) -> str:
-        """A sentence without its end that says what the equation of the ellipse is."""
+        """A sentence without its end that says what the equation of the conic is."""
         e, rectum = self.orbit.oval.latex(), self._rectum.latex()
-        said = rf"On the ellipse the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity ${e}$"
-        return rf"{said} and the angle $\nu$ turned since the nearest point"
+        said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
+        return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step that gives the direction, or the components of the velocity."""

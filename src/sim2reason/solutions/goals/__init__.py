@@ -13,12 +13,14 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals.struck import Struck
+from sim2reason.solutions.laws.either_way import is_open
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 WAYS = ("to the right", "away from us", "upward")
+OPPOSITE = {"to the right": "to the left", "away from us": "towards us", "upward": "downward"}
 AXES = ("x", "y", "z")
 
 
@@ -225,6 +227,13 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
 
 
+def _along(way: str, part: Polynomial, known: Known) -> str:
+    """Return the direction of a component that has a name; in symbols without its sense, which may not be known."""
+    if known.book.in_symbols:
+        return "vertically" if way == "upward" else "horizontally"
+    return way if known.book.value(part.expression()) >= 0.0 else OPPOSITE[way]
+
+
 def magnitude(
     parts: Components, known: Known, noun: "VectorName", body: str, *, relative_to: str = "the ground"
 ) -> Expression:
@@ -234,7 +243,7 @@ def magnitude(
     """
     one = single(parts, known)
     if one is not None:
-        return modulus(one, known.book)
+        return modulus(one, known.book, of_either_sign=is_open(known.setting, known.book, one, body))
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, WAYS, parts, strict=True) if part]
     step, mark = known.book.open("components"), known.setting.mark(body)
@@ -244,12 +253,14 @@ def magnitude(
         plain = part.symbol
         if plain is not None:
             names.append(plain)
+            if axes == AXES:
+                sentences.append(f"${plain.latex()}$ {_along(way, part, known)}")
             continue
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
         where = way if axes == AXES else f"along {axis}"
         sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
     whose = f"{noun.said} of {known.setting.called(body)}"
-    if sentences:
+    if (sentences and len(kept) > 1) or step.relations:
         said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
         none = "; the other component is zero" if axes != AXES and len(kept) == 1 else ""
         step.say(f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {joined(sentences)}{none}.")

@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.functions import Absolute
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
+from sim2reason.solutions.laws.either_way import reason_for_negative
 
 DISPLACEMENTS = VectorName.of("displacement")
 VELOCITIES = VectorName.of("velocity")
@@ -33,16 +35,22 @@ class VectorGoal(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """Components, then what is asked."""
         body, base = target.subject, self.noun.base
-        whose = f"{self.noun.said} of {known.setting.called(body)}"
+        whose, carrier = f"{self.noun.said} of {known.setting.called(body)}", known.setting.mechanism.body[body].parent
         mark = known.setting.mark(body)
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
             return finish(known, formula, self.noun, mark, along_sense(whose, target.sense))
         lone = None if known.book.in_symbols else known.lone(base, body)
         if lone is not None and lone:
+            whose = f"{whose} relative to the ground" if carrier is not None and lone.symbol is None else whose
             formula = modulus(lone.factored(), known.book)
         else:
             formula = magnitude(known.vector(base, body), known, self.noun, body)
+        if isinstance(formula, Absolute) and (
+            why := reason_for_negative(known.setting, known.book, formula.inside, body)
+        ):
+            what = f"{why}, so the magnitude of the {whose} is"
+            return finish(known, -formula.inside, self.noun, mark, what)
         return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 
 

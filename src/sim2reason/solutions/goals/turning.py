@@ -90,14 +90,24 @@ class KineticShare(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """One formula."""
         body = target.subject
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)
+
+    def why(self, body: str, known: Known) -> str:
+        """Return a clause before what it is, by default nothing."""
+        del body, known
+        return ""
 
 
 class EnergyOfRim(KineticShare, AboutAxis):
     """½ I ω² as ½ (I/R²) of the square of the rim's speed."""
 
     noun = VectorName.of("rotational kinetic energy", "energy of rotation")
+
+    def why(self, body: str, known: Known) -> str:
+        """Of what the speed of the rim is made."""
+        rim = known.rim("v", body).expression()
+        return f"as its radius times its angular velocity is ${rim.latex()}$, "
 
     def energy(self, body: str, known: Known) -> Expression:
         """Half of I/R² times the square."""

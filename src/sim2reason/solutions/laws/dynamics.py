@@ -1,6 +1,6 @@
 """Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sim2reason.dsl.triples import product
 from sim2reason.lazy import cached_property
@@ -11,6 +11,8 @@ from sim2reason.solutions.laws.newton import Newton, Row, symbol
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import NEWTONS
+
+AXES = ("x", "y")  # of which a text may speak
 
 
 class Dynamics:
@@ -128,6 +130,14 @@ class Dynamics:
             found[k] += sign * found[j]
         return found
 
+    def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
+        """Return what is relative to carriers as that of the bodies themselves, where they are counted so."""
+        found = dict(relative)
+        for k, (j, sign) in self.carried.items():
+            if k in found or j in found:
+                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
+        return found
+
     # ---- names
 
     def share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
@@ -232,6 +242,9 @@ class Dynamics:
         """The direction of a coordinate, in words."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
+        labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]
+        if coordinate.label in AXES and {*AXES} <= {*labels}:
+            return f"in the {'positive' if sense > 0 else 'negative'} {coordinate.label} direction"
         parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
         return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
 

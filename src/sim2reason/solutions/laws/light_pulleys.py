@@ -1,11 +1,15 @@
-"""Balances of forces at pulleys without mass, which give one tension by others."""
+"""Pulleys without mass: balances of forces give one tension by others, and strings around them change twice."""
 
 from collections.abc import Collection, Sequence
 from collections.abc import Set as AbstractSet
 
 from sim2reason.solutions.algebra.elimination import Equation
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.writing.steps import UnsolvedError
+
+TWICE = 2.0
 
 
 def balanced_tensions(
@@ -30,3 +34,14 @@ def balanced_tensions(
         labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
         found = {n: p.put({name: found[name]}) for n, p in found.items()}
     return found, labels
+
+
+def doubled(dynamics: Dynamics, row: Row) -> str:
+    """Return why the acceleration of a pulley stands twice in a law of a string, as an addition to a sentence."""
+    held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
+    twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
+    bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
+    pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
+    if not pulleys:
+        return ""
+    return f", and both of its parts at {dynamics.setting.listed(pulleys)} change alike"

@@ -150,10 +150,15 @@ class Burning(Way):
         """The law of the velocity while the engine is on, in words."""
         return "By the rocket equation, with gravity" if self.gravity else "By the rocket equation"
 
+    @cached_property
+    def since(self) -> Symbol:
+        """Return the name of the time of rising as a variable."""
+        return self.book.fresh(r"\tau")
+
     @property
     def course(self) -> str:
         """Return a clause that gives the velocity as a function of the time of rising."""
-        time = self.book.fresh(r"\tau")
+        time = self.since
         velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
         if self.gravity:
             velocity = velocity - self.gravity.expression() * time

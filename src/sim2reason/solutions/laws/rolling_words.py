@@ -1,6 +1,6 @@
 """Sentences about bodies that roll or slip: rotation, moment of inertia, and friction."""
 
-from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -106,18 +106,21 @@ def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
     return f"{who} slips {ways[0]} at the point of contact, so {friction}."
 
 
-def rim_speed_words(dynamics: Dynamics, shared: Shared, begun: Expression) -> str:
-    """Return what is said before the velocity of what only turns; empty for other rates."""
+def speed_words(dynamics: Dynamics, shared: Shared, begun: Expression, name: Symbol) -> str:
+    """Return what is said before a velocity: of what only turns, or where its name does not say of what it is."""
     body = only_turning(dynamics, shared)
     first = f", at first ${begun.latex()}$," if begun != ZERO else ""
-    who = dynamics.setting.called(body) if body else ""
-    return f"the speed of the rim of {who} relative to its centre{first} is " if body else ""
+    if body:
+        radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)}"
+        return f"{radius} times its angular velocity{first} is "
+    return f"the velocity in the direction of ${shared.symbol.name}$ is " if name.name == "v" else ""
 
 
 def arc_words(dynamics: Dynamics, shared: Shared) -> str:
     """Return what is said before how far something only turns; empty for other rates."""
     body = only_turning(dynamics, shared)
-    return f"the rim of {dynamics.setting.called(body)} has turned through the arc " if body else ""
+    radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)}" if body else ""
+    return f"{radius} times the angle through which it has turned is " if body else ""
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
@@ -125,7 +128,7 @@ def constant_words(dynamics: Dynamics, k: int) -> str:
     newton = dynamics.newton
     rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
     turns = dynamics.mechanism.coordinates[k].kind == "hinge"
-    rate = f"the {'speed of the rim relative to the centre' if turns else 'velocity'}"
+    rate = f"the {'angular velocity' if turns else 'velocity'}"
     if rolls and any(step.text.startswith(REASON) for step in dynamics.book.steps):
         return f"Then {rate} is constant"
     return f"{f'{REASON}, so' if rolls else 'From then on'} {rate} is constant"

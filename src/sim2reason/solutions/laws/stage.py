@@ -17,7 +17,8 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
-from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, rim_speed_words
+from sim2reason.solutions.laws.either_way import of_motion
+from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, speed_words
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
@@ -45,19 +46,11 @@ class Stage:
     def __post_init__(self) -> None:
         """Nothing is written yet."""
         self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
-        self.speeds = self._by_themselves(self.speeds)
-        self.places = self._by_themselves(self.places)
+        self.speeds = self.dynamics.by_themselves(self.speeds)
+        self.places = self.dynamics.by_themselves(self.places)
         self.written_time: Symbol | None = self.end.time
         self._velocity: dict[str, Polynomial] = {}
         self._moved: dict[str, Polynomial] = {}
-
-    def _by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
-        """What is relative to carriers as that of the bodies themselves, where they are counted so."""
-        found = dict(relative)
-        for k, (j, sign) in self.dynamics.carried.items():
-            if k in found or j in found:
-                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
-        return found
 
     def relative(self, kind: str, k: int) -> Polynomial:
         """A rate or a way at the end, relative to what carries the body."""
@@ -125,7 +118,7 @@ class Stage:
         early = self.book.value(begun.expression())
         if not early or early * late >= -STILL * abs(early):
             return self._size(self._travelled(shared).expression())
-        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+        step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
         formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
         where = f"at {step.result(name, formula, METRES, law=True)}"
         turned = turned_before(self.book, step, begun.factored(), shared.symbol, self.time)
@@ -188,10 +181,6 @@ class Stage:
             self.written_time = self._lasting()
         return self.written_time
 
-    def _mark(self, shared: Shared) -> str:
-        """The subscript of its acceleration."""
-        return subscript(shared.symbol.name)
-
     def _rolling(self) -> Symbol:
         """When the surfaces no longer slip: Σ factor (v + a t) = 0."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
@@ -219,8 +208,9 @@ class Stage:
             step.say(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
         else:
             distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
-            law = step.law(distance, _path(begun, a, name))
-            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}.")
+            rate, why = self._over(shared)
+            law = step.law(distance, _path(begun, rate, name))
+            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}{why}.")
             slowed = self.book.value(begun) > 0.0 > self.book.value(a)
             if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
                 who = self.setting.called(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
@@ -232,10 +222,16 @@ class Stage:
         """The first positive time of d = v t + ½ a t²."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
-            return Root(Quotient(multiplied(Number(2.0), distance), a))
+            return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))
         under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
+
+    def _over(self, shared: Shared) -> tuple[Expression, str]:
+        """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
+        bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
+        found = of_motion(self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies)
+        return found, "" if found is shared.symbol else f", whichever way {self.setting.called(bodies[0])} moves"
 
     def _at_end(self, shared: Shared) -> Polynomial:
         name = shared.symbol.name
@@ -251,21 +247,23 @@ class Stage:
         if self._ends(shared) and self.end.distance is not None:
             return self._by_distance(shared, begun)
         time = self.time
-        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         formula = added(begun, multiplied(a, time))
         told = step.result(name, formula, SPEED, law=True)
-        step.say(f"After the time ${time.name}$, {rim_speed_words(self.dynamics, shared, begun)}{told}.")
+        said = speed_words(self.dynamics, shared, begun, name)
+        step.say(f"After the time ${time.name}$, {said}{told}.")
         step.close()
         return Polynomial.of(name)
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
-        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
-        square = added(squares([begun]), multiplied(Number(2.0), multiplied(shared.symbol, distance)))
+        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
+        rate, why = self._over(shared)
+        square = added(squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
-        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")
+        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}{why}.")
         step.close()
         return Polynomial.of(name)
 
@@ -281,13 +279,13 @@ class Stage:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol
         if self._ends(shared) and self.end.time is None:
-            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
             formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
             step.say(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
         else:
             time = self.time
-            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
             step.say(f"After the time ${time.name}$, {what}{told}.")
         step.close()

@@ -70,10 +70,16 @@ class Way(ABC):
         """The coordinates that move what is asked about."""
         if self.target is None or self.goal is None:
             return []
-        bodies = list(self.goal.bodies(self.target))
+        bodies, sense = list(self.goal.bodies(self.target)), self.target.sense
+        if sense is not None and len(bodies) == 1 and self._own(bodies[0]):
+            return [k for k in self._own(bodies[0]) if self._matters(bodies[0], k, sense.vector)]
         hinges = [k for body in bodies if self.goal.turns and (k := self.hinge(body)) is not None]
         drawn = [k for name in self.goal.lines(self.target) for k in self.stretching(name)]
         return sorted({*self.moving(bodies), *hinges, *drawn})
+
+    def _matters(self, body: str, k: int, way: Vector) -> bool:
+        """Whether a coordinate moves a body along a direction."""
+        return abs(product(self._start.center(body).gradient[k], way)) >= STILL
 
     def stretching(self, line: str) -> list[int]:
         """The coordinates with which the length of a line changes."""
@@ -102,7 +108,8 @@ class Way(ABC):
         if kind == "u":
             moving = [k for k in self.moving([body]) if k in self.first_speeds]
             return self.projected(body, way, {k: self.first_speeds[k] for k in moving})
-        return self.projected(body, way, {k: self.rate(kind, k) for k in self.own(body)})
+        along = [k for k in self.own(body) if self._matters(body, k, way)]
+        return self.projected(body, way, {k: self.rate(kind, k) for k in along})
 
     def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
         """The component of what moves a body, by coordinate.
@@ -134,11 +141,14 @@ class Way(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Along the only line on which a body moves; None if it has several."""
-        own = self.own(body)
-        if len(own) != 1 or self.moving([body]) != own:
+        """Along the only line on which a body moves, in the sense of its own coordinate; None if it has several."""
+        own = self.moving([body]) if kind == "u" else self.own(body)
+        ways = [self._start.center(body).gradient[k] for k in own]
+        senses = [product(way, ways[-1]) for way in ways]
+        if not own or any(abs(abs(sense) - 1.0) > STILL for sense in senses):
             return None
-        return self.first_speeds.get(own[0], NIL) if kind == "u" else self.rate(kind, own[0])
+        rates = [self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k) for k in own]
+        return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
         """The coordinates of a body that has axes of its own in the text, at right angles."""

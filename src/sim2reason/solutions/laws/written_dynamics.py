@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Symbol, multipl
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divided, total
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
-from sim2reason.solutions.laws.light_pulleys import balanced_tensions
+from sim2reason.solutions.laws.light_pulleys import balanced_tensions, doubled
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
@@ -166,7 +166,7 @@ class DynamicsWriter:
             assert before is not None
             self.bound[name] = zero.without((name,)).scaled(-1.0 / before)
             self.bound = {n: p.put({name: self.bound[name]}) for n, p in self.bound.items()}
-            what = f"{capital(self._line(f'T{row.number}'))} does not stretch"
+            what = f"{capital(self._line(f'T{row.number}'))} does not stretch{doubled(self.d, row)}"
             step.say(f"{what}: {step.law(Symbol(name), rest)}.")
             found.append(Equation("", NIL, zero, NIL))
         step.close()

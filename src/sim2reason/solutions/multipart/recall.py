@@ -24,11 +24,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
     Names mean the same in all parts. With `whole`, all that the solutions of earlier parts find on their way counts,
     too. It stays as it is where no step can be left out, and where its motion is integrated.
     """
-    known: dict[str, str] = {}
-    for name in _found(solution):
-        source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
-        if source is not None:
-            known[name] = source
+    known = known_from(solution, earlier, whole=whole)
     said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
     steps = (step for step in kept_steps(solution, known, said) if step.kind != "givens")
     kept = [_without(step, known, solution.goal) for step in steps]
@@ -52,6 +48,16 @@ def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]
     label = next(parts, "")
     text = f"What was verified of this motion in part ({label}) holds here, too."
     return [Step(-1, "reference", text, (), (), ())] if label else []
+
+
+def known_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool) -> dict[str, str]:
+    """Return the names of a solution that earlier parts find, each with the label of the first part that does."""
+    known: dict[str, str] = {}
+    for name in _found(solution):
+        source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
+        if source is not None:
+            known[name] = source
+    return known
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:

@@ -167,7 +167,9 @@ class Harmonic:
             only = self.rest if self.begun == ZERO else self.begun
             return only if self.book.value(only) >= 0.0 else -only
         formula = Root(Power(self.rest, 2) + Power(self.begun, 2))
-        return self.book.told("amplitude", "The amplitude is", self.book.fresh("A"), formula, METRES)
+        taken = any(name.endswith("_A") for name in self.book.values)  # A is a body
+        name = self.book.fresh(*((split(self.name.name)[0], r"\text{max}") if taken else ("A",)))
+        return self.book.told("amplitude", "The amplitude is", name, formula, METRES)
 
     def turning(self, time: float) -> Expression:
         """The place where it turns back at a time."""
@@ -226,5 +228,5 @@ class Harmonic:
         formula: Expression = Call("arctan", self.begun / -self.rest)
         if self.numbers[1] > 0.0:
             formula = formula + PI
-        said = "The displacement from equilibrium is $A\\cos(\\omega t - \\varphi)$ with"
+        said = f"The displacement from equilibrium is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
         return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)

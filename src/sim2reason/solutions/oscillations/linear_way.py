@@ -286,6 +286,9 @@ class LinearWay(Way):
         where = "" if row.kind == "newton" else "Perpendicular to the surface: "
         law = step.law(forces.expression(), inertia.expression())
         formula = solved(forces - inertia, found.name)
+        m = self.mechanism
+        noun = f"the tension in {self.setting.lines[name]}" if kind == "T" else ""
+        step.say(f"Let ${found.latex()}$ be {noun}." if noun and name in (line.name for line in m.lines) else "")
         step.say(f"{where}{capital(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
         step.close()
         return found

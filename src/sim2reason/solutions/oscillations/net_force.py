@@ -1,13 +1,19 @@
 """The net force along the only free coordinate of a motion on springs, its work, and how far springs are stretched."""
 
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.polynomials import Polynomial, common
+from sim2reason.solutions.oscillations.greatest_value import greatest_target
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.writing.steps import Book
 
 HALF = Number(0.5)
+PLAIN = 1e-9  # by how much a ratio may differ from 1
+LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # quantities that are linear in a place
 
 
 def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:
@@ -76,15 +82,48 @@ def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int 
     return whole
 
 
-def power_words(mass: Expression, place: Symbol, acceleration: Symbol) -> tuple[str, str]:
-    """Return the sentences that the kinetic energy changes at the rate of the power, which has no numbers yet."""
+def law_words(
+    mechanism: Mechanism, motion: LinearMotion | RelativeMotion, mass: Expression, place: Symbol, acceleration: Symbol
+) -> tuple[str, str]:
+    """Return the sentences that lead to the equation of motion of the free coordinate, which stands after them.
+
+    That is the sum of Newton's second laws where all bodies move along fixed lines, as fast as each other; else it
+    follows from the power, which has no numbers yet.
+    """
     rate, along = Symbol(rf"\dot{{{place.name}}}"), f"along ${place.name}$"
+    if isinstance(motion, LinearMotion) and _as_one(mechanism, motion):
+        said = (
+            "When Newton's second laws of the bodies, each in its direction of motion, are added up, tensions cancel:"
+        )
+        return f"Let ${acceleration.name}$ be the acceleration {along}.", said
     energy, power = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
     changes = f"the kinetic energy ${energy}$ changes at the rate ${power}$;"
     return (
         f"With the acceleration ${acceleration.name}$ {along}, {changes}",
-        f"this is the power of the forces, ${rate.name}$ times the net force {along}.",
+        f"this is the power of the forces, ${rate.name}$ times the net force {along}. At any velocity, then,",
     )
+
+
+def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
+    """Return whether several bodies move along fixed lines, all as fast as the free coordinate changes."""
+    parts = {k: part for k, held in motion.ratios.items() for part in held.values()}
+    held = [mechanism.coordinates[k] for k in parts]
+    straight = all(c.kind == "slide" and mechanism.body[c.body].parent is None for c in held)
+    return len(held) > 1 and straight and all(abs(abs(part) - 1.0) < PLAIN for part in parts.values())
+
+
+def tell_extreme_end(setting: Setting, book: Book, place: Symbol, mover: str) -> None:
+    """Write why a quantity that hangs linearly on a place is greatest, or least, where something stands still."""
+    target, query = greatest_target(setting), setting.query
+    if target is None or not isinstance(query, StretchQuery) or target.quantity not in LINEAR:
+        return
+    step, noun = book.open("extreme"), target.quantity
+    superlative = query.functional.partition(" ")[0]
+    linear = f"is a linear function of ${place.name}$"
+    step.say(f"The net force, and with it the acceleration, {linear}.")
+    step.say(f"So is the {noun}." if noun not in ("acceleration", "net force") else "")
+    step.say(f"The {noun} is therefore {superlative} at an end of the motion, here where {mover} turns back.")
+    step.close()
 
 
 def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: Setting) -> str:

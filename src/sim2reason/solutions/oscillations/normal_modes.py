@@ -27,6 +27,12 @@ ACCELERATED = 2  # the order of an acceleration
 Form = tuple[Array, int]
 """A sum of places, by the weight of each free coordinate (n,), and the order of its derivative."""
 
+RESTS = (
+    "The total momentum is zero, and no external force changes it, so the centre of mass stays at rest and this mode "
+    "is not excited."
+)
+LONG = 160  # characters of a formula that is better written in numbers
+
 
 class NormalModes(ModeLaws):
     """All modes of a linear motion, written down as they are asked for."""
@@ -75,9 +81,7 @@ class NormalModes(ModeLaws):
         found = [mode for mode in self.modes if mode.number in shown]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
             step = self.book.open("modes")
-            step.say(
-                "The common motion of all bodies does not matter here, so displacements are measured relative to it."
-            )
+            step.say(f"Mode 1 is the common motion of all bodies. {self._why_apart}")
             step.close()
         for mode in found:
             self._shaped(mode)
@@ -85,6 +89,17 @@ class NormalModes(ModeLaws):
         for mode in found:
             self._started(mode, alone=len(found) == 1)
         return found
+
+    @property
+    def _why_apart(self) -> str:
+        """Say why the common motion has no part in what is asked: it is not excited, or changes nothing of that."""
+        shape = self.shapes[:, 0]
+        terms = (shape * self.load, shape * (self.mass @ self.begun))
+        driven, moves = (abs(float(part.sum())) > FAINT * float(np.abs(part).max()) for part in terms)
+        if not driven and not moves:
+            return RESTS
+        kept = "the distances between them" if driven else "distances between them or, as it is uniform, accelerations"
+        return f"It does not change {kept}, so displacements are measured relative to it."
 
     def _tell_projection(self, found: Sequence[Mode]) -> None:
         """Write why each mode has an equation of motion of its own."""
@@ -147,7 +162,8 @@ class NormalModes(ModeLaws):
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
         rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
         for name, formula in zip(left, cramer(coefficients, rest), strict=True):
-            said.append(step.result(Symbol(name), self.book.worked(formula), ""))
+            written = formula if len(formula.latex()) <= LONG else self.book.worked(formula)
+            said.append(step.result(Symbol(name), written, ""))
         return said
 
     # ---- what is excited

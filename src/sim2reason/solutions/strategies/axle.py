@@ -16,7 +16,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.asked import unasked
+from sim2reason.solutions.swings.asked import by_energy, unasked
 from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.small_oscillations import small_oscillations
 from sim2reason.solutions.swings.total_angle import swept
@@ -151,7 +151,8 @@ class _Turning(SwingAngle):
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = squares([self.launch]) + square
-        step.say(f"By conservation of energy, {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
+        said = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), one_point=False)
+        step.say(f"{said} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -291,7 +292,7 @@ class _Turning(SwingAngle):
         "deflection": ("_deflection", ""),
         "angle turned": ("_between", "The angle turned through is"),
         "total angle": ("_swept", "In all, it turns through"),
-        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
         "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
         "displacement": ("_chord", "The displacement is the chord"),
         "height": ("_rise", "The height gained is"),

@@ -26,7 +26,14 @@ from sim2reason.solutions.oscillations.fastest_place import fastest_place
 from sim2reason.solutions.oscillations.friction_words import friction_words
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
-from sim2reason.solutions.oscillations.net_force import collected, net_force, power_words, told_extensions, work
+from sim2reason.solutions.oscillations.net_force import (
+    collected,
+    law_words,
+    net_force,
+    tell_extreme_end,
+    told_extensions,
+    work,
+)
 from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.single_way import SingleWay, signed
 from sim2reason.solutions.setting import Setting, capital
@@ -169,6 +176,8 @@ class EnergyWay(SingleWay):
         """X at the moment."""
         moment = self.query.moment
         if self._turns:
+            if self.greatest and self.motion.springs:
+                tell_extreme_end(self.setting, self.book, self.name, self.mover)
             return self._turning()
         if self.greatest:
             return fastest_place(self, self._engine[0])
@@ -205,6 +214,7 @@ class EnergyWay(SingleWay):
             formula = above / stiffness.expression()
         step.say(f"By the work-energy theorem, {self.at_rest} where {law},")
         step.say(f"so {step.result(name, formula, METRES)}.")
+        step.say("The other root, zero, is the start." if first == ZERO and stiffness else "")
         if stiffness and first != ZERO and self.book.value(name) * self.book.value(self._first) > 0.0:
             way = ("positive", "increases") if self.book.value(name) > 0.0 else ("negative", "decreases")
             step.say(f"This is the {way[0]} root, as ${name.name}$ {way[1]} at first.")
@@ -252,8 +262,9 @@ class EnergyWay(SingleWay):
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.open("power"), self.book.fresh("a")
-        step.say(told_extensions(self.motion, place, self.setting), *power_words(mass, self.name, name))
-        step.say(f"At any velocity, then, {step.law(mass * name, pulls)},")
+        step.say(told_extensions(self.motion, place, self.setting))
+        step.say(*law_words(self.setting.mechanism, self.motion, mass, self.name, name))
+        step.say(f"{step.law(mass * name, pulls)},")
         step.say(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
         step.close()
         return name

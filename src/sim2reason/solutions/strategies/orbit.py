@@ -13,6 +13,7 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.fields.given_apsis import given_apsis
 from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
 from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace
 from sim2reason.solutions.fields.turned_line import Turned
@@ -153,7 +154,12 @@ class _OnOrbit(Way):
                 return AtAnomaly(orbit, lambda: TWO * PI, lambda: orbit.radius)
             return Turned(orbit, moment.degrees // QUARTER)
         far = isinstance(moment, Farthest)
-        return AtAnomaly(orbit, lambda: orbit.to_apsis(far=far), lambda: orbit.apsis(far=far))
+        given = self.setting.stated is not None and self.target is not None and self.target.quantity == "distance"
+        return AtAnomaly(
+            orbit,
+            lambda: orbit.to_apsis(far=far),
+            lambda: given_apsis(orbit, far=far) if given else orbit.apsis(far=far),
+        )
 
     @cached_property
     def time(self) -> Symbol:
@@ -173,9 +179,9 @@ class _OnOrbit(Way):
         orbit = self.orbit(body)
         if query.functional == "area swept":
             swift = modulus(orbit.momentum, self.book, of_either_sign=True)
-            said = (
-                "The area swept out per unit of time is half the angular momentum per unit mass, so in this time it is"
-            )
+            said = "The area swept out per unit of time is half the angular momentum per unit mass, so in"
+            round_once = isinstance(query.moment, Orbited) and query.moment.degrees == ALL_ROUND
+            said = f"{said} {'one period' if round_once else 'this time'} it is"
             return orbit.book.told("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
         if query.functional == "greatest displacement":
             return orbit.farthest()
@@ -188,7 +194,12 @@ class _OnOrbit(Way):
                 f"By conservation of energy, the speed is {query.functional.partition(' ')[0]} at the {where} distance."
             )
             step.close()
-        at = AtAnomaly(orbit, lambda: orbit.to_apsis(far=far), lambda: orbit.apsis(far=far))
+        given = self.setting.stated is not None and which == "radius"
+        at = AtAnomaly(
+            orbit,
+            lambda: orbit.to_apsis(far=far),
+            lambda: given_apsis(orbit, far=far) if given else orbit.apsis(far=far),
+        )
         found: Symbol = getattr(at, which)
         return found
 

@@ -27,6 +27,7 @@ from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonline
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.pair_way import PairWay
 from sim2reason.solutions.oscillations.single_way import SingleWay, signed
+from sim2reason.solutions.oscillations.taut import verify_taut
 from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -105,6 +106,7 @@ class Oscillating(SingleWay):
         self.stops_alone()
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.harmonic.rate)
+        verify_taut(self.setting, self.book, held)
         if self.target is None or self.goal is None:
             return self._time
         return self.goal.write(self.target, self)
@@ -232,7 +234,7 @@ class Oscillating(SingleWay):
         held = self.harmonic
         if not self._timed and held.turns(self.since_begun):
             return ZERO
-        step, name = self.book.open("speed"), self.book.fresh("v")
+        step, name, forward = self.book.open("speed"), self.book.fresh("v"), held.where(self.since_begun)[1] > 0.0
         if self._timed:
             formula: Expression = ZERO
             if held.rest != ZERO:
@@ -242,14 +244,11 @@ class Oscillating(SingleWay):
             shift = held.swinging(self._angle).latex()  # as a function of time
             step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
         else:
-            forward = held.where(self.since_begun)[1] > 0.0
             changes = f"There ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
             said = capital(self.fastest(held.balance)) if self._place == held.rest else changes
             step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
-            step.close()
-            return name if forward else -name
         step.close()
-        return name
+        return name if self._timed or forward else -name
 
     # ---- what goals ask
 

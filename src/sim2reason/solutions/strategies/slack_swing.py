@@ -12,11 +12,12 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.went_taut import WentTaut
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import UP
 from sim2reason.solutions.swings.asked import EXTREMES, quantity_of
+from sim2reason.solutions.swings.change_of_velocity import change, size_of, tell_velocities
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
 from sim2reason.solutions.swings.where_extreme import where_extreme
@@ -245,11 +246,12 @@ class _Slack:
     def _displacement(self) -> Expression:
         if self.vertical:
             return self._height()
-        return _size(self.there.x - self.chain.start.x, self._height())
+        return size_of(self.there.x - self.chain.start.x, self._height())
 
     def _impulse(self) -> Expression:
         there, start = self.there, self.chain.start
-        return self.mass * _size(there.vx - start.vx, there.vy - start.vy)
+        tell_velocities(self.book, there, start, flies=self.flies)
+        return self.mass * change(self.book, there, start)
 
     def _on_circle(self) -> None:
         """UnsolvedError where the string is slack."""
@@ -267,7 +269,7 @@ class _Slack:
         self._on_circle()
         if self.vertical:
             raise UnsolvedError("a component of the acceleration on the circle")
-        return _size(self.square / ell, g * self.there.x / ell)
+        return size_of(self.square / ell, g * self.there.x / ell)
 
     def _force(self) -> Expression:
         return self.mass * self._acceleration()
@@ -286,15 +288,10 @@ class _Slack:
         "height": ("_height", "The height above the starting point is"),
         "potential energy": ("_potential", "The change in potential energy is"),
         "displacement": ("_displacement", "The displacement is"),
-        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
         "tension": ("_tension", "By Newton's second law along the string, the tension is"),
         "acceleration": ("_acceleration", "The acceleration is"),
         "net force": ("_force", "The net force is"),
         "deflection": ("_deflection", "The angle with the downward vertical is"),
         LOSS: ("_loss", "The kinetic energy lost is"),
     }
-
-
-def _size(one: Expression, other: Expression) -> Expression:
-    """The size of a vector by its components, of either sign where only one is not zero."""
-    return one + other if ZERO in (one, other) else Root(squares([one, other]))

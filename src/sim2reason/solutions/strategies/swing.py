@@ -130,7 +130,7 @@ class _Angular(SwingState):
         "deflection": ("_deflection", ""),
         "angle turned": ("_between", "The angle turned through is"),
         "total angle": ("_swept", "In all, it turns through"),
-        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
         "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
         "height": ("_height", "The height gained is"),
         "displacement": ("_chord", "The displacement is the chord"),

@@ -1,6 +1,6 @@
 """Tumbling: a prism that tips over its edges; energy about each edge, angular momentum where the next one lands."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import radians
 from typing import ClassVar
 
@@ -15,6 +15,7 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Numb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swings import prism_words
 from sim2reason.solutions.swings.asked import quantity_of
 from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
@@ -88,7 +89,7 @@ class _Tumbling:
     def own(self) -> Symbol:
         """The moment of inertia about the axis."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
-        said = f"As its sides subtend ${self.turn.latex()}$ each, the moment of inertia of {self.who} about its axis is"
+        said = prism_words.shape_words(self.who, round(self.sides), self.turn)
         return self.book.told("table", said, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property
@@ -129,12 +130,15 @@ class _Tumbling:
         """Write all phases before the one of the moment."""
         timed = isinstance(self.setting.query.moment, AtTime)
         self.book.begin_phase("the start of the motion", f"the next edge of {self.who} lands")
+        rates = list[Expression]()
         for event in self.landings:
             if timed:
                 self._lands_after(event.time)
+            rates.append(self.rate)
             self._lands()
             self.edges, self.begun = self.edges + 1, event.time
             self.book.begin_phase("an edge lands", f"the next edge of {self.who} lands")
+        prism_words.verify_tops(self.book, rates, self.about, self.weight, self.begins)
 
     def _lands_after(self, time: float) -> None:
         end = PI + (self.slope + self.half if self.slope != ZERO else self.half)
@@ -151,13 +155,13 @@ class _Tumbling:
         drop = FOUR * self.weight * Call("sin", self.half) * Call("sin", self.slope) if self.slope != ZERO else ZERO
         law = step.law(HALF * self.about * Power(fast, 2), HALF * self.about * squares([self.rate]) + HALF * drop)
         formula = Root(squares([self.rate]) + drop / self.about)
-        step.say(f"Until the next edge lands, by conservation of energy, {law},")
+        step.say(f"{prism_words.sinking_words(self.radius, self.half, self.slope)}. By conservation of energy, {law},")
         step.say(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
         step.close()
         step = book.open("landing")
         left = self.own + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
         law = step.law(self.about * after, left * fast)
-        step.say(f"Angular momentum about the new edge is conserved: {law},")
+        step.say(prism_words.landing_words(self.radius * fast, self.turn, law))
         step.say(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
         step.close()
         self.rate = after
@@ -225,6 +229,7 @@ class _Tumbling:
         """The angular acceleration at the moment."""
         if self.angle == ZERO:
             return ZERO
+        prism_words.tell(self.book, prism_words.angle_words(self.half, self.angle))
         said = "The torque of gravity about the edge divided by the moment of inertia is"
         formula = self.weight * Call("sin", self.angle) / self.about
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
@@ -235,7 +240,8 @@ class _Tumbling:
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")
         way, said = self.WAYS[quantity]
-        formula: Expression = getattr(self, way)()
+        held: Expression | Callable[[], Expression] = getattr(self, way)
+        formula = held() if callable(held) else held
         if self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol):
@@ -250,16 +256,9 @@ class _Tumbling:
     def _momentum(self) -> Expression:
         return self.mass * self._velocity()
 
-    def _turning(self) -> Expression:
-        return self.spin
-
-    def _growing(self) -> Expression:
-        return self.growth
-
     def _acceleration(self) -> Expression:
-        if self.growth == ZERO:
-            return self.radius * Power(self.spin, 2)
-        return self.radius * Root(Power(self.spin, 4) + Power(self.growth, 2))
+        inward = Power(self.spin, 2)
+        return self.radius * (inward if self.growth == ZERO else Root(Power(self.spin, 4) + Power(self.growth, 2)))
 
     def _force(self) -> Expression:
         return self.mass * self._acceleration()
@@ -281,14 +280,15 @@ class _Tumbling:
 
     def _impulse(self) -> Expression:
         bent = self.launch * self.spin * Call("cos", self.turned)
+        prism_words.tell(self.book, prism_words.velocities_words(self.turned))
         whole = squares([self.launch]) + squares([self.spin]) - TWO * bent
         return self.mass * self.radius * Root(whole)
 
     WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
         "velocity": ("_velocity", "The speed of the centre is the angular speed times the radius,"),
         "momentum": ("_momentum", "The momentum is"),
-        "angular velocity": ("_turning", "The angular velocity is"),
-        "angular acceleration": ("_growing", "The angular acceleration is"),
+        "angular velocity": ("spin", "The angular velocity is"),
+        "angular acceleration": ("growth", "The angular acceleration is"),
         "acceleration": ("_acceleration", BOTH["acceleration"]),
         "net force": ("_force", BOTH["net force"]),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
@@ -296,5 +296,5 @@ class _Tumbling:
         "rotational kinetic energy": ("_turning_energy", "The kinetic energy of the rotation about the axis is"),
         "angular momentum": ("_angular_momentum", "The angular momentum about the axis is"),
         "torque": ("_torque", "The torque about the axis is"),
-        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
     }

@@ -217,7 +217,7 @@ class SwingAngle(ABC):
         if self.sine != ZERO:
             turned = f"${self.between.latex()}$" if onward else f"$180^\\circ - {self.between.latex()}$"
             said = f"The two velocities make the angle {turned}, so by the law of cosines the impulse,"
-            self._law_of_cosines = f"{said} which is the change in momentum, is"
+            self._law_of_cosines = f"{said} which is the change in momentum, has the magnitude"
         return Root(Power(begun, 2) + Power(speed, 2) - along)
 
     # ---- what is asked

@@ -50,6 +50,9 @@ class Piece:
     inertia: Expression  # about its own centre of mass
 
 
+FLAT = ("Disc", "Hoop")  # bodies that are thin, so that a line across their axis is a diameter
+
+
 class Arm:
     """The pieces, in the symbols of the text, written as they are needed."""
 
@@ -179,6 +182,8 @@ class Arm:
         for formula, why in self._inertias(spread):
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 line = "the line through its centre of mass parallel to the axle"
+                flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
+                line = f"{line}, which is a diameter," if flat else line
                 said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
                 return self.book.told("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)

@@ -11,6 +11,7 @@ from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.setting import Setting
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
@@ -36,6 +37,19 @@ def quantity_of(setting: Setting) -> str:
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
     return query.target.quantity if query.target is not None else ""
+
+
+def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, one_point: bool = True) -> str:
+    """Return the beginning of a sentence that gives how fast something is at the moment, by conservation of energy.
+
+    With `extreme` it is said before where that is; `one_point` that what swings is a single small body.
+    """
+    if extreme and quantity_of(setting) not in PLACES:
+        return f"There the {noun} ${name.latex()}$ is given by"
+    at, moment = "at that moment", setting.query.moment
+    if one_point and isinstance(moment, LowestPoint | HighestPoint):
+        at = f"at the {'lowest' if isinstance(moment, LowestPoint) else 'highest'} point"
+    return f"By conservation of energy, the {noun} ${name.latex()}$ {at} is given by"
 
 
 def unasked(setting: Setting, quantities: Collection[str]) -> str:

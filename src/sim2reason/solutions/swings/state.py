@@ -7,10 +7,12 @@ import numpy as np
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.swings.angle import SMALL, SwingAngle
+from sim2reason.solutions.swings.asked import by_energy
 from sim2reason.solutions.swings.pendulum import geometry, pivot, place
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
 
@@ -95,10 +97,14 @@ class SwingState(SwingAngle):
         law = step.law(high, self._energy)
         ratio_of = ratio(squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
         formula = Call("arccos", added(self.cosine_first, -ratio_of))
-        said = f"{capital(self.who)} turns back where all its energy is potential"
-        step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
-        step.close()
         beyond = self.now < 0.0 if not self.extreme else True
+        other = " on the other side of the vertical," if beyond and self.first != ZERO else ""
+        said = f"{capital(self.who)} turns back{other} where all its energy is potential"
+        step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        if self.line is not None and not self.book.is_hidden(formula):
+            exceeds(self.book, step, PI / Number(2.0), name)
+            step.say("As this is less than $90^\\circ$, the string stays taut until then.")
+        step.close()
         return -name if beyond else name
 
     def _slack(self) -> Expression:
@@ -146,7 +152,8 @@ class SwingState(SwingAngle):
         )
         square = added(squares([self.launch]), gained)
         law = step.law(Power(name, 2), square)
-        step.say(f"By conservation of energy, {law}, so {step.result(name, Root(square), SPEED)}.")
+        said = by_energy(self.setting, "speed", name, extreme=bool(self.extreme))
+        step.say(f"{said} {law}, so {step.result(name, Root(square), SPEED)}.")
         step.close()
         return Power(name, 2)
 

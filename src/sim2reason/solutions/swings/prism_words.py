@@ -1,0 +1,85 @@
+"""Sentences about a prism that tips over its edges: its shape, and where its axis is when an edge lands."""
+
+from collections.abc import Sequence
+
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number
+from sim2reason.solutions.algebra.functions import Call, Power
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import JOULES
+
+HALF = Number(0.5)
+
+
+def shape_words(who: str, sides: int, turn: Expression) -> str:
+    """Return the words before the moment of inertia of a regular prism about its axis."""
+    triangle = r"$\tfrac{1}{6} \left(a^{2} + b^{2} + a b \cos\gamma\right)$"
+    return (
+        "About one of its corners, where sides $a$ and $b$ meet at the angle $\\gamma$, a uniform triangle has "
+        f"{triangle} times its mass as its moment of inertia. Lines from the axis to the edges divide {who} into "
+        f"{sides} equal triangles, with the angle ${turn.latex()}$ at the axis, so its moment of inertia about that is"
+    )
+
+
+def sinking_words(radius: Expression, half: Expression, slope: Expression) -> str:
+    """Return how far the axis sinks from one landing to the next, as a clause."""
+    if slope == ZERO:
+        return "When the next edge lands, the axis is as high as before"
+    way = Number(2.0) * radius * Call("sin", half) * Call("sin", slope)
+    moves = "the axis moves by one side of the base along the plane"
+    return f"Until the next edge lands, {moves} and sinks by ${way.latex()}$"
+
+
+def landing_words(speed: Expression, turn: Expression, law: str) -> str:
+    """Return the sentences that lead to a law, the conservation of angular momentum about a new edge."""
+    fast, angle = speed.latex(), turn.latex()
+    said = f"Just before, the axis has the speed ${fast}$, at the angle ${angle}$ to its direction just after."
+    return f"{said} Angular momentum about the new edge is conserved: {law},"
+
+
+def angle_words(half: Expression, angle: Expression) -> str:
+    """Return the sentence that says at which angle to the vertical the line from the edge to the axis is."""
+    return (
+        "Just after a landing, as at the start, the line from the lower edge to the axis is turned uphill by "
+        f"${half.latex()}$ from the perpendicular to the plane. At the moment its angle with the vertical is "
+        f"${angle.latex()}$, positive downhill."
+    )
+
+
+def velocities_words(turned: Expression) -> str:
+    """Return the sentence that says which angle the first and the last velocity of the axis make."""
+    return (
+        "The velocity of the axis is perpendicular to the line from the lower edge to it, which has the same direction "
+        f"after each landing as at the start. The initial and the final velocity therefore make the angle "
+        f"${turned.latex()}$."
+    )
+
+
+def tell(book: Book, sentence: str) -> None:
+    """Write a reason, on which nothing rests."""
+    step = book.open("extreme")
+    step.say(sentence)
+    step.close()
+
+
+def verify_tops(
+    book: Book, rates: Sequence[Expression], inertia: Expression, weight: Expression, begins: Expression
+) -> None:
+    """Write, in the end, that the axis gets over every edge from which another one is reached; nothing in symbols."""
+    if book.in_symbols or not rates or book.value(begins) >= 0.0:
+        return
+
+    def write() -> None:
+        least = min(rates, key=book.value)
+        energy = HALF * inertia * (Power(least, 2))
+        height = weight * (ONE - Call("cos", begins))
+        step, names = book.open("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
+        exceeds(book, step, energy, height)
+        for name, formula in zip(names, (energy, height), strict=True):
+            book.observed[name.name] = book.value(formula)
+        told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, height), strict=True)]
+        step.say("The axis passes over each edge, since the least kinetic energy at the start or just after a landing,")
+        step.say(f"{told[0]}, exceeds the energy {told[1]} by which it rises.")
+        step.close()
+
+    book.afterwards.append(write)
