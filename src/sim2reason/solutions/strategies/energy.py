@@ -141,11 +141,6 @@ class EnergyWay(SingleWay):
         """That of the whole, as if all moved as x does."""
         return self.motion.mass(self._i, self._i).factored()
 
-    def _relaxed(self) -> str:
-        """Return the spring that has its natural length at the moment; empty for none."""
-        moment = self.query.moment
-        return moment.name if isinstance(moment, NaturalLength) and not self.greatest else ""
-
     @cached_property
     def _first(self) -> Expression:
         return self.first(self._i).expression()
@@ -234,7 +229,8 @@ class EnergyWay(SingleWay):
             time = self._lasting
             formula = self._first + self._rise * time
             return self.book.told("speed", f"At ${time.name}$ its velocity is", self.book.fresh("v"), formula, SPEED)
-        relaxed = self._relaxed()
+        moment = self.query.moment
+        relaxed = moment.name if isinstance(moment, NaturalLength) and not self.greatest else ""
         gained = work(self.motion, self._place, self._number(relaxed) if relaxed else -1)
         if gained == ZERO:
             raise UnsolvedError("nothing does work")
