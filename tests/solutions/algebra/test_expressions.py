@@ -118,5 +118,5 @@ def test_a_number_with_a_power_of_ten_is_raised_in_parentheses() -> None:
 def test_a_polynomial_has_the_value_of_its_formula_to_the_last_digit() -> None:
     x, y, sine = Polynomial.of(A), Polynomial.of(M), Polynomial.of(Call("sin", THETA))
     held = x * x * y.scaled(0.3) - sine * sine * y.scaled(1.7) + Polynomial({((A, -2), (M, 1)): -2.9, (): 0.1})
-    at = {"a": 0.37, "m": 1.93, THETA.name: 0.61}
+    at = {A.name: 0.37, M.name: 1.93, THETA.name: 0.61}
     assert held.value(at) == held.expression().value(at)
