@@ -14,7 +14,8 @@
     ├── MissingExtraError   an optional package that a command needs
     └── ConformanceError    an entity class that does not keep what the library promises of entities
 
-A `FigureWarning`, which is no error, says that a figure can only hint at something.
+Two warnings, which are no errors: a `FigureWarning` says that a figure can only hint at something, a
+`MotionEndsWarning` that a motion could not be followed for as long as was asked.
 
 A message names the place and the remedy in one line; the command line prints it and exits with 2.
 """
@@ -48,6 +49,11 @@ class UnsupportedError(Sim2ReasonError):
 class SimulationError(Sim2ReasonError):
     """An engine that found no consistent motion, or ran out of its budget of steps."""
 
+    def __init__(self, message: str, reached: float = 0.0) -> None:
+        """`reached` is until when, s, the motion was found; 0 if that is not known, or it never began."""
+        self.reached = reached
+        super().__init__(message)
+
 
 class DrawError(Sim2ReasonError):
     """A recipe whose draws were all refused within the budget, or that was asked for at impossible coordinates."""
@@ -55,6 +61,10 @@ class DrawError(Sim2ReasonError):
 
 class FigureWarning(UserWarning):
     """Something in a scene that a figure can only hint at, since its class does not say how it looks."""
+
+
+class MotionEndsWarning(UserWarning):
+    """A record of a motion that is shorter than what was asked for, since the description of the motion ends."""
 
 
 class DatasetError(Sim2ReasonError):

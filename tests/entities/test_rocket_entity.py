@@ -81,7 +81,7 @@ def test_above_a_planet(rate: float) -> None:
     """dv/dt = uµ/m − gR²/r² while it burns; afterwards v²/2 − gR²/r is constant."""
     radius, g, exhaust = 1.5e6, 2.0, 2.1
     entity = launched(AirlessPlanet(radius=1e-3 * radius, gravity=g), rate, exhaust)
-    trace = followed(entity, entity.horizon, 601)
+    trace = followed(entity, entity.horizon(9.8), 601)
     t, r, v = trace.state.times, radius + trace.state.q[:, 0], trace.state.v[:, 0]
     burning = t < entity.burning_time
     thrust = np.where(burning, 1e3 * exhaust * rate / (FULL - rate * np.where(burning, t, 0.0)), 0.0)

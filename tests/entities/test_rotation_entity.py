@@ -191,7 +191,7 @@ def test_beyond_the_axle() -> None:
 def test_energy_is_kept_for_a_long_time() -> None:
     """Four pieces for a hundred swings."""
     entity = drawn_entity(RotationEntity, 7, {**CHOICES, "rate?": 0.0})
-    trace = followed(entity, 100.0 * entity.horizon / 1.5, 401)
+    trace = followed(entity, 100.0 * entity.horizon(G) / 1.5, 401)
     state, bodies = trace.state, [body.name for body in trace.mechanism.bodies if body.mass]
     kinetic = sum(QUANTITIES["kinetic energy"].evaluate(state, body) for body in bodies)
     potential = sum(QUANTITIES["potential energy"].evaluate(state, body) for body in bodies)

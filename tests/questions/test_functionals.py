@@ -23,6 +23,7 @@ from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
+from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.area_swept import AreaSwept
 from sim2reason.questions.functionals.parts.whole import ALL
@@ -44,7 +45,6 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.recurrence import first_return
 from sim2reason.simulation.certify import certify
-from sim2reason.simulation.scenes import simulate
 
 G = 9.8
 RISE, AHEAD = 5.0 * sin(radians(40.0)), 5.0 * cos(radians(40.0))
@@ -60,7 +60,7 @@ Made = Callable[[], tuple[Study, Words]]
 
 def told(scene: Scene) -> Made:
     """A scene as a motion with its words."""
-    return lambda: (Study(scene, simulate(scene)), words_of(describe(scene)))
+    return lambda: (motion_of(scene).study, words_of(describe(scene)))
 
 
 def dashpot() -> motions.Motion:

@@ -34,6 +34,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import said, say, spoken, two_digits
 from sim2reason.questions.targets import targets
+from sim2reason.scene_files import load
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 
@@ -296,3 +297,16 @@ def test_who_finds_an_unknown_may_count_from_a_start_that_is_the_greatest_alread
     moment = MostStretched(spring)
     assert moment.time(trace) is None
     assert moment.first().time(trace) == pytest.approx(2.0 * pi * sqrt(2.0 / 80.0), rel=1e-9)
+
+
+@pytest.mark.parametrize(("speed", "rests"), [(1.0, 1.0), (1.00001, None), (1.1, None)])
+def test_a_speed_that_only_touches_zero_is_at_rest_then(speed: float, rests: float | None) -> None:
+    """In a field that falls to zero and turns v = (1 − t)²: the bead stops, and goes on the way that it went."""
+    field = "{kind: growing_electric, strength: 2.0, way: negative x, trend: decreases, growth: 2.0}"
+    particle = "{mass: 1.0, charge: 1.0, sign: positive}"
+    start = f"{{kind: launched, speed: {speed}, angle: 0}}"
+    bead = f"{{particle: {particle}, electric: {field}, start: {start}}}"
+    scene = load(f"scene: {{name: bead, entities: [{{name: bead, type: EmEntity, parameters: {bead}}}]}}")
+    for duration in (2.0, 64.0):
+        found = Stopped("bead.particle").time(Study.of(scene, np.linspace(0.0, duration, 11)).trace)
+        assert found == (pytest.approx(rests, abs=1e-6) if rests is not None else None)

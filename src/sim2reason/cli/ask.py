@@ -16,6 +16,7 @@ Example:
     sim2reason ask scene.yaml -n 5 --seed 0
 """
 WIDTH = 100
+LONG = 3  # reasons, and more: a table
 
 
 @click.command("ask", epilog=EXAMPLE)
@@ -23,20 +24,38 @@ WIDTH = 100
 @options.mode()
 @options.items(5, 1, 1000, "How many questions.")
 @options.seed("Another seed, other questions.")
+@click.option("--all", "unfiltered", is_flag=True, help="Those that filters refuse, too: easy, odd or uncertain ones.")
 @options.to_json("For a program to read: a list of whole items, as show gives them.")
-def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, to_json: bool) -> int:
-    """Ask questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
+def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, unfiltered: bool, to_json: bool) -> int:
+    """Ask questions about the scene in the file SCENE (- is standard input): no two of them have one answer.
+
+    Only those that pass every filter, but for --all. Exit code 1 if there are none; standard error says why.
+    """
     from sim2reason.datasets.ask import asked
 
-    result = asked(source.scene(scene), mode, items, seed)
+    result = asked(source.scene(scene), mode, items, seed, unfiltered=unfiltered)
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for _, item in result.found.values())
     else:
         _tell(result)
     if len(result.found) < items:
-        said = ", ".join(f"{number} {name}" for name, number in sorted(result.refused.items()))
-        console.explain(f"sim2reason: {len(result.found)} of {items} questions; refused: {said or 'none'}")
+        _explain(result, items)
     return 0 if result.found else 1
+
+
+def _explain(result: "AskedScene", items: int) -> None:
+    """How many questions are missing, and what was refused: a table where that is much."""
+    if result.reason:
+        console.explain(f"sim2reason: there is nothing to ask: {result.reason}")
+        return
+    refused = result.refused.most_common()
+    found = f"sim2reason: {len(result.found)} of {items} questions"
+    if len(refused) < LONG:
+        said = ", ".join(f"{number} {name}" for name, number in refused)
+        console.explain(f"{found}; refused: {said or 'none'}")
+        return
+    console.explain(f"{found}; refused:")
+    console.table(["number", "reason"], [[number, name] for name, number in refused], err=True)
 
 
 def _tell(result: "AskedScene") -> None:

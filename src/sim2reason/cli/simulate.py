@@ -4,12 +4,13 @@ from contextlib import nullcontext
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from warnings import catch_warnings, simplefilter
 
 import click
 
 from sim2reason.cli import console, options, results, source
 from sim2reason.cli.sandbox import sandboxed
-from sim2reason.errors import SimulationError
+from sim2reason.errors import MotionEndsWarning, SimulationError
 
 if TYPE_CHECKING:  # numpy is loaded where it is needed: in the worker
     from sim2reason.simulation.trace import Trace
@@ -24,12 +25,13 @@ Exit code 0: simulated; 1: the engines disagree (--engine both); 2: a scene that
 PATIENCE = 20.0  # s; a safety net: budgets are counted in steps
 SHOWN = ("displacement", "velocity", "acceleration", "tension", "normal force", "friction force")
 STUCK = {
-    "indeterminate": ("nothing holds a massless part", "give it a mass or hang something on it"),
-    "lift": ("a body leaves its face", "pull on it with less force"),
-    "crowd": ("impacts follow each other too closely to tell apart", "move what meets apart"),
-    "reach": ("two points of a string meet", "leave more string between them"),
-    "limit": ("something stands at the end of its travel", "let it start elsewhere"),
+    "indeterminate": "give it a mass or hang something on it",
+    "lift": "pull on it with less force",
+    "crowd": "move what meets apart",
+    "reach": "leave more string between them",
+    "limit": "let it start elsewhere",
 }
+"""What helps where a motion ends at its start, by what ended it."""
 
 Summary = dict[str, Any]
 """What a run found, as plain JSON values."""
@@ -40,9 +42,9 @@ Summary = dict[str, Any]
 @click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
 @click.option(
     "--duration",
-    type=console.Seconds(1e-6, 1e3),
+    type=console.Seconds(1e-9, 1e12),
     default=None,
-    help="How long; as long as the scene is worth by default.",
+    help="How long, in the scene's unit of time (s, or yr among planets); by default as long as the scene is worth.",
 )
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
 @click.option("--truncate", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
@@ -81,25 +83,29 @@ def run(
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
     from sim2reason.scene_files import loads
     from sim2reason.simulation import scenes, trace_files
+    from sim2reason.simulation.trace import ending
     from sim2reason.simulation.truncate import truncate as truncated
 
     scene, certificate = loads(content), None
-    if engine == scenes.BOTH:
-        trace, certificate = scenes.certify(scene, duration, samples)
-    else:
-        trace = scenes.simulate(scene, duration, engine, samples)
+    with catch_warnings():
+        simplefilter("ignore", MotionEndsWarning)  # it is told below
+        if engine == scenes.BOTH:
+            trace, certificate = scenes.certify(scene, duration, samples)
+            trace = truncated(trace) if truncate else trace
+            trace = trace.until(trace.stable_until)
+        else:
+            trace = scenes.simulate(scene, duration, engine, samples, truncate=truncate)
     if trace.stable_until == 0.0 and trace.cut in STUCK:
         raise _stuck(trace)
-    if truncate:
-        trace = truncated(trace)
     if out is not None:
         trace_files.write_trace(trace, out)
     return {
         "engine": engine,
-        "duration": float(trace.state.times[-1]),
+        "duration": scene.horizon if duration is None else duration,
         "time_unit": scene.units.time,
         "stable_until": trace.stable_until,
         "cut": trace.cut,
+        "why": ending(trace),
         "events": [{"time": e.time, "kind": e.kind, "subjects": list(e.subjects)} for e in trace.events],
         "final": _final(trace),
         "certificate": certificate.document() if certificate else None,
@@ -107,9 +113,12 @@ def run(
 
 
 def _stuck(trace: "Trace") -> SimulationError:
-    problem, remedy = STUCK[trace.cut]
+    from sim2reason.simulation.trace import ENDINGS
+
     what = ", ".join(trace.events[-1].subjects)
-    return SimulationError(f"{what}: there is no motion to follow: {problem} at the start; {remedy}")
+    return SimulationError(
+        f"{what}: there is no motion to follow: {ENDINGS[trace.cut]} at the start; {STUCK[trace.cut]}"
+    )
 
 
 def _final(trace: "Trace") -> list[Summary]:
@@ -147,8 +156,7 @@ def _tell(found: Summary) -> None:
     for event in found["events"]:
         click.echo(f"{event['time']:.6g} {unit}: {event['kind']} of {', '.join(event['subjects'])}")
     if found["cut"]:
-        why = STUCK[found["cut"]][0] if found["cut"] in STUCK else found["cut"]
-        click.echo(f"The motion is followed until {until:.6g} {unit}, not {found['duration']:g} {unit}: {why}")
+        click.echo(f"The motion is followed until {until:.6g} {unit}, not {found['duration']:g} {unit}: {found['why']}")
     if found["certificate"] is not None:
         _tell_certificate(found["certificate"])
 

@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING
 import click
 
 from sim2reason.cli import console, options, source
+from sim2reason.dsl.measures import join_unit
 
 if TYPE_CHECKING:
+    from sim2reason.datasets.solve import SolvedProblem
     from sim2reason.solutions import Solution
 
+LONG = 3  # reasons, and more: a table
 EXAMPLE = """\b
 Example:
     sim2reason solve --id pulley-easy-numeric-0-4
@@ -27,30 +30,55 @@ Example:
 def command(scene: Path | None, id: str | None, question: str | None, seed: int, to_json: bool) -> int:  # noqa: A002
     """Solve a question about the scene in the file SCENE (- is standard input), or the problem of an id.
 
-    Exit code 1 if no strategy applies; standard error then says why.
+    A scene's question is answered from its motion, which is followed until it has its answer, and by a worked solution
+    where a strategy has a way to it. Exit code 1 if there is no answer; standard error says why.
     """
     from sim2reason.datasets.solve import solve
 
     if (scene is None) == (id is None):
         raise click.UsageError("give a scene or an --id, one of the two.")
-    told, found = solve(source.scene(scene) if scene else None, id=id, question=question, seed=seed)
+    solved = solve(source.scene(scene) if scene else None, id=id, question=question, seed=seed)
     if to_json:
-        console.as_json(_document(told, found))
+        console.as_json(_document(solved))
     else:
-        click.echo(told)
-        click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}" if found.answer is not None else "")
-    if found.answer is None:
-        console.explain(f"sim2reason: {found.reason}")
-    return 0 if found.answer is not None else 1
+        _tell(solved, of_scene=scene is not None)
+    if solved.reason:
+        console.explain(f"sim2reason: no answer: {solved.reason}")
+    elif solved.solution.answer is None:
+        _explain(solved.solution)
+    return 1 if solved.reason else 0
 
 
-def _document(told: str, found: "Solution") -> dict[str, object]:
+def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
+    """The problem, its worked solution, and of a scene the answer as the motion has it, which is not rounded."""
+    found = solved.solution
+    click.echo(solved.problem)
+    if found.answer is not None:
+        click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}")
+    if of_scene and solved.answer is not None:
+        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', solved.unit)}")
+
+
+def _explain(found: "Solution") -> None:
+    """Why there is no worked solution: a table, where several strategies were tried."""
+    tried = [row.partition(": ")[::2] for row in found.reason.split("; ")]
+    if len(tried) < LONG:
+        console.explain(f"sim2reason: no worked solution: {found.reason}")
+        return
+    console.explain("sim2reason: no worked solution:")
+    console.table(["strategy", "why not"], tried, err=True)
+
+
+def _document(solved: "SolvedProblem") -> dict[str, object]:
+    found = solved.solution
     return {
-        "problem": told,
+        "problem": solved.problem,
         "strategy": found.strategy,
-        "answer": found.answer,
+        "answer": found.answer if found.answer is not None else solved.answer,
+        "unit": solved.unit,
+        "from_motion": solved.answer,
         "needs": found.needs.label,
-        "reason": found.reason,
+        "reason": solved.reason or found.reason,
         "text": found.text,
         "steps": [
             {

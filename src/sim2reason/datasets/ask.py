@@ -16,9 +16,12 @@ from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import problem
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import MODES
+from sim2reason.questions.following import eventful, motion_of
+from sim2reason.simulation.trace import ending
 
 QUESTIONS = 5
 TRIES = 10  # for each question that is wanted
+SAME_ANSWER = "an answer that another question has"  # as a refusal is counted
 SPARE = 2  # times the questions that are wanted: so many with their variants end the search
 
 
@@ -31,28 +34,35 @@ class AskedScene:
     """By the question's own words."""
     refused: Counter[str] = field(default_factory=Counter[str])
     """By filter."""
+    reason: str = ""
+    """Why nothing can be asked about the scene, in a clause, where that is known."""
 
 
-def ask(scene: Scene, *, mode: Names = "numeric", items: int = QUESTIONS, seed: int = 0) -> list[Item]:
+def ask(
+    scene: Scene, *, mode: Names = "numeric", items: int = QUESTIONS, seed: int = 0, unfiltered: bool = False
+) -> list[Item]:
     """At most so many problems about one scene, those that pass every filter; another seed asks others.
 
-    They are items as a dataset has them, but of no recipe and no difficulty.
+    They are items as a dataset has them, but of no recipe and no difficulty. No two have one answer. `unfiltered` ones
+    may be as easy, as odd or as little certain as they like.
 
     Raises:
         UnknownNameError: no such mode.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return [item for _, item in asked(scene, mode, items, seed).found.values()]
+    return [item for _, item in asked(scene, mode, items, seed, unfiltered=unfiltered).found.values()]
 
 
-def asked(scene: Scene, mode: Names, items: int, seed: int) -> AskedScene:
+def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
     """The same with the scene's text, and with what was refused; modes take turns.
 
     One problem with other numbers is asked again only where there are too few others.
     """
-    modes, search = modes_named(mode), QuestionSearch(scene, seed)
+    modes = modes_named(mode)
+    search = QuestionSearch(eventful(motion_of(scene)).study, seed, unfiltered=unfiltered)
     result = AskedScene(search.description.text)
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
+    answers = set[str]()
     for attempt in range(TRIES * items):
         if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
             break
@@ -61,11 +71,18 @@ def asked(scene: Scene, mode: Names, items: int, seed: int) -> AskedScene:
         certified = search.ask(MODES[name], rng, result.refused)
         if certified is not None:
             certified = formed(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
-        if certified is not None and certified.question.text not in result.found:
+        if certified is not None:
             item = item_of(Request("", "", name, seed, attempt), certified)
+            if item.answer.shown in answers:
+                result.refused[SAME_ANSWER] += 1
+                continue
+            answers.add(item.answer.shown)
             named = item.model_copy(update={"id": f"{base}-{attempt}"})
             kept = variants if problem(named) in problems else result.found
             kept[certified.question.text] = certified, named
             problems.add(problem(named))
+    if search.fault and search.study.trace.cut:
+        unit = scene.units.time
+        result.reason = f"the motion ends at {search.study.trace.stable_until:.3g} {unit}: {ending(search.study.trace)}"
     result.found.update(islice(variants.items(), items - len(result.found)))
     return result

@@ -60,7 +60,7 @@ class QuestionSearch:
 
     def __init__(
         self,
-        scene: Scene,
+        scene: Scene | Study,
         wording: int,
         difficulty: Difficulty | None = None,
         *,
@@ -72,12 +72,13 @@ class QuestionSearch:
         """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
 
         `needs` are those that solutions may have; the others are refused before their answers are worked out. A
-        `difficulty` is ordered: questions of others are refused.
+        `difficulty` is ordered: questions of others are refused. A scene is followed to its horizon; a study has a
+        motion already.
         """
         self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
-        self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
+        self.study = scene if isinstance(scene, Study) else Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
         self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
@@ -120,7 +121,7 @@ class QuestionSearch:
     @cached_property
     def fault(self) -> str:
         """Why no question about the scene can pass, as a manifest counts it; empty if one can."""
-        if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
+        if self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1]):
             return f"unstable: {self.study.trace.cut}"
         return "" if followed(self.description.sentences) else "length"
 

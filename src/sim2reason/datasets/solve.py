@@ -11,7 +11,8 @@ from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
-from sim2reason.questions import MODES
+from sim2reason.questions import KINDS, MODES
+from sim2reason.questions.following import eventful, follow, motion_of
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Setting, Solution
@@ -21,10 +22,16 @@ TRIES = 20
 
 
 class SolvedProblem(NamedTuple):
-    """A problem's text, and its solution; one without an answer says why."""
+    """A problem's text, its worked solution, and its answer in a unit, as the motion itself has it.
+
+    A solution without an answer says why. So does `reason` where there is none at all.
+    """
 
     problem: str
     solution: Solution
+    answer: float | None
+    unit: str
+    reason: str = ""
 
 
 def solve(
@@ -58,11 +65,13 @@ def _of_item(name: str) -> SolvedProblem:
     found = ItemSearch(request).found()
     if found is None:
         raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
-    return SolvedProblem(item_of(request, found).prompt, worked(request, found))
+    item, solution = item_of(request, found), worked(request, found)
+    return SolvedProblem(item.prompt, solution, item.answer.value, item.answer.unit, solution.reason)
 
 
 def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
-    search = QuestionSearch(scene, seed)
+    motion = motion_of(scene)
+    search = QuestionSearch(eventful(motion).study, seed)
     if question is None:
         draws = (search.ask(MODES["numeric"], generator("solve", seed, n), Counter[str]()) for n in range(TRIES))
         drawn = next((held for held in draws if held is not None), None)
@@ -73,5 +82,9 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
         query = parse_question(question, search.study, search.words)
         if query is None:
             raise TextError("--question", "it asks nothing that this library asks", "see: sim2reason ask SCENE")
-    setting = Setting(search.study.scene, search.words, search.description.symbols, search.study, query)
-    return SolvedProblem(f"{search.description.text} {question}", solved(setting))
+    problem, found = f"{search.description.text} {question}", follow(query, motion)
+    unit = search.words.units.spell(KINDS[query.kind].measured(query).unit)
+    if found.answer is None:
+        return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
+    setting = Setting(search.study.scene, search.words, search.description.symbols, found.study, query)
+    return SolvedProblem(problem, solved(setting), found.answer, unit)

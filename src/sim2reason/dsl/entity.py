@@ -54,9 +54,12 @@ class Entity(Part):
     units: ClassVar[UnitSystem] = SI  # in which its text speaks
     schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
 
-    @property
-    def horizon(self) -> float | None:
-        """How long its motion is worth following, in the units of its text: a period, a flight; None for no matter."""
+    def horizon(self, gravity: float) -> float | None:
+        """How long its motion is worth following, in the units of its text: a period, a flight; None for no matter.
+
+        `gravity` is that of its scene, in m/s².
+        """
+        del gravity
         return None
 
     @property

@@ -10,6 +10,7 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Joint, Link
 from sim2reason.dsl.entity import Entity, Name, Named, Part, inside, outer_ports, stops_of
+from sim2reason.dsl.horizons import horizon
 from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
@@ -21,7 +22,6 @@ from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
 
 MAX_ENTITIES = 8
-HORIZON = 2.0  # s
 
 
 class World(Model):
@@ -168,8 +168,8 @@ class Scene(Model):
 
     @property
     def horizon(self) -> float:
-        """How long its motion is followed: as long as the slowest of its entities wants, else 2 s."""
-        return max((h for named in self.entities if (h := named.entity.horizon) is not None), default=HORIZON)
+        """How long its motion is followed at first, in the units of its text."""
+        return horizon((named.entity for named in self.entities), self.world.gravity)
 
     @cached_property
     def mechanism(self) -> Mechanism:

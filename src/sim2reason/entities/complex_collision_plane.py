@@ -131,9 +131,9 @@ class ComplexCollisionPlane(Entity):
         gliders = alike(drawn["gliders"]) if rng.random() < ALIKE else drawn["gliders"]
         return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """Some passes of the fastest over all that lies between, s."""
+        del gravity
         fastest = max(abs(glider.v) for glider in self.gliders)
         return min(LONGEST, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else LONGEST
 

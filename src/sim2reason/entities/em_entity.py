@@ -83,9 +83,9 @@ class EmEntity(Entity):
         """It starts at t = 0."""
         return True
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """A turn or so of the fastest thing that the fields do, or time to come to their region and through it, s."""
+        del gravity
         mass, charge = self.particle.mass, self.particle.signed_charge
         fastest = max(field.rate(charge, mass) for field in self.fields.values())
         enough = TURN / fastest if fastest else USUAL

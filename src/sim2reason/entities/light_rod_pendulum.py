@@ -38,10 +38,9 @@ class LightRodPendulum(Entity):
     )
     base = Base(held="the other end of {rod}", required=True)
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float | None:
         """Of a few swings about a fixed point, s."""
-        return swings(self.rod.length)
+        return swings(self.rod.length, gravity)
 
     def build(self, room: Frame) -> None:
         """The ball on an arm about the hinge; what turns right-handed about y, away from the reader, goes clockwise."""

@@ -41,10 +41,9 @@ class Pendulum(Entity):
             raise ValueError("angle, speed: the bob hangs at rest; give it a speed, or an angle that is not zero")
         return self
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float | None:
         """Of a few swings, s."""
-        return swings(self.hanger.length)
+        return swings(self.hanger.length, gravity)
 
     @property
     def tells_taut(self) -> bool:

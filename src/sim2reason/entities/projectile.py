@@ -7,7 +7,6 @@ from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.authoring import (
-    GRAVITY,
     Chance,
     Entity,
     Frame,
@@ -87,10 +86,11 @@ class Projectile(Entity):
         """The vertical velocity at the start, m/s."""
         return self.speed * sin(radians(self.angle)) * (1.0 if self.side == "above" else -1.0)
 
-    @property
-    def horizon(self) -> float:
-        """A little more than two flights from where it is thrown to the ground, s."""
-        return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * GRAVITY * self.height)) / GRAVITY
+    def horizon(self, gravity: float) -> float | None:
+        """A little more than two flights from where it is thrown to the ground, s; None if it does not come down."""
+        if not gravity:
+            return None
+        return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * gravity * self.height)) / gravity
 
     def build(self, room: Frame) -> None:
         """A small body that meets the ground; without a restitution its flight ends there."""

@@ -70,9 +70,9 @@ class RocketEntity(Entity):
         """How long the fuel lasts, s."""
         return (self.rocket.mass - self.rocket.dry) / self.rate
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """Three times the time that the fuel lasts, s."""
+        del gravity
         return BURNS * self.burning_time
 
     def build(self, room: Frame) -> None:

@@ -80,9 +80,9 @@ class SolarSystem(Entity):
         planets = orbiting(drawn["planets"], mass, ROUND, rng)
         return {"planets": tuple(_lighter(planet, mass, rng) for planet in planets)}
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """A little more than the shortest period of a planet that returns, or the time that a circle would take, yr."""
+        del gravity
         return min([LONGEST, *(FULL * self._period(planet) for planet in self.planets)])
 
     def _period(self, planet: AnyPlanet) -> float:

@@ -119,9 +119,9 @@ class SpringBlock(Entity):
         slower = {name: as_said(Launch, name, share * getattr(launch, name)) for name in ("x", "y")}
         return {"springs": tuple(springs), "launch": rebuilt(launch, **slower)}
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """Some periods of the block if all springs lay along one line, s."""
+        del gravity
         return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
 
     def build(self, room: Frame) -> None:

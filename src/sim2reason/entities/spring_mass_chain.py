@@ -90,9 +90,9 @@ class SpringMassChain(Entity):
             raise ValueError("strain, blow: no spring is ever strained; strain one or strike a cart")
         return self
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """Some periods of the heaviest cart on the softest spring, s."""
+        del gravity
         heaviest, softest = max(cart.mass for cart in self.carts), min(spring.stiffness for spring in self.springs)
         return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
 

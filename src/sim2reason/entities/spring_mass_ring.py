@@ -88,9 +88,9 @@ class SpringMassRing(Entity):
             raise ValueError("radius: beads may meet; take a larger ring, or stiffer springs")
         return self
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """Some periods of the heaviest bead on the softest spring, s."""
+        del gravity
         heaviest, softest = max(bead.mass for bead in self.beads), min(spring.stiffness for spring in self.springs)
         return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
 

@@ -48,9 +48,9 @@ class TumblingPrism(Entity):
             raise ValueError("rate: the prism stays on its face on so gentle a slope; say how fast it tips at first")
         return self
 
-    @property
-    def horizon(self) -> float:
+    def horizon(self, gravity: float) -> float:
         """As long as it would take to turn from face to face five times with its first angular velocity, s."""
+        del gravity
         return min(LONGEST, TUMBLES * 2.0 * pi / self.prism.sides / self.rate) if self.rate else 0.5 * LONGEST
 
     def build(self, room: Frame) -> None:

@@ -23,11 +23,13 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.conditions import asking_for
-from sim2reason.questions.dependence import STEP, Dependence, roomy, roots
+from sim2reason.questions.dependence import STEP, Dependence, roomy
+from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.spellings import plainly
 from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.targets import Target, targets
 from sim2reason.questions.unknown import Unknown, far_from, range_of, some
@@ -121,6 +123,7 @@ class Reverse(QuestionMode):
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """Every query that the sentence could state as a condition, with every number in it as its answer."""
+        text = plainly(text, words.units)
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):
@@ -137,14 +140,20 @@ class Reverse(QuestionMode):
         return None
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
-        """The only value in its range for which the query has the answer that is given."""
+        """The only value for which the query has the answer that is given."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in _besides(asked.query, words):
-            dependence = Dependence(asked.query, study, unknown.path, ENOUGH, roomy(study.scene))
-            found = roots(dependence, range_of(study.scene, unknown.path), asked.given.value)
+            found = values_giving(asked.query, asked.given.value, unknown, study)
             return found[0] if len(found) == 1 else None
         return None
+
+    def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
+        """That no value of the number has that result, or that several have."""
+        unknown = next(iter(_besides(asked.query, words)), None)
+        if asked.given is None or unknown is None or isinstance(asked.query.moment, Reached):
+            return super().lacking(asked, study, words)
+        return why_not_one(unknown, values_giving(asked.query, asked.given.value, unknown, study), study.scene)
 
 
 def unfixed(question: Question, study: Study, words: Words) -> str:

@@ -174,6 +174,11 @@ class QuestionMode(ABC):
         del words
         return KINDS[asked.query.kind].answer(asked.query, study)
 
+    def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
+        """Why what was read has no answer, in a clause, where nothing more is known of it."""
+        del asked, study, words
+        return "the scene has no such value"
+
 
 MODES: Registry[QuestionMode] = Registry("modes")
 M = TypeVar("M", bound=QuestionMode)

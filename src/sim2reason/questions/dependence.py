@@ -8,16 +8,14 @@ from math import inf, isfinite
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments import Moment
+from sim2reason.questions.never import flies_away
 from sim2reason.questions.query import Query
-from sim2reason.questions.recurrence import flies_off, nothing_new
+from sim2reason.questions.recurrence import nothing_new
 from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study
 from sim2reason.questions.unknown import LENGTHS
 from sim2reason.simulation.certify import RECORDED
@@ -48,17 +46,19 @@ class Dependence:
         error: float = FINEST,
         scene: Scene | None = None,
         likely: Callable[[float], float] | None = None,
+        patience: Sequence[float] = (),
     ) -> None:
         """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
 
         Where its mechanism is changed, those of the scenes with other values are changed likewise.
 
         `scene` may be another one that a text can not tell from it. `likely` answers are looked for first, where a kind
-        looks for its answers.
+        looks for its answers. `patience` are further times of a scene's own horizon, until which something is waited
+        for that has not come by then.
         """
         moment = query.moment.first() if query.moment is not None else None
         self._query, self._study, self._path = replace(query, moment=moment), study, path
-        self._likely = likely
+        self._likely, self._patience = likely, patience
         self._scene = scene or study.scene
         self._as_asked = moment == query.moment
         self._error = error
@@ -75,7 +75,7 @@ class Dependence:
 
     def coarser(self, error: float) -> "Dependence":
         """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
-        found = Dependence(self._query, self._study, self._path, error, self._scene, self._likely)
+        found = Dependence(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
         found._times, found._late = self._times, self._late
         return found
 
@@ -125,9 +125,9 @@ class Dependence:
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
                 return self._lying(other)
+            if (self._later_counts or self._patience) and self._never(other.trace):
+                break
             if self._later_counts:
-                if self._never(other.trace):
-                    break
                 self._late.add(value)
         self._times[value] = inf
         return kind.late_answer(self._query)
@@ -139,26 +139,19 @@ class Dependence:
         """
         moment, end = self._query.moment, study.trace.stable_until * (1.0 - SAME_TIME)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
-        if study.trace.cut != GROUND or moment is None or not lasts or not self._ends(moment) or moment.kind == "start":
+        if study.trace.cut != GROUND or moment is None or not lasts or moment.ahead is None or moment.kind == "start":
             return None
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
     def _never(self, trace: Trace) -> bool:
-        """Whether what has not come by the end of a motion is known not to come any more.
-
-        Of two that move, while one flies off the other may go round, and overtake it again and again.
-        """
-        moment = self._query.moment
-        if moment is None or not moment.comes_round:
-            return nothing_new(trace)
-        flying = [flies_off(trace, body.name) for body in _of(moment, trace) if body.coordinates]
-        return nothing_new(trace) or (all(flying) if moment.subjects else any(flying))
+        """Whether what has not come by the end of a motion is known not to come any more."""
+        return nothing_new(trace) or flies_away(self._query.moment, trace)
 
     @property
     def _later_counts(self) -> bool:
         """Whether something is waited for whose time is not the answer: however late it comes, it has one."""
         timed = KINDS[self._query.kind].measured(self._query).name == "time"
-        return not timed and self._query.moment is not None and not self._ends(self._query.moment)
+        return not timed and self._query.moment is not None and self._query.moment.ahead is None
 
     def _note(self, value: float, study: Study) -> None:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
@@ -173,25 +166,19 @@ class Dependence:
         motion is followed as long as can be at once; if something then is amiss, that may be after it has come.
         """
         moment, end = self._query.moment, scene.horizon
+        later = tuple(times * end for times in self._patience)
         if moment is None:
             known = [time for time in self._times.values() if time < inf]
             if known and not any(known):  # the motion has no part in it
                 return [(SHORTEST * end,)]
-            return [(max(end, LONGER * max(known)),)] if known else [(end, LONGER * end, LATEST * end)]
-        if known := self._ends(moment):
-            return [(max(BEYOND * known[0], SHORTEST * end),)]
+            return [(max(end, LONGER * max(known)),)] if known else [(end, LONGER * end, LATEST * end, *later)]
+        if (known := moment.ahead) is not None:
+            return [(max(BEYOND * known, SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
-        usual = (end, LONGER * end, *((LATEST * end,) if self._later_counts else ()))
+        usual = (end, LONGER * end, *((LATEST * end,) if self._later_counts or later else ()), *later)
         if not near:
             return [usual]
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
-
-    @staticmethod
-    def _ends(moment: Moment) -> list[float]:
-        """When a moment comes in any motion, s: a time, or the start; empty for what the motion brings about."""
-        if moment.event or moment.channels:
-            return []
-        return [time for time, _ in moment.stated] or ([0.0] if moment.kind == "start" else [])
 
     def rate(self, value: float) -> float | None:
         """The derivative, from one side, which is known to `STEP`; None where there is none."""
@@ -248,12 +235,6 @@ class Dependence:
     def _excess(self, at: float, value: float) -> float | None:
         found = self(at)
         return None if found is None else found - value
-
-
-def _of(moment: Moment | None, trace: Trace) -> Iterator[RigidBody]:
-    """The bodies that a moment is about; all, if it names none."""
-    named = {name for subject in (moment.subjects if moment is not None else ()) for name in members(subject)}
-    return (body for body in trace.mechanism.bodies if not named or body.name in named)
 
 
 def roomy(scene: Scene) -> Scene:

@@ -14,13 +14,13 @@ from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
 from sim2reason.parsing.assembly import untold
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
+from sim2reason.questions.following import Motion, follow, motion_of
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
-from sim2reason.simulation.scenes import simulate
-from sim2reason.simulation.trace import Trace
 
+SAMPLES = 101
 SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon
 
 _UNIT = r"(\S{1,12})"
@@ -35,13 +35,17 @@ _FORMS = [
 
 @dataclass(frozen=True)
 class ParsedPrompt:
-    """What a prompt means: a scene, its motion, what is asked of it, the unit of the answer; and the prompt's shape."""
+    """What a prompt means: a scene, its motion, what is asked of it, the unit of the answer; and the prompt's shape.
+
+    Where what is asked about never comes, or not within a limit of `work`, that is said there.
+    """
 
     reading: ParsedScene
     study: Study
     asked: ParsedQuestion
     unit: str
     shape: str
+    work: str = ""
 
     @property
     def scene(self) -> Scene:
@@ -68,6 +72,13 @@ class ParsedPrompt:
     def counted(self) -> float | None:
         """The answer as the scene counts it."""
         return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
+
+    @property
+    def reason(self) -> str:
+        """Why there is no answer, in a clause; empty if there is one."""
+        if self.counted is not None:
+            return ""
+        return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))
 
     def _factor(self, words: Words) -> float:
         """What to multiply by what the scene and its motion count in, to have it in the unit that the text asks for."""
@@ -129,7 +140,8 @@ def _understood(
 ) -> ParsedPrompt:
     """What a draft means; TextError for one that means nothing."""
     reading = parse_scene(draft.story, rng, draft.given, startless=True)
-    study = Study(reading.scene, _followed(reading))
+    motion = _begun(reading)
+    study = motion.study
     words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
     asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
@@ -139,16 +151,19 @@ def _understood(
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     if "start" in reading.without and KINDS[found.query.kind].of_motion(found.query):
         raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
-    return ParsedPrompt(reading, study, found, unit, shape)
+    if reading.unknown or KINDS[found.query.kind].time(found.query, study) is not None:
+        return ParsedPrompt(reading, study, found, unit, shape)
+    followed = follow(found.query, motion)
+    return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
 
 
-def _followed(reading: ParsedScene) -> Trace:
-    """The motion of a scene; where a number is unknown, with the one that was drawn, as far as that lets it go."""
+def _begun(reading: ParsedScene) -> Motion:
+    """The motion of a scene at first; where a number is unknown, with the one that was drawn."""
     scene = reading.scene
     for share in SHARES if reading.unknown else ():
         with suppress(SimulationError):
-            return simulate(scene, share * scene.horizon)
-    return simulate(scene)
+            return Motion(Study.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
+    return motion_of(scene)
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:

@@ -2,15 +2,16 @@
 
 from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.spellings import plainly
 from sim2reason.questions.targets import targets
 
 
 def parse_question(text: str, study: Study, words: Words) -> Query | None:
     """What a sentence asks about a motion, found by trying every phrase of every kind; None if it is none of them.
 
-    Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give.
+    Numbers may be spelled in any usual way. Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give.
     """
-    offered = targets(words)
+    text, offered = sentence(plainly(text, words.units)), targets(words)
     heard = {target: noun for target, noun in offered.items() if noun.heard(text)}
     for kind in KINDS.values():
         for query in kind.parsed(text, study, words, heard):

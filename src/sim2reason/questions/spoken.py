@@ -3,7 +3,9 @@
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import cache
+from math import isclose
 
 import numpy as np
 
@@ -25,6 +27,7 @@ class OwnSymbol:
         return f"${self.symbol}$"
 
 
+EXACT = 1e-13  # relative: numbers that differ by less are one
 METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
 OWN = {
     "s": ("a time", ("t", "t_1", "t_2")),
@@ -51,23 +54,25 @@ def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol
 
 
 def say(value: float, unit: str) -> str:
-    """Two significant digits and the unit; long ways in kilometres."""
+    """All digits, two at least, and the unit; long ways in kilometres."""
     if unit == METRE and value >= LONG:
-        return join_unit(two_digits(value / KILO), "km")
-    return join_unit(two_digits(value), unit)
+        return join_unit(digits(value / KILO), "km")
+    return join_unit(digits(value), unit)
 
 
 def said(text: str, unit: str) -> list[float]:
     """The numbers of a unit that stand in a text."""
     found = [float(number) for number in _number(unit).findall(text)]
-    return [*found, *(KILO * number for number in said(text, "km"))] if unit == METRE else found
+    if unit == METRE:
+        found += [float(Decimal(number) * int(KILO)) for number in _number("km").findall(text)]
+    return found
 
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
     """A number as `say` has it: the degree sign follows without a space."""
     shown = join_unit("", unit)
-    return re.compile(rf"(\d{{1,6}}(?:\.\d{{1,6}})?){re.escape(shown)}(?![\w/])")
+    return re.compile(rf"(\d{{1,16}}(?:\.\d{{1,20}})?){re.escape(shown)}(?![\w/])")
 
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
@@ -88,6 +93,12 @@ def two_digits(value: float) -> str:
     rounded = float(f"{value:.1e}")
     places = max(0, 1 - int(np.floor(np.log10(rounded))))
     return f"{rounded:.{places}f}"
+
+
+def digits(value: float) -> str:
+    """A positive number with as many significant digits as it has, and two at least, never in scientific notation."""
+    two = two_digits(value)
+    return two if isclose(float(two), value, rel_tol=EXACT) else f"{Decimal(f'{value:.15g}').normalize():f}"
 
 
 def spoken(value: float) -> float:

@@ -16,6 +16,7 @@ WIDER = 10.0  # times the range that it is drawn from, at either end
 POINTS = 64
 FAR, STEPS = 100.0, 16  # times a value, either way, in so many equal steps on the logarithmic scale
 FARTHER = 300.0, 1000.0  # times a value, also tried
+FARTHEST = 1e4  # times its range, or a part of it: where a number is looked for that is not within it
 LEAST = 1e-2  # of the high end of a range that begins at zero
 OWN = frozenset(
     {"mass", "magnitude of the charge", "radius"}
@@ -106,6 +107,21 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, held.least)
     usual = spaced(begin, min(high * WIDER, held.most), POINTS)
     return (*usual.tolist(), *_onwards(usual, min(about * WIDER, held.most)))
+
+
+def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
+    """Points on the logarithmic scale below and above the `range_of` a number, to where its declaration ends, in order.
+
+    They begin with the ends of that range, and go no farther than to a ten thousandth of the one and ten thousand times
+    the other. There are none for angles, whose range is the whole one, nor for numbers of either sign.
+    """
+    held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
+    values = range_of(scene, path)
+    if unit == "deg" or values[0] <= 0.0:
+        return ()
+    least, most = max(values[0] / FARTHEST, held.least), min(values[-1] * FARTHEST, held.most)
+    ends = ((least, values[0]), (values[-1], most))
+    return tuple(tuple(np.geomspace(low, high, POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:

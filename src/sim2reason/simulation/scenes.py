@@ -1,15 +1,16 @@
 """Simulating and certifying scenes rather than mechanisms."""
 
 from math import isfinite
+from warnings import warn
 
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
-from sim2reason.errors import SceneError
+from sim2reason.errors import MotionEndsWarning, SceneError
 from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.trace import ENGINES, Trace, ending
 from sim2reason.simulation.truncate import truncate as truncated
 
 SAMPLES = 101
@@ -37,7 +38,8 @@ def simulate(
     """Simulate a scene for `duration`, by default its horizon, by one engine, recorded at equal intervals.
 
     By `both` engines: the exact one's, cut where they part. `truncate` cuts where a sample stands out by 5σ, events
-    included.
+    included. No state is recorded beyond the end of the description, `stable_until`: the last one is at it. Where that
+    is before a `duration` that was asked for, a MotionEndsWarning says so, and why.
 
     Raises:
         UnknownNameError: no such engine.
@@ -47,12 +49,17 @@ def simulate(
         trace = certify(scene, duration, samples)[0]
     else:
         trace = ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
-    return truncated(trace) if truncate else trace
+    trace = truncated(trace) if truncate else trace
+    if duration is not None and trace.stable_until < duration:
+        unit = scene.units.time
+        problem = f"the motion is described until {trace.stable_until:.6g} {unit}, not {duration:g} {unit}"
+        warn(f"{problem}: {ending(trace)}; the record ends there", MotionEndsWarning, stacklevel=2)
+    return trace.until(trace.stable_until)
 
 
 def _times(scene: Scene, duration: float | None, samples: int) -> Array:
     duration = scene.horizon if duration is None else duration
     if not (isfinite(duration) and duration > 0.0 and samples > 1):
-        problem = f"{duration} s in {samples} samples is no record"
+        problem = f"{duration} {scene.units.time} in {samples} samples is no record"
         raise SceneError("duration", problem, "give a positive, finite duration and at least two samples")
     return np.linspace(0.0, duration, samples)

@@ -34,6 +34,17 @@ EVENT_KINDS: Mapping[str, str] = {
 }
 """What each kind of event is, in the order in which simultaneous ones are told. The last five end a motion."""
 
+ENDINGS: Mapping[str, str] = {
+    "indeterminate": "nothing holds a massless part",
+    "lift": "a body leaves its face",
+    "crowd": "impacts follow each other too closely to tell apart",
+    "reach": "two points of a string meet",
+    "limit": "something comes to the end of its travel",
+    "statistics": "a sample stands out",
+    "certificate": "two engines part",
+}
+"""Why a motion is followed no longer, in words, by what cut it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Event:
@@ -131,6 +142,13 @@ class Trace:
         shares = np.arange(pieces) / pieces
         inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
         return self.sample(np.unique(np.append(inner.ravel(), end)))
+
+
+def ending(trace: Trace) -> str:
+    """Why the description of a motion ends, and of what that is true, in words; empty if nothing ended it."""
+    why = ENDINGS.get(trace.cut, trace.cut)
+    last = next((event for event in reversed(trace.events) if event.kind == trace.cut), None)
+    return f"{why} ({', '.join(last.subjects)})" if last is not None else why
 
 
 PER_STEP, LEAST, MOST = 4, 64, 8000  # instants of a scan: in each step, at least, at most

@@ -16,6 +16,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
+from sim2reason.questions.following import motion_of
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -24,7 +25,6 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
-from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -42,7 +42,7 @@ def thrown(angle: float = 25.0) -> Scene:
 
 
 def told(scene: Scene) -> tuple[Study, Words]:
-    return Study(scene, simulate(scene)), words_of(describe(scene))
+    return motion_of(scene).study, words_of(describe(scene))
 
 
 def farthest(*, place: bool) -> OptimumQuery:

@@ -88,16 +88,18 @@ class WeldedArm(Entity):
                 raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")
         return self
 
-    @property
-    def horizon(self) -> float:
-        """A period and a half of a small swing on Earth, s: 2π√(I/(m g d)); not more than 6 s."""
+    def horizon(self, gravity: float) -> float | None:
+        """A period and a half of a small swing, s: 2π√(I/(m g d)); on Earth not more than 6 s. None without gravity."""
+        if not gravity:
+            return None
         inertia = moment = 0.0
         for piece in self.pieces:
             solid, mass = piece.shape.solid.turned(piece.axes).moved(scale(piece.place, X)), piece.shape.mass
             arm = solid.center
             inertia += solid.inertia(mass)[1] + mass * (arm[0] ** 2 + arm[2] ** 2)
             moment += mass * arm[0]
-        return min(LONGEST, PERIODS * 2.0 * pi * sqrt(inertia / (GRAVITY * max(abs(moment), 1e-9))))
+        longest = LONGEST * sqrt(GRAVITY / gravity)
+        return min(longest, PERIODS * 2.0 * pi * sqrt(inertia / (gravity * max(abs(moment), 1e-9))))
 
     def build(self, room: Frame) -> None:
         """A massless arm on a hinge; the pieces are welded to it, each with its own mass, inertia and centre."""

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.authoring import GRAVITY, Measure, Range, placing, starting
+from sim2reason.authoring import Measure, Range, placing, starting
 
 Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
 TILTED = "an angle of {angle} with the downward vertical"
@@ -16,9 +16,12 @@ SENT_OFF = starting(
     "at t = 0 {bob} is launched {sent} with a speed of {speed}.",
     topic="start",
 )
-PERIODS = 1.5  # of a small swing on Earth that the motion is followed for
+PERIODS = 1.5  # of a small swing that the motion is followed for
 
 
-def swings(length: float) -> float:
-    """The duration, s, of the swings that are followed of a bob at that distance, m, from a fixed point."""
-    return PERIODS * 2.0 * pi * sqrt(length / GRAVITY)
+def swings(length: float, gravity: float) -> float | None:
+    """The duration, s, of the swings that are followed of a bob at that distance, m, from a fixed point.
+
+    None without gravity, in m/s², since nothing swings then.
+    """
+    return PERIODS * 2.0 * pi * sqrt(length / gravity) if gravity else None

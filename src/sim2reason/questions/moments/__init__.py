@@ -70,6 +70,13 @@ class Moment(ABC):
         return ()
 
     @property
+    def ahead(self) -> float | None:
+        """When it comes in any motion, s: a stated time, or the start; None for what the motion brings about."""
+        if self.event or self.channels:
+            return None
+        return next((time for time, _ in self.stated), 0.0 if self.kind == "start" else None)
+
+    @property
     def comes_round(self) -> bool:
         """Whether it never comes where one of its bodies flies off for ever; by default it may."""
         return False

@@ -22,6 +22,7 @@ class Halted(Stopped):
     label = "rest for good"
     kinds = ("stick",)
     most = 0
+    may_touch = False
     verb = again = Verb("comes to rest for good", "come to rest for good")
 
     def is_this(self, event: Event, trace: Trace) -> bool:

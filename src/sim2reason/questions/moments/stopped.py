@@ -1,5 +1,6 @@
 """The first time that a body that was moving comes to rest."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import hypot, inf
 from typing import ClassVar
@@ -7,16 +8,20 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.vectors import add, scale
-from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import EVEN, extended, rides, ways_of
 from sim2reason.questions.choices import STILL, still
+from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Event, Trace
+
+SLOW = 0.1  # of the greatest speed: between instants of a scan, one that touches zero is seen to fall below that
 
 
 @MOMENTS.register("stopped")
@@ -30,6 +35,7 @@ class Stopped(Occurrence):
     of = Bodies()
     part = True
     verb = Verb("comes to rest", "come to rest")
+    may_touch: ClassVar[bool] = True  # whether it counts as well where a speed touches zero and nothing turns back
     again: ClassVar[Verb] = Verb("comes to rest again", "come to rest again")
 
     @classmethod
@@ -56,6 +62,30 @@ class Stopped(Occurrence):
         """Its coordinates turn back, it sticks or slips itself; or something else does that it is tied to."""
         del name
         return {c.name for c in words.mechanism.coordinates} | words.mechanism.contacts.keys()
+
+    def time(self, trace: Trace) -> float | None:
+        """The time of the event, or when its speed only touches zero, if that comes first."""
+        event = Occurrence.time(self, trace)
+        before = trace.stable_until if event is None else event
+        return next((time for time in self._touches(trace, before)), event) if self.may_touch else event
+
+    def _touches(self, trace: Trace, before: float) -> Iterator[float]:
+        """When its speed is least, and zero, before a time and without an event, s: it goes on the way it went."""
+        times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
+        early = speeds[times < before * (1.0 - SLOW)]
+        lowest = early[1:-1][(early[1:-1] <= early[:-2]) & (early[1:-1] < early[2:])]
+        if not len(lowest) or float(lowest.min()) > SLOW * float(speeds.max()):
+            return
+
+        def gains(state: State) -> Array:
+            return np.einsum("ij,ij->i", Velocity.evaluate(state, self.name), Acceleration.evaluate(state, self.name))
+
+        for time in crossings(trace, gains):
+            if time >= before * (1.0 - STILL):
+                return
+            fastest = float(speeds[times <= time].max())  # so far: how long it is followed decides nothing
+            if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) <= STILL * fastest:
+                yield time
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Whether the body is at rest then, and was not before."""

@@ -41,26 +41,33 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> 
     run: _Run | None = None
     try:
         run = _Run(mechanism, duration, tolerance)
-        while run.step():
-            run.system.budget.spend(SETTLING * (1 + run.system.size))
-            if len(run.segments) > SEGMENTS:
-                raise SimulationError(f"more than {SEGMENTS} events before {duration:g} s; simulate a shorter time")
-        return run.finish()
+        return run.finished()
     except NoForcesError as error:
         rough = ", ".join(name for name, contact in mechanism.contacts.items() if contact.friction > 0.0)
         remedy = f"; friction may be too strong on {rough}" if rough else ""
-        raise SimulationError(f"{error} at {run.now if run else 0.0:.6g} s{remedy}") from error
+        now = run.now if run else 0.0
+        raise SimulationError(f"{error} at {now:.6g} {mechanism.units.time}{remedy}", reached=now) from error
     except (ZeroDivisionError, OverflowError):
         if run is None:
             raise SimulationError("the motion is singular from the start; move apart what coincides") from None
-        raise SimulationError(f"the motion becomes singular at {run.now:.6g} s; simulate a shorter time") from None
+        unit = mechanism.units.time
+        problem = f"the motion becomes singular at {run.now:.6g} {unit}; simulate a shorter time"
+        raise SimulationError(problem, reached=run.now) from None
+    except SimulationError as error:
+        error.reached = max(error.reached, run.now if run else 0.0)
+        raise
 
 
 class _Run(Settling):
     """A motion in the making, from event to event."""
 
-    def finish(self) -> Motion:
-        """What was found."""
+    def finished(self) -> Motion:
+        """The whole motion; SimulationError if that takes too many events or operations."""
+        while self.step():
+            self.system.budget.spend(SETTLING * (1 + self.system.size))
+            if len(self.segments) > SEGMENTS:
+                before = f"{self.duration:g} {self.mechanism.units.time}"
+                raise SimulationError(f"more than {SEGMENTS} events before {before}; simulate a shorter time")
         if not self.segments:  # an impact at the start ended it
             found = self.balance(self.instant(), set(), None)
             self.append(found, None)

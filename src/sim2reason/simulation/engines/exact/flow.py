@@ -150,14 +150,16 @@ class Flow:
         held = self.formulas.held
         if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
             problem = "strings and rods hold something so often that they contradict each other"
-            raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s")
+            raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s", reached=self.start)
 
     def _singular(self) -> StopReason:
         """There is no step from here: two points of a line come together, or SimulationError."""
         watched = zip(self.formulas.watched, self._margins(), strict=True)
         due = tuple(margin for margin, left in watched if margin.kind == "reach" and left <= 0.0)
         if not due:
-            raise SimulationError(f"the motion becomes singular at {self.time:.6g} s; simulate a shorter time")
+            unit = self._equations.system.mechanism.units.time
+            problem = f"the motion becomes singular at {self.time:.6g} {unit}; simulate a shorter time"
+            raise SimulationError(problem, reached=self.time)
         return StopReason(self.time - self.start, due)
 
     def _margins(self) -> Sequence[float]:

@@ -1,0 +1,122 @@
+"""A motion followed until a query has its answer, or until it is known that it never has one."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SimulationError
+from sim2reason.questions.kinds import KINDS
+from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.never import why_never
+from sim2reason.questions.query import Query
+from sim2reason.questions.recurrence import nothing_new
+from sim2reason.questions.study import BEYOND, Study
+
+SAMPLES = 41
+GROWTH = 2.0  # times as long is a motion followed that has not yet led to an answer
+DOUBLINGS, FEWER = 40, 12  # at most; and of what is integrated, where they cost more and more
+SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and how often
+BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
+
+
+class Followed(NamedTuple):
+    """A scene with its motion as long as an answer needs it, and the answer; without one the reason."""
+
+    study: Study
+    answer: float | None
+    reason: str = ""
+
+
+class Motion(NamedTuple):
+    """A scene with its motion, and why that is followed no longer than it is; empty if it is as long as asked for."""
+
+    study: Study
+    limit: str = ""
+
+
+def motion_of(scene: Scene, until: float | None = None) -> Motion:
+    """A scene's motion to a time, s, by default its horizon; or as far as it can be followed at all.
+
+    Raises:
+        SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+    """
+    until = scene.horizon if until is None else until
+    limit: SimulationError | None = None
+    for _ in range(TRIES):
+        try:
+            return Motion(Study.of(scene, np.linspace(0.0, until, SAMPLES)), _without_remedy(limit))
+        except SimulationError as error:
+            limit = limit or error
+            until = BEFORE * error.reached if 0.0 < error.reached < until else SHORTER * until
+    assert limit is not None
+    raise limit
+
+
+def _without_remedy(limit: SimulationError | None) -> str:
+    """Who asks for an answer has no duration to change."""
+    return str(limit).partition("; ")[0] if limit is not None else ""
+
+
+def follow(query: Query, begun: Motion) -> Followed:
+    """The answer to a query, for which a motion is followed as long as it takes: ever twice as long as before.
+
+    Without an answer, `reason` says why there never is one, or which limit of work was reached.
+    """
+    study, limit = begun
+    ahead = query.moment.ahead if query.moment is not None else None
+    if ahead is not None and BEYOND * ahead > _end(study) and not limit:
+        study, limit = motion_of(study.scene, BEYOND * ahead)
+    for _ in range(FEWER if changing(study.mechanism) else DOUBLINGS):
+        answer, reason = _looked_for(query, study)
+        if answer is not None or reason:
+            return Followed(study, answer, reason)
+        if limit:
+            break
+        longer, limit = motion_of(study.scene, GROWTH * _end(study))
+        if _end(longer) <= _end(study):
+            break
+        study = longer
+    return Followed(study, None, _given_up(study, limit))
+
+
+def _given_up(study: Study, limit: str) -> str:
+    """What is said where a limit of work was reached."""
+    by = f"it has not happened by {_end(study):.6g} {study.mechanism.units.time}"
+    return f"{by}, and this motion is followed no longer{f': {limit}' if limit else ''}"
+
+
+def _end(study: Study) -> float:
+    return float(study.trace.state.times[-1])
+
+
+def _looked_for(query: Query, study: Study) -> tuple[float | None, str]:
+    """The answer in a motion as long as it is; or the reason why there is none, empty if it may come yet."""
+    kind, trace = KINDS[query.kind], study.trace
+    time = kind.time(query, study)
+    found = kind.answer(query, study)
+    if found is None and time is not None:
+        found = kind.loose_answer(query, study)
+    if found is not None and np.isfinite(found):
+        return found, ""
+    unit = trace.mechanism.units.time
+    if found is not None:
+        return None, f"at {time or 0.0:.6g} {unit} the scene leaves it open: more forces hold than equations tell"
+    if isinstance(query, NestedQuery) and not (trace.cut or nothing_new(trace)):
+        return None, ""  # it may come in the motion with the other number
+    if time is None and (query.moment is not None or kind.awaited):
+        return None, why_never(query.moment, trace)
+    return None, "the scene has no such value" if time is None else f"it has no value at {time:.6g} {unit}"
+
+
+def eventful(begun: Motion) -> Motion:
+    """A motion followed until something happens in it, twice as long each time; as it was, if nothing ever does."""
+    study, limit = begun
+    for _ in range(FEWER if changing(study.mechanism) else DOUBLINGS):
+        if limit or study.trace.cut or study.trace.events or nothing_new(study.trace):
+            return Motion(study, limit)
+        if why_never(None, study.trace):
+            break
+        study, limit = motion_of(study.scene, GROWTH * _end(study))
+    return begun

@@ -1,0 +1,78 @@
+"""Numbers with their units as people write them, told as questions tell them: *half a metre* is 0.50 m."""
+
+import re
+from collections.abc import Mapping
+from decimal import Decimal
+from functools import cache
+
+from sim2reason.dsl.units import UnitSystem
+from sim2reason.questions.spoken import say
+
+_LENGTHS = {
+    "m metre metres meter meters": "1",
+    "cm centimetre centimetres centimeter centimeters": "0.01",
+    "mm millimetre millimetres millimeter millimeters": "0.001",
+    "km kilometre kilometres kilometer kilometers": "1000",
+}
+_TIMES = {
+    "s sec secs second seconds": "1",
+    "ms millisecond milliseconds": "0.001",
+    "min mins minute minutes": "60",
+    "h hr hrs hour hours": "3600",
+}
+_ANGLES = {"° deg degs degree degrees": "1"}
+_ASTRONOMICAL = {"au": {"au AU": "1"}, "yr": {"yr yrs year years": "1"}}
+SPELLINGS: Mapping[str, Mapping[str, str]] = {"m": _LENGTHS, "s": _TIMES, "deg": _ANGLES, **_ASTRONOMICAL}
+"""By the unit in which a text counts: what else people write, and how many of these units one of it is."""
+
+_WORDS = dict(
+    zip(
+        ("half a", "half an", *"one two three four five six seven eight nine ten eleven twelve".split()),
+        ("0.5", "0.5", *map(str, range(1, 13))),
+        strict=True,
+    )
+)
+_FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+(?:\.\d{1,15})?"
+_POWER = r"(?:\s?[×x]\s?10\^?(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}|-?\d{1,2})|[eE](?P<exponent>[+-]?\d{1,2}))?"
+_NUMBER = rf"(?P<number>{_GROUPED}|\d{{1,15}}(?:\.\d{{1,15}})?|\.\d{{1,15}}|[½¼¾]|{'|'.join(_WORDS)}){_POWER}"
+LARGEST = Decimal("1e15")  # what is larger is told as it is
+APOSTROPHES, DASHES = "\N{RIGHT SINGLE QUOTATION MARK}", "\N{NON-BREAKING HYPHEN}\N{HYPHEN}"
+SPELLED_OUT = {"What's": "What is", "what's": "what is", "how's": "how is", "How's": "How is"}
+
+
+def plainly(text: str, units: UnitSystem) -> str:
+    """A question's sentence with every number of its own in the unit and the digits in which the library tells it.
+
+    Those are times, lengths and angles; what has another unit stays. A text told so already does not change.
+    """
+    text = " ".join(text.replace(APOSTROPHES, "'").split())
+    for said, spelled in SPELLED_OUT.items():
+        text = text.replace(said, spelled)
+    text = re.sub(r"\bt\s*=\s*(?=[\d.])", "t = ", text)
+    for unit in ("m", "s", "deg"):
+        shown = units.spell(unit)
+        if shown in SPELLINGS:
+            text = _pattern(shown).sub(lambda found, shown=shown: _told(found, shown), text)
+    return text
+
+
+@cache
+def _pattern(unit: str) -> re.Pattern[str]:
+    names = sorted((name for group in SPELLINGS[unit] for name in group.split()), key=len, reverse=True)
+    spelled = "|".join(map(re.escape, names))
+    return re.compile(rf"(?<![\w.,$\\^]){_NUMBER}(?:\s|\N{{NO-BREAK SPACE}}|-)?(?P<unit>{spelled})(?![\w/·^²³⁴*]|\s?/)")
+
+
+@cache
+def _sizes(unit: str) -> Mapping[str, Decimal]:
+    return {name: Decimal(size) for group, size in SPELLINGS[unit].items() for name in group.split()}
+
+
+def _told(found: re.Match[str], unit: str) -> str:
+    said = found["number"]
+    digits = _WORDS.get(said) or _FRACTIONS.get(said) or re.sub(r"[,\u2009\u202f]", "", said)
+    power = (found["power"] or "").translate(_RAISED) or found["exponent"] or "0"
+    value = Decimal(digits).scaleb(int(power)) * _sizes(unit)[found["unit"]]
+    return say(float(value), unit) if 0 < value < LARGEST else found[0]

@@ -1,0 +1,139 @@
+"""Motions are followed until what is asked about has happened, or it is said why it never does."""
+
+from math import pi, sqrt
+
+import pytest
+
+from plain_scenes import G, atwood, ramp, swing
+from sim2reason.dsl.scene import Scene, World
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import Followed, eventful, follow, motion_of
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.prompt import words_of
+from sim2reason.scene_files import load
+
+MOON = 1.62
+FORM = r" Give your answer in {}, to three significant figures, inside \boxed{{}}."
+
+
+def asked(scene: Scene, question: str) -> Followed:
+    """The answer to a question about a scene."""
+    motion, words = motion_of(scene), words_of(describe(scene))
+    query = parse_question(question, motion.study, words)
+    assert query is not None, question
+    return follow(query, motion)
+
+
+def alone(entity: str, **world: float) -> Scene:
+    """The scene of one entity, as YAML has it."""
+    return load(f"scene: {{name: own, entities: [{entity}], world: {{gravity: {world.get('gravity', G)}}}}}")
+
+
+def planet(speed: float) -> Scene:
+    """A planet at 1 au from its star, moving square to the way there."""
+    one = f"{{kind: planet, x: 1.0, y: 0.0, vx: 0.0, vy: {speed}}}"
+    return alone(f"{{name: sun, type: SolarSystem, parameters: {{star: {{mass: 1.0}}, planets: [{one}]}}}}")
+
+
+SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
+
+
+def test_a_block_that_slides_for_ten_seconds_comes_to_rest() -> None:
+    """It stops after v/μg, having gone v²/2μg; a horizon of 2 s ends before."""
+    assert asked(SLIDING, "How long after t = 0 does the block first come to rest?").answer == pytest.approx(
+        5.0 / (0.05 * G), rel=1e-9
+    )
+    far = asked(SLIDING, "What is the distance between the block and its starting point when it first comes to rest?")
+    assert far.answer == pytest.approx(25.0 / (0.1 * G), rel=1e-9)
+
+
+def test_a_stated_time_beyond_the_horizon_is_reached() -> None:
+    """Nobody's question ends at 2 s."""
+    assert asked(SLIDING, "What is the speed of the block at t = 9.0 s?").answer == pytest.approx(5.0 - 0.05 * G * 9.0)
+    assert asked(SLIDING, "What is the speed of the block at t = 90 s?").answer == 0.0
+
+
+def test_nearly_equal_masses_move_slowly() -> None:
+    """The acceleration is (m − m′)g/(m + m′)."""
+    found = asked(atwood(5.1, 5.0), "Find the time from release until block A has moved 1.0 m.")
+    assert found.answer == pytest.approx(sqrt(2.0 / (0.1 * G / 10.1)), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("scene", "question", "reason"),
+    [
+        (
+            SLIDING,
+            "Find the time from t = 0 until the block has moved 26 m.",
+            "everything is at rest for good from 10.2",
+        ),
+        (
+            ramp(angle=0.0, friction=0.0, speed=5.0),
+            "How long after t = 0 does the block first come to rest?",
+            "no acceleration changes any more",
+        ),
+        (
+            planet(20.0),
+            "How long does the planet take to complete one orbit, counted from t = 0?",
+            "flies off for ever",
+        ),
+        (atwood(), "Find the time from release until block A has moved 90 m.", "the description of the motion ends"),
+        (planet(5.0), "How long after t = 0 is the planet first 9.0 au from its starting point?", "repeats itself"),
+    ],
+)
+def test_what_never_happens_has_a_reason(scene: Scene, question: str, reason: str) -> None:
+    """In words, and no answer."""
+    found = asked(scene, question)
+    assert found.answer is None
+    assert reason in found.reason
+
+
+def test_events_before_a_singularity_can_be_asked_about() -> None:
+    """A planet let go at 1 au falls: v² = 2GM(1/r − 1); it comes to the star after 1/(4√2) yr."""
+    falling, question = planet(0.0), "What is the speed of the planet when it is first {} au from its starting point?"
+    found = asked(falling, question.format("0.50"))
+    assert found.answer == pytest.approx(2.0 * pi * sqrt(2.0), rel=1e-6)
+    never = asked(falling, question.format("1.5"))
+    assert never.answer is None
+    assert "singular at 0.176777 yr" in never.reason
+
+
+@pytest.mark.parametrize("gravity", [MOON, G, 24.8])
+def test_horizons_follow_the_gravity_of_the_scene(gravity: float) -> None:
+    """All times of what falls or swings are as 1/√g."""
+    for scene in (ramp(), swing()):
+        there = scene.model_copy(update={"world": World(gravity=gravity)})
+        assert there.horizon == pytest.approx(scene.horizon * sqrt(G / gravity))
+
+
+def test_a_horizon_without_gravity_is_finite() -> None:
+    """Nothing swings or falls there."""
+    for scene in (ramp(), swing()):
+        assert 0.0 < scene.model_copy(update={"world": World(gravity=0.0)}).horizon < 100.0
+
+
+def test_a_ball_lands_on_the_moon() -> None:
+    """After the time that its own gravity gives it."""
+    ball = "{name: ball, type: Projectile, parameters: {ball: {mass: 0.5}, height: 10.0, speed: 15.0, angle: 45.0}}"
+    found = asked(alone(ball, gravity=MOON), "How long after t = 0 does the ball reach the ground?")
+    rise = 15.0 / sqrt(2.0)
+    assert found.answer == pytest.approx((rise + sqrt(rise**2 + 20.0 * MOON)) / MOON, rel=1e-9)
+
+
+def test_a_slow_motion_is_followed_until_something_happens() -> None:
+    """What never does anything is left as it is."""
+    assert eventful(motion_of(SLIDING)).study.trace.events[0].kind == "stick"
+    steady = motion_of(ramp(angle=0.0, speed=5.0))
+    assert eventful(steady) == steady
+
+
+def test_a_prompt_is_followed_as_far() -> None:
+    """Its answer, or the reason."""
+    text = describe(SLIDING).text
+    rests = parse_prompt(f"{text} How long after t = 0 does the block first come to rest?{FORM.format('s')}")
+    assert rests.answer == pytest.approx(5.0 / (0.05 * G))
+    assert not rests.reason
+    never = parse_prompt(f"{text} Find the time from t = 0 until the block has moved 26 m.{FORM.format('s')}")
+    assert never.answer is None
+    assert "at rest for good" in never.reason

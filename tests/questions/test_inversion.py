@@ -1,0 +1,64 @@
+"""The number of a scene for which a query has a given answer, wherever it lies."""
+
+import pytest
+
+from plain_scenes import G, ramp
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.inversion import values_giving, why_not_one
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.unknown import range_of
+from sim2reason.questions.words import Words
+
+SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
+SPEED, FRICTION = "ramp.speed", "ramp.plane.friction"
+
+
+def found(question: str, given: float, path: str) -> tuple[list[float], str]:
+    """The values of a number for which an answer is as given, and why it is not one."""
+    motion, words = motion_of(SLIDING), words_of(describe(SLIDING))
+    query = parse_question(question, motion.study, words)
+    assert query is not None
+    hidden = Words.of(SLIDING, words.mentions, {path: "p"})
+    (unknown,) = (held for held in hidden.unknowns if held.path == path)
+    values = values_giving(query, given, unknown, motion.study)
+    return values, why_not_one(unknown, values, SLIDING)
+
+
+@pytest.mark.parametrize("speed", [3.0, 80.0, 900.0])
+def test_a_number_is_found_within_its_range_and_beyond(speed: float) -> None:
+    """And however late the answer comes: v = √(2μgs)."""
+    values, reason = found(
+        "What is the distance between the block and its starting point when it first comes to rest?",
+        speed**2 / (2.0 * 0.05 * G),
+        SPEED,
+    )
+    assert values == [pytest.approx(speed, rel=1e-6)]
+    assert not reason
+    assert speed < 50.0 or speed > range_of(SLIDING, SPEED)[-1]
+
+
+def test_a_time_is_waited_for() -> None:
+    """Friction of 0.005 stops the block after 102 s."""
+    values, _ = found("How long after t = 0 does the block first come to rest?", 5.0 / (0.005 * G), FRICTION)
+    assert values == [pytest.approx(0.005, rel=1e-6)]
+
+
+def test_what_no_number_gives_is_said() -> None:
+    """A block that is slowed down never is faster than at first, whatever its mass."""
+    values, reason = found("What is the speed of the block at t = 1.0 s?", 9.0, "ramp.blocks.0.mass")
+    assert not values
+    assert reason.startswith("no value of $p$ from ")
+
+
+def test_a_prompt_says_why_it_has_no_answer() -> None:
+    """A prompt that leaves a number open."""
+    text = describe(SLIDING).text.replace("2.0 kg", "mass $m$")
+    asked = parse_prompt(
+        f"{text} For which value of $m$ is the speed of the block at t = 1.0 s equal to 9.0 m/s?"
+        r" Give your answer in kg, to three significant figures, inside \boxed{}."
+    )
+    assert asked.answer is None
+    assert asked.reason.startswith("no value of $m$")

@@ -1,0 +1,35 @@
+"""What simulating a scene gives, and where it ends."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import sim2reason
+from plain_scenes import atwood, ramp
+from sim2reason.errors import MotionEndsWarning
+
+
+def test_no_state_lies_beyond_the_end_of_the_description() -> None:
+    """A block meets its pulley: the record ends there, and a warning says so, and why."""
+    with pytest.warns(MotionEndsWarning, match="two points of a string meet"):
+        trace = sim2reason.simulate(atwood(), duration=10.0)
+    assert trace.cut == "reach"
+    assert trace.state.times[-1] == trace.stable_until < 10.0
+    assert np.all(np.diff(trace.state.times) > 0.0)
+
+
+def test_the_same_by_both_engines_and_without_a_duration() -> None:
+    """Without one nothing was asked for that is not there."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        trace = sim2reason.simulate(atwood(2.0, 20.0))
+    assert trace.state.times[-1] == trace.stable_until
+    with pytest.warns(MotionEndsWarning):
+        both = sim2reason.simulate(atwood(), 10.0, "both")
+    assert both.state.times[-1] == both.stable_until
+
+
+def test_a_whole_motion_is_recorded_as_before() -> None:
+    """All samples, and no warning."""
+    assert len(sim2reason.simulate(ramp(), duration=1.0, samples=11).state.times) == 11
