@@ -1,8 +1,11 @@
 """Questions about a scene that is given."""
 
-from plain_scenes import swing
-from sim2reason.datasets.ask import ask
+from pathlib import Path
+
+from plain_scenes import ramp, swing
+from sim2reason.datasets.ask import ask, asked
 from sim2reason.datasets.splits import problem
+from sim2reason.scene_files import load
 
 
 def test_variants_of_a_problem_only_fill_up() -> None:
@@ -12,3 +15,23 @@ def test_variants_of_a_problem_only_fill_up() -> None:
     assert len(found) == 12
     assert 3 < distinct < len(found)
     assert len(set(found[:distinct])) == distinct
+
+
+def test_no_two_questions_have_one_answer() -> None:
+    """Another wording is no other question."""
+    answers = [item.answer.shown for item in ask(swing(), items=12, seed=2)]
+    assert len(set(answers)) == len(answers)
+
+
+def test_unfiltered_more_can_be_asked() -> None:
+    """A block that slides to rest: textbook questions that filters find too plain, and none beyond its motion."""
+    scene = ramp(angle=0.0, friction=0.05, speed=5.0)
+    found = ask(scene, items=8, unfiltered=True)
+    assert len(found) == 8
+    assert any("comes to rest" in item.prompt or "come to rest" in item.prompt for item in found)
+
+
+def test_what_leaves_nothing_to_ask_is_told_why() -> None:
+    """Nothing holds a massless part."""
+    scene = load((Path(__file__).parents[2] / "examples/olympiad/fma_2024_17.yaml").read_text())
+    assert "nothing holds a massless part" in asked(scene, "numeric", 3, 0).reason

@@ -9,7 +9,8 @@ from sim2reason.questions.targets import targets
 def parse_question(text: str, study: Study, words: Words) -> Query | None:
     """What a sentence asks about a motion, found by trying every phrase of every kind; None if it is none of them.
 
-    Numbers may be spelled in any usual way. Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give.
+    Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give, but
+    numbers may be spelled in any usual way.
     """
     text, offered = sentence(plainly(text, words.units)), targets(words)
     heard = {target: noun for target, noun in offered.items() if noun.heard(text)}

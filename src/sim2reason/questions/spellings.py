@@ -25,13 +25,8 @@ _ASTRONOMICAL = {"au": {"au AU": "1"}, "yr": {"yr yrs year years": "1"}}
 SPELLINGS: Mapping[str, Mapping[str, str]] = {"m": _LENGTHS, "s": _TIMES, "deg": _ANGLES, **_ASTRONOMICAL}
 """By the unit in which a text counts: what else people write, and how many of these units one of it is."""
 
-_WORDS = dict(
-    zip(
-        ("half a", "half an", *"one two three four five six seven eight nine ten eleven twelve".split()),
-        ("0.5", "0.5", *map(str, range(1, 13))),
-        strict=True,
-    )
-)
+_COUNTED = "one two three four five six seven eight nine ten eleven twelve"
+_WORDS = {"half a": "0.5", "half an": "0.5"} | {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
 _FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+(?:\.\d{1,15})?"
