@@ -100,6 +100,55 @@ def test_a_question_that_asks_nothing_known_is_one_line(scene: Path) -> None:
     assert "it asks nothing that this library asks" in told.output
 
 
+SLIDING = """
+scene:
+  name: floor
+  entities:
+  - name: floor
+    type: TwoSideMassPlane
+    parameters: {plane: {angle: 0.0, friction: 0.05}, blocks: [{mass: 2.0}], speed: 5.0}
+"""
+
+
+def test_a_question_in_parts_in_words_and_in_the_file(tmp_path: Path) -> None:
+    """All three are one question, whose answer comes in ten seconds of motion; it is not rounded."""
+    path, asking = tmp_path / "scene.yaml", tmp_path / "asking.yaml"
+    path.write_text(SLIDING)
+    asking.write_text(SLIDING + "question: {find: time, when: stopped}\n")
+    in_parts = call(path, "--find", "time", "--of", "floor.blocks.0", "--when", "stopped")
+    assert in_parts.exit_code == 0, in_parts.output
+    assert in_parts.stdout.endswith("From the motion: 10.2040816327 s\n")
+    words = call(path, "--question", "How long after t = 0 does the block first come to rest?")
+    assert words.output == in_parts.output == call(asking).output
+
+
+def test_what_never_happens_is_told_with_its_reason(tmp_path: Path) -> None:
+    """Exit code 1, as for whatever has no answer."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(SLIDING)
+    told = call(path, "--find", "velocity", "--when", "moved 26 m")
+    assert told.exit_code == 1
+    assert "no answer: it never happens: everything is at rest for good from 10.2041 s on" in told.stderr
+
+
+def test_without_a_worked_solution_there_is_an_answer(tmp_path: Path) -> None:
+    """A number of the scene that a result fixes."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(SLIDING)
+    told = call(path, "--find", "floor.speed", "--when", "stopped", "--given", "displacement = 100 m", "--json")
+    assert told.exit_code == 0
+    assert json.loads(told.stdout)["from_motion"] == pytest.approx(98.0**0.5)
+
+
+def test_a_part_that_means_nothing_is_one_line(tmp_path: Path) -> None:
+    """With its place and what may have been meant."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(SLIDING)
+    told = call(path, "--find", "velocty")
+    assert told.exit_code == 2
+    assert told.stderr == "sim2reason: find: there is no 'velocty'; did you mean: velocity\n"
+
+
 @pytest.mark.parametrize("args", [(), ("--id", "pulley-easy-numeric-0-4", "scene.yaml")])
 def test_it_wants_a_scene_or_an_id(args: tuple[str, ...]) -> None:
     told = call(*args)

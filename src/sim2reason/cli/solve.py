@@ -1,23 +1,27 @@
 """Solve a problem in steps, as a teacher would write them."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from sim2reason.cli import console, options, source
-from sim2reason.dsl.measures import join_unit
+from sim2reason.cli import completion, console, options, source
+from sim2reason.dsl.measures import join_unit, show_unit
+from sim2reason.scene_files import question_of
 
 if TYPE_CHECKING:
     from sim2reason.datasets.solve import SolvedProblem
     from sim2reason.solutions import Solution
 
+PARTS = ("find", "of", "when", "along", "given", "change")
 LONG = 3  # reasons, and more: a table
 EXAMPLE = """\b
 Example:
     sim2reason solve --id pulley-easy-numeric-0-4
     sim2reason solve scene.yaml --seed 3
     sim2reason solve scene.yaml --question "What is the tension in the string just after release?"
+    sim2reason solve scene.yaml --find velocity --of ramp.block --when "moved 0.5 m"
+    sim2reason solve scene.yaml --find ramp.speed --given "displacement = 25 m" --when stopped
 """
 
 
@@ -25,9 +29,35 @@ Example:
 @click.argument("scene", metavar="[SCENE]", required=False, type=click.Path(path_type=Path, allow_dash=True))
 @options.identity("The problem of this id, made again from its name.")
 @click.option("--question", help="A question about the scene, in the words of the library; else one is drawn.")
+@click.option(
+    "--find",
+    help="What to find: a quantity, as list quantities has them, a functional, time, or an address.",
+    metavar="NAME",
+    default="",
+)
+@click.option(
+    "--of",
+    help="Of what: as the text calls it, or by its address.",
+    metavar="SUBJECT",
+    default="",
+    shell_complete=completion.subjects,
+)
+@click.option(
+    "--when",
+    help="When: a time, a moment, or QUANTITY = VALUE.",
+    metavar="MOMENT",
+    default="",
+    shell_complete=completion.moments,
+)
+@click.option("--along", help="Which component: an axis, or what is positive.", metavar="AXIS", default="")
+@click.option("--given", help="Find a number of the scene that makes QUANTITY = VALUE.", metavar="EQUATION", default="")
+@click.option("--change", help="Find how it changes: ADDRESS = VALUE, or ADDRESS × 2.", metavar="CHANGE", default="")
+@click.option(
+    "--compare", help="As a ratio, or a difference, to the scene as it is.", default="ratio", show_default=True
+)
 @options.seed("Another seed, other words.")
 @options.to_json("For a program to read: steps with their relations.")
-def command(scene: Path | None, id: str | None, question: str | None, seed: int, to_json: bool) -> int:  # noqa: A002
+def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> int:  # noqa: A002, ANN401 - click's own
     """Solve a question about the scene in the file SCENE (- is standard input), or the problem of an id.
 
     A scene's question is answered from its motion, which is followed until it has its answer, and by a worked solution
@@ -37,7 +67,14 @@ def command(scene: Path | None, id: str | None, question: str | None, seed: int,
 
     if (scene is None) == (id is None):
         raise click.UsageError("give a scene or an --id, one of the two.")
-    solved = solve(source.scene(scene) if scene else None, id=id, question=question, seed=seed)
+    if scene is None:
+        solved = solve(None, id=id, **asked)
+    else:
+        content = source.text(scene)
+        read = source.scene(scene, content)
+        if asked["question"] is None and not any(asked[name] for name in PARTS):
+            asked["question"] = question_of(content)
+        solved = solve(read, **asked)
     if to_json:
         console.as_json(_document(solved))
     else:
@@ -56,7 +93,7 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
     if found.answer is not None:
         click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}")
     if of_scene and solved.answer is not None:
-        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', solved.unit)}")
+        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', show_unit(solved.unit))}")
 
 
 def _explain(found: "Solution") -> None:

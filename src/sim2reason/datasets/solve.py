@@ -1,6 +1,7 @@
 """The worked solution of a problem: of one that an id names, or of a question about a scene."""
 
 from collections import Counter
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from sim2reason.datasets.item_search import ItemSearch
@@ -14,7 +15,9 @@ from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.following import eventful, follow, motion_of
 from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.posing import posed
 from sim2reason.questions.spoken_units import system_named
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
 
@@ -34,16 +37,24 @@ class SolvedProblem(NamedTuple):
     reason: str = ""
 
 
-def solve(
+def solve(  # noqa: PLR0913 - the parts of a question, by name
     scene: Scene | None = None,
     *,
     id: str | None = None,  # noqa: A002 - the column's name
-    question: str | None = None,
+    question: str | Mapping[str, object] | None = None,
+    find: str = "",
+    of: str = "",
+    when: str = "",
+    along: str = "",
+    given: str = "",
+    change: str = "",
+    compare: str = "ratio",
     seed: int = 0,
 ) -> SolvedProblem:
     """Solve the problem of an `id`, made again from its name, or a question about a scene, in steps.
 
-    A `question` is in the words of the library; without one, one is drawn. Another seed, other words.
+    A `question` is in the words of the library, or it has the parts of a `StructuredQuestion`, which may also be given
+    one by one: what to `find`, `of` what, and `when`. Without any, one is drawn. Another seed, other words.
 
     Raises:
         SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
@@ -52,9 +63,14 @@ def solve(
     """
     if (scene is None) == (id is None):
         raise SceneError("solve", "it takes a scene or an id", "give one of the two")
+    parts = {"find": find, "of": of, "when": when, "along": along, "given": given, "change": change}
+    said = {name: part for name, part in parts.items() if part}
+    if said and question is not None:
+        raise SceneError("question", "it is there twice, as a whole and in parts", "give one of the two")
+    asked = {**said, "compare": compare} if said else question
     if scene is not None:
-        return _of_scene(scene, question, seed)
-    if question is not None:
+        return _of_structured(scene, asked, seed) if isinstance(asked, Mapping) else _of_scene(scene, asked, seed)
+    if asked is not None:
         raise SceneError("question", "the problem of an id has its own", "give a scene instead of the id")
     return _of_item(str(id))
 
@@ -88,3 +104,19 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
         return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
     setting = Setting(search.study.scene, search.words, search.description.symbols, found.study, query)
     return SolvedProblem(problem, solved(setting), found.answer, unit)
+
+
+def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
+    """The problem of a question in parts; its worked solution, where the library has a sentence for it."""
+    motion = motion_of(scene)
+    search = QuestionSearch(motion.study, seed)
+    asked = StructuredQuestion.read(parts)
+    question = posed(asked, motion, search.words)
+    found, unit = question.followed(motion), question.unit(search.words)
+    sentence = question.sentence(search.words)
+    problem = f"{search.description.text} {sentence or asked.told}"
+    solution = Solution("", reason=found.reason or "no sentence of the library asks this")
+    if sentence and found.answer is not None:
+        setting = Setting(scene, search.words, search.description.symbols, found.study, question.query)
+        solution = solved(setting)
+    return SolvedProblem(problem, solution, found.answer, unit, found.reason)

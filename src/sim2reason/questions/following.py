@@ -8,7 +8,7 @@ from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError
 from sim2reason.questions.kinds import KINDS
-from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
 from sim2reason.questions.never import why_never
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new
@@ -103,11 +103,23 @@ def _looked_for(query: Query, study: Study) -> tuple[float | None, str]:
     unit = trace.mechanism.units.time
     if found is not None:
         return None, f"at {time or 0.0:.6g} {unit} the scene leaves it open: more forces hold than equations tell"
-    if isinstance(query, NestedQuery) and not (trace.cut or nothing_new(trace)):
-        return None, ""  # it may come in the motion with the other number
+    if isinstance(query, NestedQuery):
+        return None, _why_not_nested(query, study)
     if time is None and (query.moment is not None or kind.awaited):
         return None, why_never(query.moment, trace)
     return None, "the scene has no such value" if time is None else f"it has no value at {time:.6g} {unit}"
+
+
+def _why_not_nested(query: NestedQuery, study: Study) -> str:
+    """Why a query about the answers to another one in several motions has none; empty if it may come yet."""
+    for other in (study, *query.others(study)):
+        if other is None:
+            return "with the other number there is no such scene, or none whose motion can be followed"
+        if answered(query.inner, other, loosely=True) is None:
+            reason = why_never(query.moment, other.trace)
+            if reason:
+                return reason if other is study else f"with the other number {reason}"
+    return ""
 
 
 def eventful(begun: Motion) -> Motion:

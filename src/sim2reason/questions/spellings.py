@@ -32,6 +32,7 @@ _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+(?:\.\d{1,15})?"
 _POWER = r"(?:\s?[×x]\s?10\^?(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}|-?\d{1,2})|[eE](?P<exponent>[+-]?\d{1,2}))?"
 _NUMBER = rf"(?P<number>{_GROUPED}|\d{{1,15}}(?:\.\d{{1,15}})?|\.\d{{1,15}}|[½¼¾]|{'|'.join(_WORDS)}){_POWER}"
+_BETWEEN = "(?:\\s|\N{NO-BREAK SPACE}|-)?"  # a number and its unit
 LARGEST = Decimal("1e15")  # what is larger is told as it is
 APOSTROPHES, DASHES = "\N{RIGHT SINGLE QUOTATION MARK}", "\N{NON-BREAKING HYPHEN}\N{HYPHEN}"
 SPELLED_OUT = {"What's": "What is", "what's": "what is", "how's": "how is", "How's": "How is"}
@@ -56,8 +57,8 @@ def plainly(text: str, units: UnitSystem) -> str:
 @cache
 def _pattern(unit: str) -> re.Pattern[str]:
     names = sorted((name for group in SPELLINGS[unit] for name in group.split()), key=len, reverse=True)
-    spelled = "|".join(map(re.escape, names))
-    return re.compile(rf"(?<![\w.,$\\^]){_NUMBER}(?:\s|\N{{NO-BREAK SPACE}}|-)?(?P<unit>{spelled})(?![\w/·^²³⁴*]|\s?/)")
+    units = f"(?P<unit>{'|'.join(map(re.escape, names))})"
+    return re.compile(rf"(?<![\w.,$\\^]){_NUMBER}{_BETWEEN}{units}(?![\w/·^²³⁴*]|\s?/)")
 
 
 @cache

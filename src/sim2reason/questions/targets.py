@@ -1,5 +1,6 @@
 """What can be asked about in a scene: quantities of their subjects, each with its words."""
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -11,9 +12,13 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.vectors import Vector
+from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
+from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
+
+_SIZE = re.compile(r"the (?:magnitude of the )?([a-z ]+) (?:of|in) \{")  # as in: the speed of {body}
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +88,32 @@ class Noun:
 
 
 Targets = Mapping[Target, Noun]
+
+
+@lru_cache(maxsize=4)
+def quantities_named(mechanism: Mechanism) -> Mapping[str, Quantity]:
+    """By name, the quantities that something in a mechanism has; also by what phrases call their size, as *speed*."""
+    here = {name: quantity for name, quantity in QUANTITIES.items() if quantity.subjects(mechanism)}
+    called = {found[1]: quantity for quantity in here.values() if (found := _SIZE.match(quantity.magnitude))}
+    return called | here
+
+
+def target_named(asked: StructuredQuestion, words: Words) -> Target:
+    """The quantity that a structured question finds, of the subject and along the direction that it names.
+
+    TextError for a quantity, a subject or a direction that the scene does not have.
+    """
+    mechanism = words.mechanism
+    quantity = quantities_named(mechanism)[asked.find]
+    called = words.called(quantity.of)
+    names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
+    name = resolved("of", asked.of, names)
+    if quantity.sense is not None or not asked.along:
+        return Target(quantity.name, name, quantity.sense)
+    senses = quantity.of.senses(mechanism, name)
+    if not quantity.vector or not senses:
+        raise TextError("along", f"{quantity.name} has no components here", "leave it out")
+    return Target(quantity.name, name, sense_named("along", asked.along, senses))
 
 
 @lru_cache(maxsize=4)

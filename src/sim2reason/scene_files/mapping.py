@@ -57,6 +57,23 @@ def loads(text: str) -> Scene:
         raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
 
 
+def question_of(text: str) -> dict[str, Plain] | None:
+    """What a scene file asks under the key ``question``, part by part; None if it asks nothing.
+
+    Raises:
+        SceneError: it is no mapping.
+    """
+    data = parse(text)
+    return _parts(data["question"]) if isinstance(data, dict) and "question" in data else None
+
+
+def _parts(data: Plain) -> dict[str, Plain]:
+    """What stands under ``question``; which parts there are, the reader of questions knows."""
+    if not isinstance(data, dict):
+        raise SceneError("question", f"it is {shown(data)}, not a mapping", "give it parts, such as find, of and when")
+    return data
+
+
 def dump(scene: Scene, wording: Wording | None = None) -> str:
     """Return a scene as YAML, with the wording of its problem if there is one; absent optional parts are left out."""
     classes = {named.name: type(named.entity) for named in scene.entities}
@@ -146,8 +163,9 @@ def _with_line(place: str, text: str) -> str:
 def _scene(data: Plain) -> Scene:
     if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
         _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
-    top = _mapping(data, "scene", ("scene", "text"), root=True)
+    top = _mapping(data, "scene", ("scene", "text", "question"), root=True)
     wording_from(top.get("text", {}))
+    _parts(top.get("question", {}))
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)

@@ -29,6 +29,12 @@ BASIC: dict[object, Json] = {
     str: {"type": "string"},
     types.NoneType: {"type": "null"},
 }
+QUESTION: Json = {
+    "type": "object",
+    "description": "What solve finds of the scene, of what, and when; the parts are those of its options.",
+    "required": ["find"],
+    "additionalProperties": {"type": ["string", "number"]},
+}
 TITLE = r"^[A-Za-z][A-Za-z0-9_ ]{0,39}$"  # of a scene: its name, or words that make one
 MASSES: Json = {
     "type": "object",
@@ -84,7 +90,7 @@ def schema() -> Json:
     )
     return (
         {"$schema": DIALECT, "title": "sim2reason scene"}
-        | _object({"scene": scene, "text": TEXT}, required=["scene"])
+        | _object({"scene": scene, "text": TEXT, "question": QUESTION}, required=["scene"])
         | {"$defs": parts.found}
     )
 

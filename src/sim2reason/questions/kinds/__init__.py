@@ -14,13 +14,16 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, moment_named
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import AT_ONCE
+
+EQUILIBRIUM = "equilibrium"  # when, in a structured question: no moment of a motion
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +132,18 @@ class Kind(ABC):
         Which one it does ask, `shapes` tells: it must give that sentence, word for word.
         """
 
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Return the names of what it can find, as a structured question says them; none by default."""
+        del words
+        return ()
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """The query that a structured question means, one of whose `finds` it names; None if it is another kind's.
+
+        By default it is. TextError for a part that means nothing.
+        """
+        del asked, study, words
+
     def late_answer(self, query: Query) -> float | None:
         """What an answer comes closer to, the later what is asked about comes; by default None but for times."""
         return inf if self.measured(query).name == "time" else None
@@ -203,6 +218,17 @@ class ValueKind(Kind):
         noun, whens = (noun, ()) if noun.timeless else spanning(query.moment, words, noun)
         first = (f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
         return (*super().told(query, words, noun, value), *first)
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Every quantity of the scene."""
+        return tuple(quantities_named(words.mechanism))
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """The quantity at a moment of this kind."""
+        del study
+        moment = moment_named(asked, words) if asked.when != EQUILIBRIUM else None
+        asks = moment is not None and KINDS[moment.kind] is self
+        return Query(self.name, target_named(asked, words), moment) if asks else None
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity at every moment that it names."""

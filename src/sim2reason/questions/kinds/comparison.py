@@ -1,5 +1,6 @@
 """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
@@ -7,10 +8,12 @@ from math import log
 
 import numpy as np
 
+from sim2reason.errors import TextError
 from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
@@ -36,6 +39,10 @@ class ComparisonQuery(NestedQuery):
     factor: float = 2.0
     ratio: bool = True
     grows: bool = True
+
+    def others(self, study: Study) -> list[Study | None]:
+        """The one with the number changed."""
+        return [self.changed(study)]
 
     def changed(self, study: Study) -> Study | None:
         """The motion with that number multiplied by the factor; None if there is none."""
@@ -102,7 +109,7 @@ class ComparisonKind(NestedKind):
         """As in: by what factor would doubling the mass of A multiply the speed of B 0.80 s after release?"""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
-        if number is None:
+        if number is None or query.factor not in GERUNDS:
             return ()
         forms = _ratio_forms(query, number) if query.ratio else _difference_forms(query, number)
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
@@ -111,7 +118,7 @@ class ComparisonKind(NestedKind):
         """As in: the factor by which doubling the mass of A would multiply the speed of B 0.80 s after release."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
-        if number is None or not query.ratio:
+        if number is None or not query.ratio or query.factor not in GERUNDS:
             return ()
         names = self.names(query, words, noun)
         return tuple(f"the factor by which {GERUNDS[query.factor]} {number} would multiply {name}" for name in names)
@@ -120,7 +127,7 @@ class ComparisonKind(NestedKind):
         """As in: doubling the mass of A would multiply the speed of B 0.80 s after release by 1.4."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
-        if number is None or not query.ratio:
+        if number is None or not query.ratio or query.factor not in GERUNDS:
             return ()
         changing = f"{GERUNDS[query.factor]} {number}"
         return tuple(f"{changing} would multiply {name} by {value}" for name in self.names(query, words, noun))
@@ -141,6 +148,22 @@ class ComparisonKind(NestedKind):
                 yield ComparisonQuery(
                     self.name, inner.target, inner.moment, stripped(inner), path, factor, ratio, grows
                 )
+
+
+def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> ComparisonQuery:
+    """How the answer to a query changes with a number, as *ramp.speed = 5 m/s* or *ramp.speed × 2* says.
+
+    TextError for what names no number of the scene, or has no value for it.
+    """
+    change = re.fullmatch(r"(.*?)\s*([=×*])\s*(.*)", asked.change)
+    if change is None:
+        raise TextError("change", f"{asked.change!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
+    held = {p.path: p for p in study.scene.parameters if p.value}
+    path = resolved("change", change[1], {path: words.named.get(path, path) for path in held})
+    factor = measured("change", change[3], held[path].measure.unit if change[2] == "=" else "")
+    factor /= float(held[path].value or 0.0) if change[2] == "=" else 1.0
+    ratio = one_of("compare", asked.compare, ("ratio", "difference")) == "ratio"
+    return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor, ratio)
 
 
 def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:

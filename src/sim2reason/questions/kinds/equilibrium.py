@@ -9,12 +9,13 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.change import SAME
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import Kind, kind
+from sim2reason.questions.kinds import EQUILIBRIUM, Kind, kind
 from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target, Targets
+from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
@@ -112,6 +113,17 @@ class EquilibriumKind(Kind):
         del words
         assert noun is not None
         return tuple(f"{noun.phrase} {when}" for when in _whens(query))
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Every quantity of the scene."""
+        return tuple(quantities_named(words.mechanism))
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """The quantity in equilibrium."""
+        if asked.when != EQUILIBRIUM:
+            return None
+        rest = equilibrium(study.mechanism)
+        return EquilibriumQuery(self.name, target_named(asked, words), stable=rest is not None and not rest.linear)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity that is named."""

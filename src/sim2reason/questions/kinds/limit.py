@@ -32,6 +32,10 @@ class LimitQuery(NestedQuery):
 
     large: bool = True
 
+    def others(self, study: Study) -> list[Study | None]:
+        """Those with the mass far beyond all others."""
+        return self.extremes(study)
+
     def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:
         """The motions with that mass far beyond all others, farther and farther."""
         masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]

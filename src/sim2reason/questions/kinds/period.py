@@ -11,10 +11,11 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.quantities.subjects.turners import TurningBodies
-from sim2reason.questions.kinds import Kind, Measured, kind
+from sim2reason.questions.kinds import EQUILIBRIUM, Kind, Measured, kind
 from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import Repetition
+from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
@@ -157,6 +158,23 @@ class PeriodKind(Kind):
         del noun
         assert isinstance(query, PeriodQuery)
         return (noun_of(query, words),)
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """A period, a frequency, or an angular frequency."""
+        del words
+        return tuple(MEASURES)
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """That of the motion, or of its small oscillations in equilibrium, of all modes the slowest."""
+        if asked.when == EQUILIBRIUM:
+            modes = _modes(study.mechanism)
+            count = len(modes.frequencies) if modes is not None else 1
+            return PeriodQuery(self.name, None, None, asked.find, small=True, modes=count, of=self._of(asked, words))
+        return PeriodQuery(self.name, None, None, asked.find, of=(resolved("of", asked.of, movers(words)),))
+
+    @staticmethod
+    def _of(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+        return (resolved("of", asked.of, movers(words)),) if asked.of else ()
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every measure of every mode, of everything that is named."""

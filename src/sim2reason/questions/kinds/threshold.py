@@ -7,9 +7,11 @@ from itertools import product
 
 import numpy as np
 
+from sim2reason.errors import TextError
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
@@ -164,6 +166,27 @@ class ThresholdKind(Kind):
             limits = tuple(f"{_extreme(*found)} for which" for found in product(extremes, phrases))
         clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
         return tuple(f"{limit} {clause}" for limit, clause in product(limits, clauses))
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """The addresses of the numbers of the scene, where it has an outcome that may hang on them."""
+        possible = any(outcome.candidates(words) for outcome in OUTCOMES.values())
+        return tuple(unknown.path for unknown in words.unknowns) if possible else ()
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """The number beyond which something happens, as in *ramp.plane.angle* when it *slides*."""
+        said = asked.when.replace("_", " ")
+        spelled = {name.replace("_", " "): cls for name, cls in OUTCOMES.items()}
+        does = max((name for name in spelled if said.endswith(name)), key=len, default="")
+        if not does:
+            remedy = f"there are: {', '.join(spelled)}; or give what it makes so, such as --given 'velocity = 2 m/s'"
+            raise TextError("when", f"{asked.when!r} is nothing that may happen or not", remedy)
+        cls, subject = spelled[does], said.removesuffix(does).strip()
+        outcome = cls(resolved("when", subject or asked.of, cls.candidates(words)))
+        unit = next(unknown.unit for unknown in words.unknowns if unknown.path == asked.find)
+        trial = Trial(study, outcome, asked.find)
+        critical = trial.change() or 0.0
+        below = trial(critical * (1.0 - SIDE)) is True
+        return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every outcome of whatever is named, with every number that the text may leave unknown."""

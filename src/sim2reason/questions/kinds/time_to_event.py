@@ -6,7 +6,9 @@ import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
 from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.parts.reached import reached
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, moment_named
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
@@ -82,6 +84,16 @@ class TimeToEventKind(Kind):
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return no noun phrase if `told` has a sentence, which reads better than *the time until … shall be 2 s*."""
         return () if self.told(query, words, noun, "") else self.called(query, words, noun)
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """The time."""
+        del words
+        return ("time",)
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """When a moment comes, or a quantity first has a stated value."""
+        del study
+        return Query(self.name, None, reached(asked, words) or moment_named(asked, words))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Whatever it names that can happen."""

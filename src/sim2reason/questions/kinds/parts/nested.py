@@ -43,6 +43,11 @@ class NestedQuery(Query):
         assert self.base is not None
         return replace(self.base, target=self.target, moment=self.moment)
 
+    def others(self, study: Study) -> list[Study | None]:
+        """The motions with other values of the number that a motion's answer is compared with; none by default."""
+        del study
+        return []
+
     @property
     def subject(self) -> str:
         """That of the other query."""

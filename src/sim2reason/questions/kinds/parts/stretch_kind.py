@@ -14,9 +14,10 @@ from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
-from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments import MOMENTS, Happening, Moment
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, moment_named, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
@@ -146,6 +147,19 @@ class StretchKind(Kind):
             return ()
         whens = [when for when in functional.when(moment, words, query.name) if when not in ADVERBS]
         return tuple(f"{named.phrase} {again(moment, named.phrase, when, words)}" for when in whens)
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Every functional that something in the scene has."""
+        return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """The functional from the start to a moment, or where none is named over one round of a motion that repeats."""
+        del study
+        found, moment = FUNCTIONALS[asked.find], MOMENTS["whole_motion"]()
+        called = words.called(found.of)
+        names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
+        end = moment_named(asked, words) if asked.when else moment
+        return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every functional of every subject that it names, to every moment that it speaks of."""

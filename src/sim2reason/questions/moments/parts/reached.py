@@ -1,17 +1,19 @@
 """The first time that any quantity has a stated value."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
 
 from sim2reason.dsl.state import Array, State
+from sim2reason.errors import TextError
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening
+from sim2reason.questions.structured import StructuredQuestion, measured, one_of
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.targets import Target, quantities_named, target_named, targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
@@ -87,3 +89,22 @@ class Reached(Happening):
         return self.given.said + (
             f" ({sense.positive} being positive)" if sense is not None and not sense.fixed else ""
         )
+
+
+def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tuple[Target, float]:
+    """The quantity and the value of an equation, as in *velocity of block A = 2 m/s*; TextError if it is none."""
+    left, equals, right = said.partition("=")
+    name, _, of = left.partition(" of ")
+    if not equals:
+        raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
+    find = one_of(place, name.strip(), quantities_named(words.mechanism))
+    target = target_named(replace(asked, find=find, of=of.strip() or asked.of), words)
+    return target, measured(place, right, words.units.spell(target.unit))
+
+
+def reached(asked: StructuredQuestion, words: Words) -> Reached | None:
+    """The moment at which a quantity first has a value, if a structured question states one; None if it does not."""
+    if "=" not in asked.when or asked.when.startswith("t"):
+        return None
+    target, value = stated(asked, asked.when, words, "when")
+    return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)))

@@ -1,0 +1,86 @@
+"""From a structured question to its query: every kind of question is tried that finds what is asked for."""
+
+from dataclasses import dataclass, replace
+
+from sim2reason.errors import TextError
+from sim2reason.questions.following import Followed, Motion, follow
+from sim2reason.questions.inversion import values_giving, why_not_one
+from sim2reason.questions.kinds import KINDS
+from sim2reason.questions.kinds.comparison import compared
+from sim2reason.questions.moments.parts.reached import stated
+from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion, measured, one_of
+from sim2reason.questions.targets import targets
+from sim2reason.questions.unknown import Unknown
+from sim2reason.questions.words import Words
+
+SYMBOL = "x"  # of a number that is looked for and has no other symbol
+
+
+@dataclass(frozen=True)
+class PosedQuestion:
+    """A query; where a number of the scene is looked for, that, and the answer to the query that it must lead to."""
+
+    query: Query
+    unknown: Unknown | None = None
+    given: float = 0.0
+
+    def unit(self, words: Words) -> str:
+        """The unit of the answer."""
+        return (
+            self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
+        )
+
+    def followed(self, motion: Motion) -> Followed:
+        """The answer, with the motion that has it, or the reason why there is none."""
+        if self.unknown is None:
+            return follow(self.query, motion)
+        found = values_giving(self.query, self.given, self.unknown, motion.study)
+        reason = why_not_one(self.unknown, found, motion.study.scene)
+        return Followed(motion.study, None if reason else found[0], reason)
+
+    def sentence(self, words: Words) -> str:
+        """The same question as the library says it; empty where it has no words for it."""
+        target = self.query.target
+        noun = targets(words).get(target) if target is not None else None
+        if self.unknown is not None or (target is not None and noun is None):
+            return ""
+        shapes = KINDS[self.query.kind].shapes(self.query, words, noun)
+        return sentence(shapes[0]) if shapes else ""
+
+
+def findable(words: Words) -> tuple[str, ...]:
+    """All that can be found in a scene, by name: quantities, functionals, times, and the numbers of the scene."""
+    named = (name for kind in KINDS.values() for name in kind.finds(words))
+    return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
+
+
+def posed(asked: StructuredQuestion, motion: Motion, words: Words) -> PosedQuestion:
+    """What a structured question asks of a scene; TextError for a part that means nothing there."""
+    if asked.given:
+        return _reversed(asked, motion, words)
+    find = one_of("find", asked.find, findable(words))
+    if asked.change:
+        inner = posed(replace(asked, change=""), motion, words).query
+        return PosedQuestion(compared(inner, asked, motion.study, words))
+    kinds = (kind for kind in KINDS.values() if find in kind.finds(words))
+    query = next((query for kind in kinds if (query := kind.posed(asked, motion.study, words)) is not None), None)
+    if query is None:
+        remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
+        raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
+    return PosedQuestion(query)
+
+
+def _reversed(asked: StructuredQuestion, motion: Motion, words: Words) -> PosedQuestion:
+    """Which number of the scene makes a result so."""
+    scene = motion.study.scene
+    paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
+    offered = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
+    unknown = offered[one_of("find", asked.find, offered)]
+    if asked.given.partition("=")[0].strip() == "time":
+        query = posed(replace(asked, find="time", given=""), motion, words).query
+        return PosedQuestion(query, unknown, measured("given", asked.given.partition("=")[2], words.units.time))
+    target, value = stated(asked, asked.given, words, "given")
+    inner = replace(asked, find=target.quantity, of=target.subject, given="")
+    return PosedQuestion(posed(inner, motion, words).query, unknown, value)

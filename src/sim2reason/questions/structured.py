@@ -1,0 +1,211 @@
+"""A question as its parts instead of a sentence: what is found, of what, and when."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from typing import Any, Self, cast
+
+from sim2reason.dsl.units import UnitError, parse_unit
+from sim2reason.errors import TextError
+from sim2reason.quantities.subjects import Sense
+from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.spoken import ORDINALS
+from sim2reason.questions.words import Words
+from sim2reason.registry import nearest
+
+START = "at start"
+LONGEST = 200  # characters of a part
+_NUMBER = re.compile(r"([+-]?(?:\d{1,15}(?:\.\d{0,15})?|\.\d{1,15})(?:[eE][+-]?\d{1,3})?)\s*(.*)")
+_COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
+_BEFORE = re.compile(r"\b(?:just )?before\b")
+_AFTER = re.compile(r"\b(?:just )?after\b")
+
+
+@dataclass(frozen=True, slots=True)
+class StructuredQuestion:
+    """What is found, of what, and when; each part a name of a registry, or of the scene, as people say it.
+
+    `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
+    scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, it is a number of the scene that makes
+    that so. With `change`, such as *ramp.speed = 5 m/s*, it is how what is found changes: the `compare` *ratio* of the
+    new value to the original one, or their *difference*.
+    """
+
+    find: str
+    of: str = ""
+    when: str = ""
+    along: str = ""
+    given: str = ""
+    change: str = ""
+    compare: str = "ratio"
+
+    @classmethod
+    def read(cls, parts: Mapping[str, object]) -> Self:
+        """The question of named parts, as a file or a program has it; TextError for others."""
+        known = [field.name for field in fields(cls)]
+        for name, value in parts.items():
+            if name not in known:
+                raise TextError(f"question.{name}", "there is no such key", _meant(name, known))
+            if not isinstance(value, str | int | float) or isinstance(value, bool) or len(str(value)) > LONGEST:
+                raise TextError(f"question.{name}", "it is no short text", "give words, such as: moved 0.5 m")
+        if not parts.get("find"):
+            raise TextError("question", "it does not say what to find", "give find, such as: velocity")
+        return cls(**{name: " ".join(str(value).split()) for name, value in parts.items()})
+
+    @property
+    def told(self) -> str:
+        """All its parts in a row, where no sentence is at hand."""
+        parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
+        parts |= {"change": self.change, "compare": self.compare if self.change else ""}
+        return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
+
+
+def resolved(place: str, said: str, candidates: Mapping[str, str]) -> str:
+    """The name among `candidates` that is meant, each of which a text calls as its value says.
+
+    By the name itself, by what the text calls it, with or without an article, or by a last part that only one has.
+    Without a word it is the only one there is. TextError, at `place`, if it is none of them, or several.
+    """
+    if not said and len(candidates) == 1:
+        return next(iter(candidates))
+    ranks = {name: rank for name, phrase in candidates.items() if (rank := _rank(said, name, phrase)) is not None}
+    found = [name for name, rank in ranks.items() if rank == min(ranks.values())] if said else []
+    if len(found) == 1:
+        return found[0]
+    if not candidates:
+        raise TextError(place, "this scene has nothing of that kind", "ask about something else")
+    problem = f"there is no {said!r} here" if said else "it does not say what it is about"
+    raise TextError(place, problem, _meant(said, [*candidates, *candidates.values()], candidates))
+
+
+def _rank(said: str, name: str, phrase: str) -> int | None:
+    """How well a name is meant, 0 being best; None if it is not."""
+    asked, bare = _bare(said), _bare(phrase)
+    tests = (
+        said == name,
+        asked == bare,
+        asked == bare.rpartition(" ")[2],
+        f".{name}".endswith(f".{said}"),
+        asked in (bare.partition(" ")[0], *re.split(r"[._]", name)),
+    )
+    return next((rank for rank, holds in enumerate(tests) if holds), None)
+
+
+def _bare(said: str) -> str:
+    return said.lower().removeprefix("the ").strip()
+
+
+def _meant(said: str, names: Iterable[str], shown: Iterable[str] | None = None) -> str:
+    near = nearest(said, list(dict.fromkeys(names)))
+    return f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(shown or names)}"
+
+
+def one_of(place: str, said: str, names: Iterable[str]) -> str:
+    """The name that is said; TextError, at `place`, with the nearest ones, if it is none."""
+    known = list(dict.fromkeys(names))
+    if said not in known:
+        raise TextError(place, f"there is no {said!r}", _meant(said, known))
+    return said
+
+
+def measured(place: str, said: str, unit: str) -> float:
+    """A number with its unit, in a unit of the scene's; without one it is in that. TextError if it is none."""
+    match = _NUMBER.fullmatch(said.strip())
+    if match is None:
+        raise TextError(place, f"{said!r} is no number", f"give one, such as: 2.5 {unit}".rstrip())
+    try:
+        factor = parse_unit(match[2] or unit).factor_to(parse_unit(unit))
+    except UnitError as error:
+        raise TextError(place, str(error), f"give it in {unit}") from None
+    if factor is None:
+        raise TextError(place, f"{said!r} is not measured in {unit}", f"give it in {unit}")
+    return float(f"{float(match[1]) * factor:.15g}")
+
+
+def sense_named(place: str, said: str, senses: Iterable[Sense]) -> Sense:
+    """The direction that is meant: by its axis, or by what is positive along it."""
+    by_name = {name: sense for sense in senses for name in (sense.positive, sense.axis) if name}
+    return by_name[resolved(place, said, {name: name for name in by_name})]
+
+
+def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
+    """The moment that a question speaks of, by its name among all moments; its numbers and its side stand with it.
+
+    As in *moved 0.5 m*, *block A stopped*, *second collided before*, *t = 2 s*. What it is about is said before the
+    name, else it is what the whole question is of. TextError if there is no such moment.
+    """
+    said = asked.when or START
+    name, before, after = _split(said)
+    cls = MOMENTS[name]
+    rest = " ".join(part for part in (before, after) if part)
+    held = {field.name: field.type for field in fields(cast("Any", cls))}
+    values: dict[str, object] = {}
+    if "after" in held and held["after"] is bool:
+        values["after"] = _BEFORE.search(rest) is None
+        before, after = (_AFTER.sub("", _BEFORE.sub("", part)).strip() for part in (before, after))
+    for field, unit in _measures(cls, words).items():
+        if after or held[field] is float:
+            values[field] = cast("type[float]", held[field])(measured("when", after, unit))
+    if "number" in held:
+        before, values["number"] = _counted(before)
+    if "name" in held:
+        candidates = cast("Any", cls).candidates(words)
+        values["name"] = resolved("when", before or _same(asked.of, candidates), candidates)
+    return cls(**values)
+
+
+def moment_told(moment: Moment, words: Words) -> str:
+    """How `moment_named` is told a moment: what it is about by its address, then its name, its numbers and its side."""
+    name = next(name for name, cls in MOMENTS.items() if cls is type(moment)).replace("_", " ")
+    held: dict[str, Any] = {field.name: getattr(moment, field.name) for field in fields(cast("Any", moment))}
+    values = [f"{held[field]:.15g} {unit}" for field, unit in _measures(type(moment), words).items()]
+    number = int(held.get("number", 1))
+    count = ORDINALS[number - 1] if number > 1 else ""
+    side = "before" if held.get("after") is False else ""
+    return " ".join(filter(None, (count, str(held.get("name", "")), name, *values, side)))
+
+
+def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
+    """The numbers of a class of moments that have a unit, each with that of the scene."""
+    units = {float: words.units.spell(getattr(cls, "unit", "s"))}
+    held = {field.name: units.get(cast("Any", field.type)) for field in fields(cast("Any", cls))}
+    held |= {"degrees": "deg"} if "degrees" in held else {}
+    return {name: unit for name, unit in held.items() if unit is not None}
+
+
+def _same(of: str, candidates: Mapping[str, str]) -> str:
+    """What the whole question is of, if a moment can be about that."""
+    try:
+        return resolved("when", of, candidates) if of else ""
+    except TextError:
+        return ""
+
+
+def _split(said: str) -> tuple[str, str, str]:
+    """The name of a moment in what is said, and what stands before and after it."""
+    plain = said.replace("_", " ")
+    for name in sorted(MOMENTS, key=len, reverse=True):
+        spelled = name.replace("_", " ")
+        found = re.search(rf"(?:^|(?<=\s)){re.escape(spelled)}(?=\s|$)", plain)
+        if found is not None:
+            return name, said[: found.start()].strip(), said[found.end() :].strip()
+    time = re.fullmatch(r"(?:at\s+)?(?:t\s*=\s*)?([\d.].*)", plain)
+    if time is not None:
+        return "at_time", "", time[1]
+    if plain in ("start", "release", "at release"):
+        return "at_start", "", ""
+    words = plain.split(" ")
+    spans = [" ".join(words[a:b]) for a in range(len(words)) for b in range(a + 1, min(a + 4, len(words)) + 1)]
+    names = [name.replace("_", " ") for name in MOMENTS]
+    near = [found for span in spans for found in nearest(span, names, 1)]
+    remedy = f"did you mean: {', '.join(dict.fromkeys(near))}" if near else "see: sim2reason list moments"
+    raise TextError("when", f"{said!r} names no moment", remedy)
+
+
+def _counted(before: str) -> tuple[str, int]:
+    """What is said before a moment's name without its ordinal, and the number of that; 1 without any."""
+    for word, number in _COUNTS.items():
+        found = re.search(rf"\b{word}\b", before)
+        if found is not None:
+            return " ".join((before[: found.start()] + before[found.end() :]).split()), number
+    return before, 1
