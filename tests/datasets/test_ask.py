@@ -26,7 +26,7 @@ def test_no_two_questions_have_one_answer() -> None:
 def test_unfiltered_more_can_be_asked() -> None:
     """A block that slides to rest: textbook questions that filters find too plain, and none beyond its motion."""
     scene = ramp(angle=0.0, friction=0.05, speed=5.0)
-    found = ask(scene, items=8, unfiltered=True)
+    found = ask(scene, items=8, all=True)
     assert len(found) == 8
     assert any("comes to rest" in item.prompt or "come to rest" in item.prompt for item in found)
 

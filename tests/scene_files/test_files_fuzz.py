@@ -2,6 +2,7 @@
 
 import re
 import time
+import warnings
 from collections import Counter
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from scene_files import composed, drawn, spoiled
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import SceneError, Sim2ReasonError
+from sim2reason.errors import MotionEndsWarning, SceneError, Sim2ReasonError
 from sim2reason.prose.description import describe
 from sim2reason.scene_files import dump, load
 from sim2reason.scene_files.yaml_text import write
@@ -48,7 +49,9 @@ def outcome(text: str) -> str:
     assert dump(load(again)) == again
     try:
         describe(scene)
-        simulate(scene, 1.0, samples=11)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", MotionEndsWarning)
+            simulate(scene, 1.0, samples=11)
     except Sim2ReasonError as error:
         return type(error).__name__
     finally:

@@ -24,16 +24,16 @@ LONG = 3  # reasons, and more: a table
 @options.mode()
 @options.items(5, 1, 1000, "How many questions.")
 @options.seed("Another seed, other questions.")
-@click.option("--all", "unfiltered", is_flag=True, help="Those that filters refuse, too: easy, odd or uncertain ones.")
+@click.option("--all", is_flag=True, help="Those that filters refuse, too: easy, odd or uncertain ones.")
 @options.to_json("For a program to read: a list of whole items, as show gives them.")
-def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, unfiltered: bool, to_json: bool) -> int:
+def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all: bool, to_json: bool) -> int:  # noqa: A002
     """Ask questions about the scene in the file SCENE (- is standard input): no two of them have one answer.
 
     Only those that pass every filter, but for --all. Exit code 1 if there are none; standard error says why.
     """
     from sim2reason.datasets.ask import asked
 
-    result = asked(source.scene(scene), mode, items, seed, unfiltered=unfiltered)
+    result = asked(source.scene(scene), mode, items, seed, unfiltered=all)
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for _, item in result.found.values())
     else:

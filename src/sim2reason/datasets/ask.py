@@ -39,18 +39,23 @@ class AskedScene:
 
 
 def ask(
-    scene: Scene, *, mode: Names = "numeric", items: int = QUESTIONS, seed: int = 0, unfiltered: bool = False
+    scene: Scene,
+    *,
+    mode: Names = "numeric",
+    items: int = QUESTIONS,
+    seed: int = 0,
+    all: bool = False,  # noqa: A002 - as the option is called
 ) -> list[Item]:
     """At most so many problems about one scene, those that pass every filter; another seed asks others.
 
-    They are items as a dataset has them, but of no recipe and no difficulty. No two have one answer. `unfiltered` ones
-    may be as easy, as odd or as little certain as they like.
+    They are items as a dataset has them, but of no recipe and no difficulty. No two have one answer. With `all`
+    they may be as easy, as odd or as little certain as they like.
 
     Raises:
         UnknownNameError: no such mode.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return [item for _, item in asked(scene, mode, items, seed, unfiltered=unfiltered).found.values()]
+    return [item for _, item in asked(scene, mode, items, seed, unfiltered=all).found.values()]
 
 
 def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
@@ -71,9 +76,9 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
         certified = search.ask(MODES[name], rng, result.refused)
         if certified is not None:
             certified = formed(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
-        if certified is not None:
+        if certified is not None and certified.question.text not in result.found:
             item = item_of(Request("", "", name, seed, attempt), certified)
-            if item.answer.shown in answers:
+            if item.answer.shown in answers and not certified.question.unknown:
                 result.refused[SAME_ANSWER] += 1
                 continue
             answers.add(item.answer.shown)

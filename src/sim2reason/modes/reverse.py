@@ -123,7 +123,11 @@ class Reverse(QuestionMode):
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """Every query that the sentence could state as a condition, with every number in it as its answer."""
-        text = plainly(text, words.units)
+        readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
+        return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
+
+    def _read(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """What a sentence asks, with its numbers spelled as they are."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):

@@ -29,14 +29,14 @@ class Followed(NamedTuple):
     reason: str = ""
 
 
-class Motion(NamedTuple):
+class FollowedMotion(NamedTuple):
     """A scene with its motion, and why that is followed no longer than it is; empty if it is as long as asked for."""
 
     study: Study
     limit: str = ""
 
 
-def motion_of(scene: Scene, until: float | None = None) -> Motion:
+def motion_of(scene: Scene, until: float | None = None) -> FollowedMotion:
     """A scene's motion to a time, s, by default its horizon; or as far as it can be followed at all.
 
     Raises:
@@ -46,7 +46,7 @@ def motion_of(scene: Scene, until: float | None = None) -> Motion:
     limit: SimulationError | None = None
     for _ in range(TRIES):
         try:
-            return Motion(Study.of(scene, np.linspace(0.0, until, SAMPLES)), _without_remedy(limit))
+            return FollowedMotion(Study.of(scene, np.linspace(0.0, until, SAMPLES)), _without_remedy(limit))
         except SimulationError as error:
             limit = limit or error
             until = BEFORE * error.reached if 0.0 < error.reached < until else SHORTER * until
@@ -59,7 +59,7 @@ def _without_remedy(limit: SimulationError | None) -> str:
     return str(limit).partition("; ")[0] if limit is not None else ""
 
 
-def follow(query: Query, begun: Motion) -> Followed:
+def follow(query: Query, begun: FollowedMotion) -> Followed:
     """The answer to a query, for which a motion is followed as long as it takes: ever twice as long as before.
 
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
@@ -122,12 +122,12 @@ def _why_not_nested(query: NestedQuery, study: Study) -> str:
     return ""
 
 
-def eventful(begun: Motion) -> Motion:
+def eventful(begun: FollowedMotion) -> FollowedMotion:
     """A motion followed until something happens in it, twice as long each time; as it was, if nothing ever does."""
     study, limit = begun
     for _ in range(FEWER if changing(study.mechanism) else DOUBLINGS):
         if limit or study.trace.cut or study.trace.events or nothing_new(study.trace):
-            return Motion(study, limit)
+            return FollowedMotion(study, limit)
         if why_never(None, study.trace):
             break
         study, limit = motion_of(study.scene, GROWTH * _end(study))

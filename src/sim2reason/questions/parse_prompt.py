@@ -14,7 +14,7 @@ from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
 from sim2reason.parsing.assembly import untold
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
-from sim2reason.questions.following import Motion, follow, motion_of
+from sim2reason.questions.following import FollowedMotion, follow, motion_of
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
@@ -157,12 +157,12 @@ def _understood(
     return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
 
 
-def _begun(reading: ParsedScene) -> Motion:
+def _begun(reading: ParsedScene) -> FollowedMotion:
     """The motion of a scene at first; where a number is unknown, with the one that was drawn."""
     scene = reading.scene
     for share in SHARES if reading.unknown else ():
         with suppress(SimulationError):
-            return Motion(Study.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
+            return FollowedMotion(Study.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
     return motion_of(scene)
 
 

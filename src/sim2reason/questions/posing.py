@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed, Motion, follow
+from sim2reason.questions.following import Followed, FollowedMotion, follow
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
@@ -32,7 +32,7 @@ class PosedQuestion:
             self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
         )
 
-    def followed(self, motion: Motion) -> Followed:
+    def followed(self, motion: FollowedMotion) -> Followed:
         """The answer, with the motion that has it, or the reason why there is none."""
         if self.unknown is None:
             return follow(self.query, motion)
@@ -56,7 +56,7 @@ def findable(words: Words) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
 
 
-def posed(asked: StructuredQuestion, motion: Motion, words: Words) -> PosedQuestion:
+def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """What a structured question asks of a scene; TextError for a part that means nothing there."""
     if asked.given:
         return _reversed(asked, motion, words)
@@ -72,7 +72,7 @@ def posed(asked: StructuredQuestion, motion: Motion, words: Words) -> PosedQuest
     return PosedQuestion(query)
 
 
-def _reversed(asked: StructuredQuestion, motion: Motion, words: Words) -> PosedQuestion:
+def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Which number of the scene makes a result so."""
     scene = motion.study.scene
     paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}

@@ -1,6 +1,7 @@
 """Scenes as files: strict YAML in the paper's shape, its JSON schema, and the page that tells the format."""
 
-from sim2reason.scene_files.mapping import decoded, dump, load, loads, question_of, told
+from sim2reason.scene_files.mapping import decoded, dump, load, loads, told
+from sim2reason.scene_files.question_parts import question_of
 from sim2reason.scene_files.wording import Wording, wording_of
 
 __all__ = ["Wording", "decoded", "dump", "load", "loads", "question_of", "told", "wording_of"]

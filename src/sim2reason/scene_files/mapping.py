@@ -24,6 +24,7 @@ from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import SceneError
 from sim2reason.registry import nearest
 from sim2reason.scene_files.mistakes import explained
+from sim2reason.scene_files.question_parts import parts_from
 from sim2reason.scene_files.schema import is_many, snake
 from sim2reason.scene_files.spellings import check_position, plain_name, respelled
 from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
@@ -55,23 +56,6 @@ def loads(text: str) -> Scene:
         return _scene(data)
     except SceneError as error:
         raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
-
-
-def question_of(text: str) -> dict[str, Plain] | None:
-    """What a scene file asks under the key ``question``, part by part; None if it asks nothing.
-
-    Raises:
-        SceneError: it is no mapping.
-    """
-    data = parse(text)
-    return _parts(data["question"]) if isinstance(data, dict) and "question" in data else None
-
-
-def _parts(data: Plain) -> dict[str, Plain]:
-    """What stands under ``question``; which parts there are, the reader of questions knows."""
-    if not isinstance(data, dict):
-        raise SceneError("question", f"it is {shown(data)}, not a mapping", "give it parts, such as find, of and when")
-    return data
 
 
 def dump(scene: Scene, wording: Wording | None = None) -> str:
@@ -164,8 +148,7 @@ def _scene(data: Plain) -> Scene:
     if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
         _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
     top = _mapping(data, "scene", ("scene", "text", "question"), root=True)
-    wording_from(top.get("text", {}))
-    _parts(top.get("question", {}))
+    _ = wording_from(top.get("text", {})), parts_from(top.get("question", {}))
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)
