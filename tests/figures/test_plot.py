@@ -17,7 +17,7 @@ from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.curves import motion_curves, told
 from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.prose.description import describe
-from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.scenes import simulate, whole
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
 
@@ -37,7 +37,7 @@ MEETING = alone(
 
 
 def exact(scene: Scene, duration: float = 2.0) -> Trace:
-    return simulate(scene, duration)
+    return whole(scene, duration)
 
 
 def test_curves_are_named_as_in_the_text(scenes: list[Scene]) -> None:

@@ -8,7 +8,7 @@ from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
 from sim2reason.prose.description import Description, describe
 from sim2reason.scene_files import Wording
-from sim2reason.simulation.scenes import BOTH, simulate
+from sim2reason.simulation.scenes import BOTH, whole
 
 
 def figure(
@@ -53,7 +53,7 @@ def plot(
     """
     check(Path(out))
     matplotlib()
-    plotted(simulate(scene, duration, engine), _described(scene, seed, wording), Path(out))
+    plotted(whole(scene, duration, engine), _described(scene, seed, wording), Path(out))
 
 
 def _described(scene: Scene, seed: int | None, wording: Wording | None) -> Description:

@@ -45,16 +45,20 @@ def simulate(
         UnknownNameError: no such engine.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    if engine == BOTH:
-        trace = certify(scene, duration, samples)[0]
-    else:
-        trace = ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
+    trace = whole(scene, duration, engine, samples)
     trace = truncated(trace) if truncate else trace
     if duration is not None and trace.stable_until < duration:
         unit = scene.units.time
         problem = f"the motion is described until {trace.stable_until:.6g} {unit}, not {duration:g} {unit}"
         warn(f"{problem}: {ending(trace)}; the record ends there", MotionEndsWarning, stacklevel=2)
     return trace.until(trace.stable_until)
+
+
+def whole(scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
+    """The same recorded for the whole duration, as a plot has it: beyond `stable_until` the states mean nothing."""
+    if engine == BOTH:
+        return certify(scene, duration, samples)[0]
+    return ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
 
 
 def _times(scene: Scene, duration: float | None, samples: int) -> Array:
