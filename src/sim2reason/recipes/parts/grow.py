@@ -19,7 +19,16 @@ from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import draft, written
 from sim2reason.recipes.parts.floors import leads_below_floor
-from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
+from sim2reason.recipes.parts.open_ports import (
+    OpenPort,
+    ends_for,
+    is_down,
+    is_downhill,
+    is_passed,
+    open_ports,
+    stands_still,
+    takes,
+)
 
 TRIES = 40
 LONGEST_SENTENCE = 40  # words
@@ -160,8 +169,8 @@ class Grower:
     # ---- ports
 
     def _join_all(self, named: Named) -> None:
-        """Give every port of a new entity its connection, if it must or happens to have one."""
-        for here in open_ports(named):
+        """Give every port of a new entity its connection, if it must or happens to have one; last those downhill."""
+        for here in sorted(open_ports(named), key=is_downhill):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
             if not taken and (needed or self._wants(named)):
@@ -210,6 +219,7 @@ class Grower:
                 picked = self._pick()
                 named = self._named(picked if picked in pool else self._one_of(pool))
                 ends = ends_for(named, kind, here)
+                ends = [end for end in ends if not is_downhill(end)] or ends  # weights are to work against each other
                 if ends:
                     self._enter(named)
                     return ends[int(self.rng.integers(len(ends)))]
