@@ -211,5 +211,7 @@ def test_of_a_part_of_a_rigid_body_no_force_is_asked_for(several: bool) -> None:
     scene = Scene(entities=(Named(name="arm", entity=arm),))
     found = {t.quantity for t in targets(words_of(describe(scene))) if t.subject == "arm.pieces.0.body"}
     assert {"kinetic energy", "velocity"} <= found
-    asked = {"net force", "translational kinetic energy", "rotational kinetic energy"} & found
+    asked = {"net force", "torque", "translational kinetic energy", "rotational kinetic energy"} & found
     assert bool(asked) != several
+    words = words_of(describe(scene))
+    assert ("arm.pieces.0.body" in FUNCTIONALS["impulse of the net force"].asked(words)) != several

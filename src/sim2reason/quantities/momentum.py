@@ -70,8 +70,8 @@ class AboutCenter(Quantity):
         return tuple(name for name in self.of.names(mechanism) if any(mechanism.body[name].inertia))
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it has a moment of inertia."""
-        return any(mechanism.body[name].inertia)
+        """Whether it has a moment of inertia, and is no part of a rigid body."""
+        return any(mechanism.body[name].inertia) and not is_welded_part(mechanism, name)
 
 
 @quantity

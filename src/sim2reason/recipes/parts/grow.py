@@ -90,7 +90,7 @@ class Grower:
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
-        self.pulled: set[str] = set()  # entities at which a hand pulls: two would do no more than one
+        self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
         """Blocks of comparable masses, pulleys, if they have mass, lighter than all of them, and pulls like weights."""
@@ -173,11 +173,11 @@ class Grower:
         for here in sorted(open_ports(named), key=is_downhill):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
-            if not taken and (needed or self._wants(named)):
+            if not taken and (needed or self._wants()):
                 self._join(here)
 
-    def _wants(self, named: Named) -> bool:
-        if self.left == 0 and named.name in self.pulled and not self.tier.closers.keys() - CLOSERS.keys():
+    def _wants(self) -> bool:
+        if self.left == 0 and self.pulled and not self.tier.closers.keys() - CLOSERS.keys():
             return False  # hardly anything but another hand could be there
         return (self.left > 0 and (not self.joined or self._chance(0.8))) or self._chance(self.tier.more)
 
@@ -224,16 +224,14 @@ class Grower:
                     self._enter(named)
                     return ends[int(self.rng.integers(len(ends)))]
         taken = {type(stop.owner.entity).__name__ for stop in path}
-        pulled = any(stop.owner.name in self.pulled for stop in (here, *path))
-        barred = taken | {HAND} if pulled else taken
+        barred = taken | {HAND} if self.pulled else taken
         closers = {name: weight for name, weight in self.tier.closers.items() if name not in barred}
         while closers:
             named = self._named(self._one_of(closers))
             end = next(iter(ends_for(named, kind, here)), None)
             if end is not None and (moving or not stands_still(named)):
                 self._enter(named)
-                if type(named.entity).__name__ == HAND:
-                    self.pulled.update(stop.owner.name for stop in (here, *path))
+                self.pulled = self.pulled or type(named.entity).__name__ == HAND
                 return end
             del closers[type(named.entity).__name__]
         raise SceneError(here.owner.name, f"nothing closes its {here.port.name}", "draw again")
