@@ -92,6 +92,7 @@ RELEASES = (
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
+    "the bodies are released from rest{taut}.",
 )
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",
@@ -155,12 +156,12 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "every string is long enough", "there is ample room to move"),
-    (True, False): ("no body reaches a pulley", "every string is long enough", "there is ample room to move"),
+    (False, False): ("every string is long enough", "no body reaches it", "there is ample room to move"),
+    (True, False): ("no body reaches a pulley", "every string is long enough", "all strings are long enough"),
     (False, True): (
-        "all strings and surfaces are long enough",
+        "no body reaches an edge",
         "there is ample room to move",
-        "no body reaches the end of its path",
+        "all surfaces are long enough",
     ),
     (True, True): (
         "no body reaches a pulley or an edge",

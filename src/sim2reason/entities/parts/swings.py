@@ -9,7 +9,7 @@ from sim2reason.authoring import GRAVITY, Measure, Range, placing, starting
 
 Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
 TILTED = "an angle of {angle} with the downward vertical"
-AT_FIRST = placing("initially {start}.", "at the start {start}.", "when the motion begins, {start}.")
+AT_FIRST = placing("initially {start}.", "at the start {start}.", "to begin with, {start}.")
 SENT_OFF = starting(
     "at t = 0 {bob} is set moving {sent} at speed {speed}.",
     "at t = 0 {bob} starts moving {sent} at speed {speed}.",

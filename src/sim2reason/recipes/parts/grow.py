@@ -33,6 +33,7 @@ from sim2reason.recipes.parts.open_ports import (
 TRIES = 40
 LONGEST_SENTENCE = 40  # words
 ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
+UPHILL = 0.7  # of scenes lead strings down a slope only beside one up it: weights are to work against each other
 UNDER = 0.3  # the chance that a string passes an entity on its way
 LOADED = 0.75  # the chance that something optional hangs where it can
 COMPARABLE = 2.5  # the largest ratio where pulleys have mass
@@ -90,6 +91,7 @@ class Grower:
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
+        self.uphill = self._chance(UPHILL)
         self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
@@ -169,8 +171,8 @@ class Grower:
     # ---- ports
 
     def _join_all(self, named: Named) -> None:
-        """Give every port of a new entity its connection, if it must or happens to have one; last those downhill."""
-        for here in sorted(open_ports(named), key=is_downhill):
+        """Give every port of a new entity its connection, if it must or happens to have one."""
+        for here in sorted(open_ports(named), key=lambda port: self.uphill and is_downhill(port)):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
             if not taken and (needed or self._wants()):
@@ -219,7 +221,7 @@ class Grower:
                 picked = self._pick()
                 named = self._named(picked if picked in pool else self._one_of(pool))
                 ends = ends_for(named, kind, here)
-                ends = [end for end in ends if not is_downhill(end)] or ends  # weights are to work against each other
+                ends = [end for end in ends if not (self.uphill and is_downhill(end))] or ends
                 if ends:
                     self._enter(named)
                     return ends[int(self.rng.integers(len(ends)))]
