@@ -364,7 +364,7 @@ def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
         query = StretchQuery("extremum", None, Stopped(BALL_A), "greatest speed", BALL_A)
         found = completed(scene, query, "m/s", seed)
         assert found is not None
-        assert "the centre of mass of all that turns is on the same side of the axle as ball A" in found.text
+        assert "the centre of mass of the bodies on the arm is on the same side of the axle as ball A" in found.text
         assert paid(
             found,
             r"d_1 \sqrt{\frac{2 g (m_A d_1 - m_B d_2)(1 - \cos\theta)}{m_A d_1^2 + m_B d_2^2}}",
@@ -376,7 +376,7 @@ def test_the_lighter_side_rises_to_the_top_only_if_it_is_lighter() -> None:
     query = Query("event", Target("angular velocity", "arm.arm"), HighestPoint(BALL_A))
     found = completed(two_sided((0.4, 0.3), (2.0, 0.8)), query, "rad/s")
     assert found is not None
-    assert "the centre of mass of all that turns is on the side of the axle opposite to ball A" in found.text
+    assert "the centre of mass of the bodies on the arm is on the side of the axle opposite to ball A" in found.text
     assert paid(found, r"\sqrt{\frac{2 g (m_B d_2 - m_A d_1)(1 + \cos\theta)}{m_A d_1^2 + m_B d_2^2}}")
 
 

@@ -121,7 +121,7 @@ def test_a_limit_of_an_arm_says_on_which_side_its_centre_of_mass_is(
         SideOfCenterOfMass("arm.pieces.0.body", same)
     ]
     side = "on the same side of the axle as" if same else "on the side of the axle opposite to"
-    assert f"Assume that the centre of mass of all that turns is {side} ball A." in found.text
+    assert f"Assume that the centre of mass of the bodies on the arm is {side} ball A." in found.text
     study = search.study
     text = solve(Setting.of(found, study, search.words, search.description)).text
     assert f"By assumption, the centre of mass is on {'this' if same else 'the opposite'} side, so $S" in text
