@@ -55,6 +55,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
+from sim2reason.questions.regimes.direction import MovesOneWay
 from sim2reason.scene_files import loads
 from sim2reason.solutions.algebra.expressions import Symbol
 
@@ -550,3 +551,23 @@ def test_symbols_do_not_say_that_a_thrust_is_more_than_a_weight() -> None:
     assert paid(found, r"\left|u \ln(m_0/m_1) - g t_1\right|")
     assert found is not None
     assert "lifts off as soon as its engine starts" in found.text
+
+
+def test_a_direction_is_assumed_though_hardly_any_numbers_turn_it() -> None:
+    """A returns from the wall and hits B, which may by then be on either side of where it started."""
+    entity = ComplexCollisionPlane(
+        gliders=(
+            Glider(mass=2.0, x=-0.89, v=-1.72),
+            Glider(mass=9.3, x=-0.55, v=0.54),
+            Glider(mass=3.5, x=0.44, v=1.75),
+        ),
+        track=Track(),
+        left=-2.43,
+        restitution=1.0,
+    )
+    scene = Scene(entities=(Named(name="track", entity=entity),))
+    query = Query("state", Target("displacement", "track.gliders.1"), AtTime(4.2))
+    found = completed(scene, query, "m")
+    assert found is not None
+    assert found.formula is not None
+    assert MovesOneWay("track.gliders.1", "right", ahead=True) in found.assumed or r"\left|" in found.formula.latex

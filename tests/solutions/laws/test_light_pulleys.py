@@ -23,7 +23,8 @@ SUM = re.compile(r"\((\d)\) \+ ([\d.]+)·\((\d)\): \((\d)\) \$([\d.]+)\\,a_A = (
 
 def test_a_string_is_said_to_change_on_both_sides_of_a_pulley_that_moves() -> None:
     text = solve_prompt(PULLEYS)[0].text
-    assert r"does not stretch, and both of its parts at pulley P change alike: $a_B = 2\,a_A - a_C$." in text
+    said = "does not stretch, and a displacement of pulley P changes both of its parts there by the same amount: "
+    assert said + r"$a_B = 2\,a_A - a_C$." in text
 
 
 def test_printed_numbers_of_an_elimination_lead_to_the_printed_result() -> None:

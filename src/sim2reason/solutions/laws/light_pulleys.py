@@ -44,4 +44,5 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
         return ""
-    return f", and both of its parts at {dynamics.setting.listed(pulleys)} change alike"
+    said = f"a displacement of {dynamics.setting.listed(pulleys)} changes"
+    return f", and {said} both of its parts there by the same amount"
