@@ -258,7 +258,7 @@ def certified(scene: Scene, kind: str) -> CertifiedQuestion:
 
 @pytest.mark.parametrize("kind", ["start", "state", "event", "time_to_event"])
 def test_a_prompt_is_read_back_with_the_numbers_of_a_binding(kind: str) -> None:
-    found = certified(sample("pulley", "easy", seed=1, index=0), kind)
+    found = certified(sample("pulley", "easy", seed=2, index=0), kind)
     held = found.question.formula
     assert held is not None
     for number in (0, 3):
