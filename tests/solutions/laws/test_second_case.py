@@ -7,7 +7,7 @@ import pytest
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import words
 from sim2reason.testing.solutions.reading import read
-from worked import settings_of
+from worked import settings_of, solution_text
 
 LONGEST = 150  # words of a solution to an easy problem
 
@@ -24,3 +24,9 @@ def test_the_second_case_names_what_is_new_and_sets_up_no_law_again(recipe: str,
     assert not read(text).unread
     assert not read(text).broken
     assert words(text) <= LONGEST + (45 if recipe == "pulley" else 0)  # there each case has two unknowns and two ways
+
+
+def test_a_sum_of_equations_begins_with_one_that_is_added() -> None:
+    text = solution_text("pulley-easy-numeric-77-4-comparison")
+    assert "(4) − 2·(3), with (1): " in text
+    assert "-2·" not in text
