@@ -5,7 +5,7 @@ from worked import solution_text
 
 
 def test_the_geometry_of_a_tipping_prism_is_told() -> None:
-    text = solution_text("rolling", "hard", "multipart", 2, 301917)
+    text = solution_text("rolling-hard-multipart-301917-2")
     assert "into 10 equal triangles" in text
     assert r"is turned uphill by $\frac{\pi}{10}$ from the perpendicular to the plane" in text
     assert "The axis passes over each edge, since the least kinetic energy" in text
