@@ -97,6 +97,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     said = {given.symbol for given in setting.lexicon.givens.values()}
     own = [symbol for symbol in setting.formula.symbols if symbol not in said]
     found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)))
+    if found.answer is None:
+        return found
     sides = [side for held in found.relations for side in (held.left, held.right)]
     if any(is_special(side) or next(numbers(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
