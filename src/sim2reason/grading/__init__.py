@@ -5,5 +5,6 @@ from sim2reason.grading.formula import FormulaError, formula
 from sim2reason.grading.number import number
 from sim2reason.grading.parts import parts
 from sim2reason.grading.score import Outcome, Score
+from sim2reason.grading.thinking import opened
 
-__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number", "parts"]
+__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number", "opened", "parts"]

@@ -13,6 +13,7 @@ from typing import Final, TypeVar
 from sim2reason.dsl.units import UnitError
 from sim2reason.grading import arithmetic, remarks
 from sim2reason.grading.arithmetic import Node
+from sim2reason.grading.clauses import vectors_as_components
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.number import number
 from sim2reason.grading.parser import parse
@@ -166,7 +167,7 @@ def _refuse_all_but_units(name: str, rest: Sequence[Token], refusal: Refused | N
 
 def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Score:
     said = content.strip()
-    content = spelled(content.rstrip(" \t\n."))
+    content = vectors_as_components(spelled(content.rstrip(" \t\n.")))
     stated = statement(flattened(tokenize(content, truth.table)))
     node, directions = _value_of(content, stated.value)
     exact = _checked(content, stated, node, truth, tolerance)

@@ -43,8 +43,8 @@ class Statement:
     others: tuple[Tokens, ...] = ()
 
     def refuse_unsolved(self, side: Tokens) -> None:
-        """Refuse an equation for its one symbol, such as 2T = 9.8, where no other side is a name."""
-        if not self.named and labels.is_compound(side):
+        """Refuse an equation for its one symbol, such as 2T = 9.8, or a sum, where no other side is a name."""
+        if not self.named and (labels.is_compound(side) or labels.is_mixed_sum(side)):
             raise _unreadable("it is an equation that is still to be solved")
 
 
@@ -203,6 +203,8 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     """The last side, where those before it leave no doubt."""
+    if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
+        sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
     value = unwrapped(sides[-1])
     if not value:
         raise _unreadable("nothing stands behind the last sign of equality")
@@ -216,6 +218,12 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     return Statement(
         value, claims, _doubt(value), bool(relations) and relations[-1].text == "≈", any(map(labels.is_bare, named))
     )
+
+
+def _is_name_of(last: Tokens, before: Tokens) -> bool:
+    """Whether the last side is but a name that the side before it is given: *9.8 m = h*."""
+    named = bool(last) and labels.is_bare(last) and all(token.kind != "symbol" for token in last)
+    return named and not labels.is_bare(before)
 
 
 def _doubt(tokens: Tokens) -> Token | None:

@@ -15,6 +15,7 @@ from sim2reason.grading.alphabet import (
     GREEK,
     GREEK_NAMES,
     HEDGES,
+    INK,
     SCRIPTS,
     SIGNS,
     SOFT_HEDGES,
@@ -53,15 +54,12 @@ class Token(NamedTuple):
 
 
 _SPACE = rf"(?:[\s~$]|\\[ ,;:!>]|\\(?:{'|'.join(SPACES)}|[bB]igg?[lr]?)(?![A-Za-z]))"
-_INK: Final = (
-    "red|blue|green|black|orange|purple|teal|brown|cyan|magenta|violet|[Gg]ray|navy|ForestGreen|RoyalBlue|maroon"
-)
 _BELOW: Final = r"(?:[^{}\\$_]|\\[A-Za-z,]++|\{[A-Za-z0-9,\s]*+\}){1,40}+"
 _CUT: Final = re.compile(
     rf"(?P<space>{_SPACE}+)"
     r"|(?P<number>(?:[1-9][0-9]{0,2}(?P<group>[, ~\u00a0\u2009\u202f]|\{,\}|,\\!|\\[, !])[0-9]{3}"
     r"(?:(?P=group)[0-9]{3})*(?![0-9])(?:\.[0-9]+)?|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?P<exponent>[eE][-+−]?[0-9]+)?)"
-    rf"|(?P<color>\\(?:color|textcolor)\s*\{{\s*(?:{_INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*\}})"
+    rf"|(?P<color>\\(?:color|textcolor)\s*\{{\s*(?:{INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*\}})"
     r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
     r"|(?P<hedge>\+\s*+(?:/\s*+)?[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
