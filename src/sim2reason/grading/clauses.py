@@ -7,11 +7,9 @@ __all__ = ["vector_as_direction", "vectors_as_components", "without_meanings"]
 
 _FONT: Final = r"\\(?:text|textbf|textit|mathrm|mathbf|mathit|boldsymbol|bm|vec|hat|widehat|overrightarrow)"
 _LETTER: Final = r"(?:\\[ij]math(?![A-Za-z])|[ijkxyz])"
-_VECTOR: Final = re.compile(
-    rf"\s*(?:\\[,;:! ]|~)*\\(?:hat|widehat)(?:\s*\{{\s*(?:{_FONT}\s*\{{\s*(?P<bold>{_LETTER})\s*\}}|(?P<plain>{_LETTER}))\s*\}}"
-    rf"|\s+(?P<bare>{_LETTER}))|\s*(?:\\[,;:! ]|~)*\\(?:mathbf|boldsymbol|bm)\s*\{{\s*\\(?:hat|widehat)\s*"
-    rf"(?:\{{\s*(?P<inner>{_LETTER})\s*\}}|\s(?P<tight>{_LETTER}))\s*\}}"
-)
+_IN_FONT: Final = rf"{_FONT}\s*\{{\s*({_LETTER})\s*\}}"
+_HAT: Final = rf"\\(?:wide)?hat(?:\s*\{{\s*(?:{_IN_FONT}|({_LETTER}))\s*\}}|\s+({_LETTER}))"
+_VECTOR: Final = re.compile(rf"\s*(?:\\[,;:! ]|~)*(?:{_HAT}|\\(?:mathbf|boldsymbol|bm)\s*\{{\s*{_HAT}\s*\}})")
 _NAMED: Final = r"(?:[A-Za-z]|\\[A-Za-z]{2,10})"
 _ARROWED: Final = re.compile(
     rf"\\(?:vec|overrightarrow)\s*(?:\{{\s*(?P<braced>{_NAMED}(?:_(?:[A-Za-z0-9]|\{{[A-Za-z0-9]{{1,12}}\}}))?)\s*\}}"
@@ -33,10 +31,11 @@ _OPENING: Final = re.compile(
 _FONTS: Final = re.compile(r"\\(?:text|textrm|textit|mathrm|mbox)\s*\{|\$|\\[,;:! ]|\\q?quad(?![A-Za-z])|[~{}]")
 _SPLIT: Final = re.compile(r"\s*(?:,\s*and|,|;|\band)\s+(?=\S{1,30}\s+(?:is|are|denotes|represents)\b)")
 _MEANT: Final = re.compile(_MEANING)
-_NO_MEANING: Final = frozenset(
-    "not wrong right true false incorrect correct negative opposite inverse reciprocal half twice double answer value "
-    "square other actual real".split()
-)
+_UNFIT: Final = """
+    not wrong right true false incorrect correct negative opposite inverse reciprocal half twice double answer value
+    square other actual real
+"""
+_NO_MEANING: Final = frozenset(_UNFIT.split())
 
 
 def vector_as_direction(content: str) -> str:

@@ -35,11 +35,14 @@ def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float
     if found is None:
         return None
     parts = _PART.findall(found["rest"])
+    return None if len(parts) == 1 and parts[0][0] == whole else _added(found["unit"], parts, asked)
+
+
+def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tuple[Unit, float] | None:
+    """The unit of the whole, and what parts in smaller units add to it; None where one is as large as the last."""
     try:
-        unit, *smaller = [unit_in(word, asked) for word in (found["unit"], *(word for _, word in parts))]
+        unit, *smaller = [unit_in(word, asked) for word in (whole, *(word for _, word in parts))]
     except UnitError:
-        return None
-    if len(parts) == 1 and parts[0][0] == whole:
         return None
     total, last = 0.0, 1.0
     for (number, _), below in zip(parts, smaller, strict=True):

@@ -4,7 +4,7 @@ Every step looks at each character at most once and at a bounded window, so that
 """
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final, cast
 
 from sim2reason.grading.hiding import fault_of_box
@@ -60,15 +60,10 @@ def boxed(response: object) -> str:
     box or words beside it deny it.
     """
     text = spoken(response)
-    found: tuple[int, int] | None = None
-    empty = False
-    for begin, end in closed_boxes(text):
-        if text[begin : min(end, begin + MAX_ANSWER)].strip(BLANK):
-            found = begin, end
-        else:
-            empty = True
+    boxes = closed_boxes(text)
+    found = next((span for span in reversed(boxes) if text[span[0] : span[1]].strip(BLANK)), None)
     if found is None:
-        why = "the box is empty" if empty else r"there is no complete \boxed{…} after the thinking"
+        why = "the box is empty" if boxes else r"there is no complete \boxed{…} after the thinking"
         raise Refused(Outcome.NO_ANSWER, why)
     if fault := fault_of_box(text, *found):
         raise Refused(Outcome.UNREADABLE, fault)
@@ -78,8 +73,9 @@ def boxed(response: object) -> str:
     return answer
 
 
-def closed_boxes(text: str) -> Iterator[tuple[int, int]]:
+def closed_boxes(text: str) -> list[tuple[int, int]]:
     """Where the contents of complete boxes begin and end, in the order in which they are closed."""
+    found: list[tuple[int, int]] = []
     open_braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     start = len(text[: max(text.find(r"\boxed"), 0)].rstrip("\\"))  # an even number of backslashes boxes nothing
     for match in _BRACE.finditer(text, start):
@@ -87,6 +83,7 @@ def closed_boxes(text: str) -> Iterator[tuple[int, int]]:
         if brace == "}":
             begin = open_braces.pop() if open_braces else -1
             if begin >= 0:
-                yield begin, match.start()
+                found.append((begin, match.start()))
         elif brace == "{" or brace.startswith(r"\boxed"):
             open_braces.append(match.end() if brace != "{" else -1)
+    return found

@@ -19,7 +19,6 @@ _SCAN: Final = re.compile(
     r"|(?P<brace>[{}])"
 )
 _INKS: Final = re.compile(rf"\s*(?:{INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*")
-_TRICKS: Final = ("\\", "<", "%", "~")
 _COMMENT: Final = re.compile(r"(?<![\\0-9])(?<![0-9][ ~])(?<!\\ )%[^\n]*\Z")
 _STYLE: Final = (
     r"display\s*:\s*none|visibility\s*:\s*hidden|opacity\s*:\s*0|font-size\s*:\s*0|(?<![-a-z])color\s*[:=]"
@@ -29,8 +28,9 @@ _ELEMENT: Final = re.compile(
     rf"<(?P<name>s|del|strike|script|style|template|noscript|[a-z][a-z0-9]*(?=[^<>]{{0,400}}(?:{_STYLE})))(?:\s[^<>]{{0,400}})?>",
     re.IGNORECASE,
 )
+SHORT: Final = 6  # characters behind a box that deny nothing
 _NEAR: Final = 4000  # characters before a box in which what hides it begins
-_DENYING: Final = re.compile(r"no|nev|nei|n['’]t|wit|exc|unl|rath|inst|wron|inco|fals", re.IGNORECASE)
+_DENYING: Final = re.compile(r"no|nev|nei|n['’]t|wit|exc|unl|rath|inst|wron|inco|fals")
 """A part of every word that denies, which is found at once."""
 _DENIED_BEFORE: Final = re.compile(
     r"(?:\b(?:not|never|nor|neither|cannot|without|except|excluding|unlike|rather than|instead of|wrong|wrongly"
@@ -53,11 +53,11 @@ def fault_of_box(text: str, begin: int, end: int) -> str:
     """Why a box whose content stands from `begin` to `end` is no answer to a reader; empty where it is one."""
     start = text.rfind("\\", 0, begin)
     before, behind = text[max(start - _NEAR, 0) : start], text[end : end + 80]
-    near = before[-60:]
-    if (_DENYING.search(near) and _DENIED_BEFORE.search(near)) or _DENIED_BEHIND.match(behind):
+    near = before[-60:].lower()
+    denied = _DENYING.search(near) is not None and _DENIED_BEFORE.search(near) is not None
+    if denied or (len(behind) > SHORT and _DENIED_BEHIND.match(behind)):
         return "words beside the box deny it"
-    hidden = any(sign in before for sign in _TRICKS) and _is_hidden(before, behind)
-    return "print hides the box" if hidden else ""
+    return "print hides the box" if _is_hidden(before, behind) else ""
 
 
 def _is_hidden(before: str, behind: str) -> bool:

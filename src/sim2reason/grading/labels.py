@@ -36,10 +36,10 @@ _QUANTITIES: Final = frozenset(_QUANTITY_WORDS.split())
 _DENYING: Final = """
     no not never nor neither none nothing but except excluding without unlike wrong false incorrect untrue isn aren wasn
     cannot most least exceeds exceeding maybe perhaps possibly either or nearly almost hardly instead rather anything
-    everything unequal differs different isnt doesnt previous previously former formerly old outdated
-    discarded rejected alternative alternate example hypothetical naive guess guessed non negative minus negated inverse reciprocal half twice double
-    thrice squared cubed root sine cosine cotangent secant cosecant logarithm logarithmic exponential derivative
-    integral times plus divided multiplied added subtracted
+    everything unequal differs different isnt doesnt previous previously former formerly old outdated discarded rejected
+    alternative alternate example hypothetical naive guess guessed non negative minus negated inverse reciprocal half
+    twice double thrice squared cubed root sine cosine cotangent secant cosecant logarithm logarithmic
+    exponential derivative integral times plus divided multiplied added subtracted
 """
 DENIALS: Final = frozenset(_DENYING.split())
 """Words that keep what they stand with from being the value."""
@@ -134,6 +134,8 @@ def _words(side: Sequence[Token]) -> list[Token]:
 
 def is_bare(side: Sequence[Token]) -> bool:
     """Whether a side is one name, with marks, bars and what it depends on: ``|v_A'|``, ``v(2)``, *speed of A*."""
+    if _is_letter(side):
+        return True
     if words := _words(side):
         return not _is_power(side) and (not has_numbers(side) or _is_called(side, words))
     outside = _outside(side) or list(side)
@@ -141,6 +143,11 @@ def is_bare(side: Sequence[Token]) -> bool:
     if kinds & {"minus", "dash", "plus", "slash", "fraction", "root", "number", "part", "script", "over", "function"}:
         return False
     return len(set(names(outside))) == 1 and not _is_power(side)
+
+
+def _is_letter(side: Sequence[Token]) -> bool:
+    """Whether a side is a single letter, as most names are."""
+    return len(side) == 1 and side[0].kind in _NAMES and len(side[0].text) == 1
 
 
 def _outside(side: Sequence[Token]) -> list[Token]:
@@ -214,6 +221,8 @@ def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
 def check(sides: Sequence[Sequence[Token]]) -> None:
     """Refuse sides whose words deny, or are no words for a quantity."""
     for side in sides:
+        if _is_letter(side):
+            continue
         words = _words(side)
         denial = _denial(words)
         if denial is not None:

@@ -39,8 +39,8 @@ _WRAPPERS: Final = re.compile(r"\\[()\[\]](?!\s*[0-9.]+\s*(?:pt|em|ex|mm)\])|[$`
 _STARRED: Final = re.compile(r"(?<![\w*)}\]])\*(?=\S)([^*\n]{1,100}?)(?<=\S)\*(?![\w*({\\])")
 _BRACKETED: Final = re.compile(r"\[\s*([^\[\]\n]{1,100}?)\s*\]\s*\Z")
 _CLOSING: Final = re.compile(
-    r"(?:(?<=[.!?:)\]*])|(?<=\n))\s+(?:please\s+)?(?:(?:let me know|feel free|i hope|hope this|would you like|do you (?:have|want|need)"
-    r"|if you (?:have|need|want|would)|thank you|thanks for)\b.{0,400})\Z",
+    r"(?:(?<=[.!?:)\]*])|(?<=\n))\s+(?:please\s+)?(?:(?:let me know|feel free|i hope|hope this|would you like"
+    r"|do you (?:have|want|need)|if you (?:have|need|want|would)|thank you|thanks for)\b.{0,400})\Z",
     re.IGNORECASE | re.DOTALL,
 )
 _WITH_CONSTANT: Final = re.compile(

@@ -68,8 +68,8 @@ def number(
     Args:
         response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
         reference: the true value, finite.
-        unit: a unit of the table, or its name; "" for a pure number, None where the unit is not known and a stated one is
-            ignored (but for per cent).
+        unit: a unit, or the name of one of the table; "" for a pure number, None where the unit is not known and a
+            stated one is ignored (but for per cent).
         tolerance: of |x - reference| relative to |reference|, inclusive; there is no absolute slack.
         positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
         lenient: without a box, take the last number. For evaluation, never for a reward.

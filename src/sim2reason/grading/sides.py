@@ -16,6 +16,7 @@ from sim2reason.grading.tokens import Token
 
 __all__ = ["Statement", "flattened", "is_signed", "more_or_less", "statement", "two_values", "unwrapped"]
 
+_NO_NAME: Final = frozenset({"number", "symbol", "fraction", "root", "function"})  # of what has no value here
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
 _DIVIDING: Final = frozenset({"step", "word", "arrow", "hedge"})
 _STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
@@ -222,8 +223,9 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
 
 def _is_name_of(last: Tokens, before: Tokens) -> bool:
     """Whether the last side is but a name that the side before it is given: *9.8 m = h*."""
-    named = bool(last) and labels.is_bare(last) and all(token.kind != "symbol" for token in last)
-    return named and not labels.is_bare(before)
+    if not last or any(token.kind in _NO_NAME for token in last):
+        return False
+    return labels.is_bare(last) and not labels.is_bare(before)
 
 
 def _doubt(tokens: Tokens) -> Token | None:

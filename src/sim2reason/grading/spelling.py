@@ -14,7 +14,10 @@ from sim2reason.grading.score import Outcome, Refused
 __all__ = ["balanced", "spelled"]
 
 _HIDING: Final = re.compile(rf"\\(?:{HIDING})(?![A-Za-z])")
-_USUAL: Final = r"[,;:! ]|(?:frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|theta|mu|quad)(?![A-Za-z])"
+_USUAL: Final = (
+    r"[,;:! ]|(?:[dt]?frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|quad|sin|cos|tan|ln"
+    r"|theta|mu|pi|alpha|beta|phi|omega|rho|lambda|Delta)(?![A-Za-z])"
+)
 _IN_TEXT: Final = r"\s*(?:\\(?:text|mathrm)\s*\{\s*)?"
 _TRIGGER: Final = re.compile(
     rf"[*`$º˚…<&✓✔％]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=,.}}]"

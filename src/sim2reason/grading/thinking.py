@@ -42,12 +42,14 @@ def without_thinking(text: str) -> str:
     Raises `Refused`: no answer where thinking is open at the end. A mark that is only spoken of opens none: it stands
     within a line, and no box is behind it.
     """
+    begins = _ANALYSIS.match(text) is not None
+    if not begins and "<" not in text and "THINK]" not in text and "◁" not in text and "assistantfinal" not in text:
+        return text
     end, tags, tokens = _angled(text)
     for close, opening in _PLAIN:
-        end = max(end, at + len(close) if (at := text.rfind(close)) >= 0 else 0)
-        if opening and (at := text.rfind(opening)) >= 0:
+        end = max(end, at + len(close) if (at := text.rfind(close, end)) >= 0 else 0)
+        if opening and (at := text.rfind(opening, end)) >= 0:
             tags.append(at)
-    begins = _ANALYSIS.match(text) is not None
     late = [at for at in tags if at >= end]
     if any(at >= end for at in tokens) or (begins and not end) or (late and not _spoken_of(text, end, late)):
         raise Refused(Outcome.NO_ANSWER, "the thinking never ends")
@@ -55,7 +57,7 @@ def without_thinking(text: str) -> str:
 
 
 def _angled(text: str) -> tuple[int, list[int], list[int]]:
-    """The end of the last closing mark with a sign "<", 0 if there is none, and where tags and tokens open behind it."""
+    """The end of the last closing mark that has a sign "<", or 0; and where tags, and tokens, open behind it."""
     tags, tokens = list[int](), list[int]()
     at = len(text)
     for _ in range(MOST):

@@ -25,8 +25,9 @@ def after_thinking(response: str) -> str:
 
 
 def boxes(response: str) -> list[str]:
-    """The contents of all outermost boxes after the thinking, in order, but for those that print hides or words deny; none is
-    longer than 1000 characters.
+    """The contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
+
+    Those that print hides or words deny are left out.
     """
     text = after_thinking(response)
     spans: list[tuple[int, int]] = []
