@@ -9,9 +9,9 @@ from typing import Final, cast
 
 from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.thinking import without_thinking
+from sim2reason.grading.thinking import OPENING, without_thinking
 
-__all__ = ["MAX_ANSWER", "boxed", "closed_boxes", "spoken", "text_of"]
+__all__ = ["MAX_ANSWER", "boxed", "closed_boxes", "opened", "spoken", "text_of"]
 
 MAX_RESPONSE: Final = 1_000_000
 MAX_ANSWER: Final = 1_000
@@ -43,6 +43,15 @@ def text_of(given: object) -> str:
         else:
             break
     raise Refused(Outcome.NO_ANSWER, f"a response is text, not {type(given).__name__}")
+
+
+def opened(given: object) -> object:
+    """A response to a prompt whose last words opened the thinking, as one that holds its beginning."""
+    try:
+        text = text_of(given)
+    except Refused:
+        return given
+    return text if text.lstrip()[: len(OPENING)] == OPENING else OPENING + text
 
 
 def spoken(given: object) -> str:

@@ -9,7 +9,7 @@ from typing import Final
 
 from sim2reason.grading.score import Outcome, Refused
 
-__all__ = ["opened", "without_thinking"]
+__all__ = ["OPENING", "without_thinking"]
 
 OPENING: Final = "<think>"
 MOST: Final = 20_000  # of the signs "<" that are looked at, so that no text takes long
@@ -29,11 +29,6 @@ _ANGLED: Final = re.compile(rf"(?P<close>{_CLOSE})|(?P<token>{_TOKEN})|<{_TAG}",
 _PLAIN: Final = (("[/THINK]", "[THINK]"), ("◁/think▷", "◁think▷"), ("assistantfinal", ""))
 _ANALYSIS: Final = re.compile(r"\s{0,8}(?:assistant)?(?:analysis|commentary)(?=[^\s:,.;\-–—'’])")
 """How a transcript of gpt-oss begins whose tokens were dropped, where it begins with thinking."""
-
-
-def opened(response: str) -> str:
-    """A response to a prompt that ended within the thinking, which it goes on with, as one that holds its beginning."""
-    return response if response.lstrip()[: len(OPENING)] == OPENING else OPENING + response
 
 
 def without_thinking(text: str) -> str:
