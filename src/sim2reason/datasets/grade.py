@@ -56,7 +56,7 @@ def grade(
     answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
     takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
     answers to several parts. Of those all must be right, unless `partial` pays for the share that is. Where the prompt
-    ended within the thinking, as by a chat template, `thinking_opened` says so: what stands before its end is no answer.
+    ended within the thinking, as by a chat template, `thinking_opened` says so, and nothing before its end is an answer.
 
     Raises:
         DatasetError: a row without an answer that can be read.
@@ -110,10 +110,8 @@ def graded(
             if row["split"] not in splits:
                 passed_over = True
                 continue
-            found, score = (
-                True,
-                grade(row, response.response, lenient=lenient, partial=partial, thinking_opened=thinking_opened),
-            )
+            found = True
+            score = grade(row, response.response, lenient=lenient, partial=partial, thinking_opened=thinking_opened)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
     if passed_over and not found:
         raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
