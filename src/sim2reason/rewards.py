@@ -7,6 +7,7 @@ letter of a multiple choice. The functions here read it, and are pure: any threa
 import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
+from typing import cast
 from warnings import warn
 
 from pydantic import TypeAdapter, ValidationError
@@ -169,7 +170,7 @@ def _right(*columns: object) -> Answer | Letter | None:
             if isinstance(held, str):
                 return _read(held)
             if isinstance(held, Mapping):
-                return answer_of({"answer": held})
+                return answer_of({"answer": cast("Mapping[str, object]", held)})
         except DatasetError:
             continue
     return None

@@ -56,7 +56,7 @@ def grade(
     answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
     takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
     answers to several parts. Of those all must be right, unless `partial` pays for the share that is. Where the prompt
-    ended within the thinking, as by a chat template, `thinking_opened` says so, and nothing before its end is an answer.
+    ended within the thinking, as by a chat template, `thinking_opened` says so: nothing before its end counts.
 
     Raises:
         DatasetError: a row without an answer that can be read.
