@@ -53,12 +53,9 @@ def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float)
         case Power():
             base, power = _leading(held.base, name, at, sense)
             found = Power(base, held.exponent), held.exponent * power
-        case Root():
+        case Root() | Absolute():
             inside, power = _leading(held.inside, name, at, sense)
-            found = Root(inside), 0.5 * power
-        case Absolute():
-            inside, power = _leading(held.inside, name, at, sense)
-            found = Absolute(inside), power
+            found = held.built_of([inside]), power if isinstance(held, Absolute) else 0.5 * power
         case Call():
             argument, power = _leading(held.argument, name, at, sense)
             if power != 0.0:
