@@ -228,10 +228,11 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
 
 
 def _along(way: str, part: Polynomial, known: Known) -> str:
-    """Return the direction of a component that has a name; in symbols without its sense, which may not be known."""
+    """Return the direction in which a component that has a name is positive; in symbols without its sense."""
     if known.book.in_symbols:
         return "vertically" if way == "upward" else "horizontally"
-    return way if known.book.value(part.expression()) >= 0.0 else OPPOSITE[way]
+    (sign,) = part.terms.values()
+    return way if sign > 0.0 else OPPOSITE[way]
 
 
 def magnitude(
