@@ -44,5 +44,4 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
         return ""
-    said = f"a displacement of {dynamics.setting.listed(pulleys)} changes"
-    return f", and {said} both of its parts there by the same amount"
+    return f", and moving {dynamics.setting.listed(pulleys)} changes both its parts equally"
