@@ -104,7 +104,7 @@ def accuracy(
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """TRL's signature: a reward of 1 or 0 for each completion, a text or a list of messages.
+    """Return a reward of 1 or 0 for each completion, a text or a list of messages, as TRL expects.
 
     What is right stands in the column `solution` of an export, or in `answer` of a dataset as `generate` writes it. A
     row that has neither, as those of another dataset in a mixture, gets None, which TRL leaves out; where no row of a
@@ -122,24 +122,18 @@ def partial_accuracy(
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """The same, but for a problem of several parts the share of the parts that are right."""
+    """Return rewards as `accuracy` does, but for a problem of several parts the share of parts that are right."""
     del prompts, columns
     return _rewards(completions, solution, answer, partial=True, thinking_opened=False)
 
 
 def accuracy_with(*, partial: bool = False, thinking_opened: bool = False) -> Reward:
-    """A reward function for TRL with the settings of `score`."""
+    """Return a reward function for TRL with the settings of `score`."""
 
-    def accuracy(
-        prompts: Sequence[object],
-        completions: Sequence[object],
-        *,
-        solution: Columns = None,
-        answer: Columns = None,
-        **columns: object,
-    ) -> list[float | None]:
-        del prompts, columns
-        return _rewards(completions, solution, answer, partial=partial, thinking_opened=thinking_opened)
+    def accuracy(prompts: Sequence[object], completions: Sequence[object], **columns: Columns) -> list[float | None]:
+        del prompts
+        rights = columns.get("solution"), columns.get("answer")
+        return _rewards(completions, *rights, partial=partial, thinking_opened=thinking_opened)
 
     return accuracy
 
@@ -164,7 +158,7 @@ def _rewards(
 
 
 def _right(*columns: object) -> Answer | Letter | None:
-    """What the columns of a row say is right; None where they are no columns of ours."""
+    """Return the reference answer in the columns of a row; None if they are not columns of this library."""
     for held in columns:
         try:
             if isinstance(held, str):
@@ -185,7 +179,7 @@ def compute_score(
     thinking_opened: bool = False,
     **settings: object,
 ) -> float:
-    """The signature of verl: a reward of 1 or 0 for one response; DatasetError for a ground truth that is none.
+    """Return a reward of 1 or 0 for one response, as verl expects; DatasetError if the ground truth is unreadable.
 
     `thinking_opened` comes from ``reward_kwargs``, and says that prompts end within the thinking.
     """

@@ -37,7 +37,7 @@ def _setting(search: QuestionSearch, query: Query) -> Setting:
 
 
 def solution_text(problem: str) -> str:
-    """Return the worked solution, by today's code, of a problem in data/problems.jsonl, as its text."""
+    """Solve a stored problem of tests/data/problems.jsonl and return the text of its worked solution."""
     settings = settings_of(problem)
     alone = [solve(setting) for setting in settings]
     found = together(in_sequence(settings, alone, whole=True)) if len(alone) > 1 else alone[0]

@@ -39,7 +39,7 @@ def may_turn_back(mechanism: Mechanism) -> bool:
 
 
 def turns_one_way(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body that rolls or slips on a plane surely never turns back, whatever the numbers are.
+    """Return whether a body that rolls or slips on a plane never reverses its rotation, whatever its numbers are.
 
     What starts from rest does not where nothing may turn back. Nor does what is sent off alone, its centre and its rim
     in one sense that is not up the slope: friction makes one slower and the other faster till they agree.

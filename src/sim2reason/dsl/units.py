@@ -190,7 +190,7 @@ def parse_unit(text: str) -> Unit:
 
 
 def combined(text: str, further: Mapping[str, Unit]) -> Unit:
-    """The same with `further` units beside those of the table, by the words that spell them."""
+    """Return a copy of this table with `further` units, a mapping from spellings to units."""
     powers: dict[str, int] = {}
     factor, dimension = 1.0, Dimension()
     for word, power in factors(text):

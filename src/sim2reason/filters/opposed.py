@@ -1,4 +1,4 @@
-"""Drops a scene of strings and pulleys in which everything runs down together, which nobody would build."""
+"""Drops a scene of strings and pulleys in which every body accelerates downwards, so that nothing is lifted."""
 
 from collections.abc import Iterator
 
@@ -20,7 +20,7 @@ class Opposed(Filter):
     of_scene = True
 
     def reason(self, candidate: Candidate) -> str:
-        """Look at the vertical accelerations just after the start."""
+        """Return a reason if no body accelerates upwards just after the start."""
         if not candidate.study.mechanism.strings or changing(candidate.study.mechanism):
             return ""
         up = _accelerations(candidate)
@@ -29,13 +29,13 @@ class Opposed(Filter):
         return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What goes up and what goes down."""
+        """Yield the initial vertical acceleration of each body."""
         moving = {name: up for name, up in _accelerations(candidate).items() if abs(up) > STILL}
         yield from (f"{name} is accelerated {'up' if up > 0.0 else 'down'}" for name, up in moving.items())
 
 
 def _accelerations(candidate: Candidate) -> dict[str, float]:
-    """Those of all bodies with a mass, upwards, just after the start, m/s²."""
+    """Return the vertical accelerations of all bodies with mass just after the start, in m/s², positive upwards."""
     state = candidate.study.trace.at(0.0)
     heavy = [body.name for body in state.mechanism.bodies if body.mass > 0.0]
     return {name: float(Acceleration.evaluate(state, name)[0, 2]) for name in heavy}

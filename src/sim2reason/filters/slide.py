@@ -18,17 +18,17 @@ class Slide(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Measure how far each has slid."""
+        """Return a reason if a body slides too far along another one before the moment asked about."""
         far = {name: way for name, way in _slides(candidate).items() if way > FARTHEST}
         return next((f"{name} slides {way:.2g} m on what carries it" for name, way in far.items()), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """All that slides on something."""
+        """Yield the sliding distance of each body that slides on another one."""
         yield from (f"{name} slides {way:.3g} m on what carries it" for name, way in _slides(candidate).items())
 
 
 def _slides(candidate: Candidate) -> dict[str, float]:
-    """How far each body gets, along the face of one that can move, from where it was at the start, m."""
+    """Return the greatest displacement, in m, of each body relative to the movable body on which it slides."""
     mechanism, trace, until = candidate.study.mechanism, candidate.study.trace, candidate.time
     if until is None:
         return {}

@@ -1,4 +1,4 @@
-r"""What may stand in or behind a value and says nothing of its size: unit vectors, and what its letters mean."""
+r"""Parts of an answer that do not change its value: unit vectors, and clauses that define symbols."""
 
 import re
 from typing import Final
@@ -39,7 +39,7 @@ _NO_MEANING: Final = frozenset(_UNFIT.split())
 
 
 def vector_as_direction(content: str) -> str:
-    r"""``2.4\,\hat{i}\text{ m/s}`` with the unit vector as a direction at the end; other vectors as they are.
+    r"""Rewrite the unit vector in ``2.4\,\hat{i}\text{ m/s}`` as a direction at the end; leave other vectors unchanged.
 
     One that is not alone, or has more than a unit behind it, stays, and is read as no number.
     """
@@ -54,7 +54,7 @@ def vector_as_direction(content: str) -> str:
 
 
 def vectors_as_components(content: str) -> str:
-    r"""A formula in vectors along one line by their components: ``m(\vec{g}+\vec{a})`` as m(g + a).
+    r"""Replace vectors along one line by their components: ``m(\vec{g}+\vec{a})`` becomes m(g + a).
 
     One with bars, products by a sign or powers stays, and is refused where it is no name.
     """
@@ -66,7 +66,7 @@ def vectors_as_components(content: str) -> str:
 
 
 def without_meanings(content: str) -> str:
-    """A value without a clause behind it that only says what its letters mean: *where v is the speed of A*.
+    """Remove a clause that only defines symbols of an answer, such as *where v is the speed of A*.
 
     A clause with a number, a relation or a word that could change the value stays, and is refused as such.
     """
@@ -86,5 +86,5 @@ def without_meanings(content: str) -> str:
 
 
 def _shown(mark: re.Match[str]) -> str:
-    """What print has in place of a command: nothing for a brace, else a space."""
+    """Return the replacement of a LaTeX command: nothing for a brace, else a space."""
     return "" if mark[0] in "{}" else " "

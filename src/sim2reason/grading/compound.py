@@ -23,7 +23,7 @@ _ARC: Final = re.compile(
 
 
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
-    """The unit of a whole number, and what the text behind adds to that number; None if it is no such text.
+    """Read a value in several units, as 1 h 5 min: its first unit, and the fraction that the others add, or None.
 
     The same number twice is none either: that offers two units to choose from.
     """
@@ -39,7 +39,7 @@ def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float
 
 
 def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tuple[Unit, float] | None:
-    """The unit of the whole, and what parts in smaller units add to it; None where one is as large as the last."""
+    """Return the first unit and the fraction that smaller units add; None if a part exceeds the unit before it."""
     try:
         unit, *smaller = [unit_in(word, asked) for word in (whole, *(word for _, word in parts))]
     except UnitError:
@@ -55,6 +55,6 @@ def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tupl
 
 
 def _of_arc(found: re.Match[str]) -> tuple[Unit, float] | None:
-    """Degrees, and what minutes and seconds of arc add to them."""
+    """Return the unit of degrees and the fraction that minutes and seconds of arc add."""
     minutes, seconds = float(found["minutes"]), float(found["seconds"] or 0)
     return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None

@@ -46,7 +46,7 @@ def text_of(given: object) -> str:
 
 
 def opened(given: object) -> object:
-    """A response to a prompt whose last words opened the thinking, as one that holds its beginning."""
+    """Prepend the opening mark of thinking to a response whose prompt already contains that mark."""
     try:
         text = text_of(given)
     except Refused:
@@ -63,7 +63,7 @@ def spoken(given: object) -> str:
 
 
 def boxed(response: object) -> str:
-    """The content of the last complete box that is not empty: where boxes are nested, of the outermost.
+    """Return the content of the last complete, non-empty box; of nested boxes, that of the outermost.
 
     Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable where print hides the
     box or words beside it deny it.
@@ -83,7 +83,7 @@ def boxed(response: object) -> str:
 
 
 def closed_boxes(text: str) -> list[tuple[int, int]]:
-    """Where the contents of complete boxes begin and end, in the order in which they are closed."""
+    """Return the start and end of the content of each complete box, in the order of their closing braces."""
     found: list[tuple[int, int]] = []
     open_braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     start = len(text[: max(text.find(r"\boxed"), 0)].rstrip("\\"))  # an even number of backslashes boxes nothing

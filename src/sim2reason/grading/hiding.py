@@ -1,4 +1,4 @@
-r"""What print hides of a box, and words beside it that deny it: neither is an answer that a reader would see.
+r"""Boxes that do not count as answers: invisible ones when typeset, and ones that the text denies.
 
 A box is hidden by a command around it (``\phantom``, ``\cancel``), by white ink, in a comment of LaTeX or HTML, or in
 an element that is not shown; it is denied by *not* before it or *is wrong* behind it.
@@ -50,7 +50,7 @@ _DENIED_BEHIND: Final = re.compile(
 
 
 def fault_of_box(text: str, begin: int, end: int) -> str:
-    """Why a box whose content stands from `begin` to `end` is no answer to a reader; empty where it is one."""
+    """Return why a box with its content from `begin` to `end` does not count as an answer; empty if it counts."""
     start = text.rfind("\\", 0, begin)
     before, behind = text[max(start - _NEAR, 0) : start], text[end : end + 80]
     near = before[-60:].lower()
@@ -71,7 +71,7 @@ def _is_hidden(before: str, behind: str) -> bool:
 
 
 def _is_within(before: str) -> bool:
-    """Whether what follows stands in a group, or behind a command, that hides or strikes it."""
+    """Return whether an open LaTeX group, or the last command, hides or strikes out the text that follows."""
     levels = [False]  # for each open group, whether it is hidden
     pending = -1  # where the argument of a command that hides it begins
     for found in _SCAN.finditer(before):

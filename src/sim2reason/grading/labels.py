@@ -42,7 +42,7 @@ _DENYING: Final = """
     exponential derivative integral times plus divided multiplied added subtracted
 """
 DENIALS: Final = frozenset(_DENYING.split())
-"""Words that keep what they stand with from being the value."""
+"""Words that show that a number beside them is not the answer: negations, alternatives, operations."""
 _COMPARING: Final = """
     less more greater smaller larger fewer higher lower above below under over beyond within up other others another
     opposite
@@ -146,7 +146,7 @@ def is_bare(side: Sequence[Token]) -> bool:
 
 
 def _is_letter(side: Sequence[Token]) -> bool:
-    """Whether a side is a single letter, as most names are."""
+    """Return whether one side of an equation is a single letter."""
     return len(side) == 1 and side[0].kind in _NAMES and len(side[0].text) == 1
 
 
@@ -248,7 +248,7 @@ def is_compound(side: Sequence[Token]) -> bool:
 
 
 def is_mixed_sum(side: Sequence[Token]) -> bool:
-    """Whether a side is a sum of single names, of which two have different letters, such as *a - g*."""
+    """Return whether one side of an equation is a sum of symbols with at least two different letters, as *a - g*."""
     inside = [token for token in side if token.kind not in {"open", "close", "mark"}]
     signs = [token for token in inside if token.kind in _SIGNS]
     named = [token for token in inside if token.kind not in _SIGNS]

@@ -60,7 +60,7 @@ _LEFT: Final = re.compile(r"[^\s,;:]+")
 
 
 def last_quantity(response: object) -> Iterator[str]:
-    """What the last quantity may be, the fullest first: its sentence, its equation, with its unit alone.
+    """Yield readings of the last quantity, longest first: its sentence, its equation, its number with a unit.
 
     Raises `Refused`: no answer where there is no number, wrong where the sentence offers another value or denies this
     one, unreadable where the number is part of an expression.
@@ -83,7 +83,7 @@ def last_quantity(response: object) -> Iterator[str]:
 
 
 def _unwrapped(text: str) -> str:
-    """A text without what wraps its answer."""
+    """Remove tags, tokens, Markdown and JSON around the answer."""
     *_, tagged = [None, *_ANSWER.finditer(text)]
     text = _TAGS.sub(" ", _TOKENS.sub(" ", tagged[1] if tagged else text))
     *_, field = [None, *_JSON.finditer(text)]
@@ -93,7 +93,7 @@ def _unwrapped(text: str) -> str:
 
 
 def _last_sentence(text: str) -> str:
-    """The last sentence with a number, without a constant that was used; `Refused` where there is none."""
+    """Return the last sentence with a number, without a final *using g = …*; raise `Refused` if there is none."""
     for sentence in reversed(_SENTENCE.split(text)):
         if re.search("[0-9]", sentence):
             said = _BULLET.sub("", sentence.strip(" \t|#>"))
@@ -120,7 +120,7 @@ def _refuse_doubt(before: str) -> None:
 
 
 def _equation(before: str) -> str:
-    """The left sides of the equation that ends here: all up to the last word of English."""
+    """Return the left sides of the equation that ends here, back to the last English word."""
     start = len(before)
     for piece in reversed(list(_LEFT.finditer(before))):
         if _WORDS.fullmatch(piece[0].strip("().")) and not is_unit(piece[0]):

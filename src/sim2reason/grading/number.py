@@ -91,7 +91,7 @@ def number(
 
 
 def unit_stated(content: str) -> Unit | None:
-    """The unit that an answer, without its box, states for its number; None without one, and for what is no number."""
+    """Return the unit stated in an answer; None if there is none, or if the answer is not a number."""
     try:
         return _stated(content, None).unit
     except Refused:

@@ -222,7 +222,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
 
 
 def _is_name_of(last: Tokens, before: Tokens) -> bool:
-    """Whether the last side is but a name that the side before it is given: *9.8 m = h*."""
+    """Return whether the last side only names the value before it, as in *9.8 m = h*."""
     if not last or any(token.kind in _NO_NAME for token in last):
         return False
     return labels.is_bare(last) and not labels.is_bare(before)

@@ -1,4 +1,4 @@
-r"""Where the thinking of a response ends, by the marks that public models put around it.
+r"""Removal of the thinking in a response, by the marks that public models put around it.
 
 Tags such as ``<think>``, ``<thinking>`` and ``<seed:think>``; ``[THINK]`` (Mistral); ``◁think▷`` (Kimi); the tokens of
 Cohere, Sky-T1, MedGemma, Apertus and Gemma; the channels of gpt-oss, with their tokens or without.
@@ -32,7 +32,7 @@ _ANALYSIS: Final = re.compile(r"\s{0,8}(?:assistant)?(?:analysis|commentary)(?=[
 
 
 def without_thinking(text: str) -> str:
-    """What stands behind the last mark that closes thinking.
+    """Return the text after the last closing mark of thinking.
 
     Raises `Refused`: no answer where thinking is open at the end. A mark that is only spoken of opens none: it stands
     within a line, and no box is behind it.
@@ -52,7 +52,7 @@ def without_thinking(text: str) -> str:
 
 
 def _angled(text: str) -> tuple[int, list[int], list[int]]:
-    """The end of the last closing mark that has a sign "<", or 0; and where tags, and tokens, open behind it."""
+    """Return the end of the last closing mark with "<", or 0, and the places of opening tags and tokens after it."""
     tags, tokens = list[int](), list[int]()
     at = len(text)
     for _ in range(MOST):
@@ -69,7 +69,7 @@ def _angled(text: str) -> tuple[int, list[int], list[int]]:
 
 
 def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
-    """Whether all marks stand within a line, and no box behind the first."""
+    """Return whether all opening marks are only quoted: each within a line of text, with no box after the first."""
     first = min(marks)
     within = all(text[max(text.rfind("\n", end, at) + 1, end) : at].strip() for at in marks[:FEW])
     return within and len(marks) <= FEW and r"\boxed" not in text[first:]

@@ -1,4 +1,4 @@
-"""What single letters usually stand for, so that an expression of them is not taken for another quantity.
+"""Usual meanings of single letters: an expression of them cannot name a quantity of another dimension.
 
 *xy* is no length, and *a/g* no acceleration. Only what textbooks agree on is here; a letter with several meanings has
 them all, and one that is not here may be any.
@@ -39,7 +39,7 @@ _NEAR: Final = 1e-9
 
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
-    """Whether a side may be a quantity in `unit`: all but expressions of usual letters that have another dimension."""
+    """Return whether a side may be a quantity in `unit`: False for usual letters of another dimension."""
     found = labels.names(side)
     letters = list(dict.fromkeys(letter for letter, _ in found))
     if len(found) <= 1 or len(letters) > _MOST or any(letter not in _USUAL for letter in letters):
@@ -52,7 +52,7 @@ def may_be(side: Sequence[Token], unit: Unit) -> bool:
 
 
 def _expression(side: Sequence[Token]) -> Node | None:
-    """The value of a side by the letters in it; None for what is no expression of letters and numbers."""
+    """Parse a side as an expression of letters and numbers; None if it is not one."""
     tokens = list[Token]()
     for token in side:
         letters = labels.names([token])
@@ -70,7 +70,7 @@ def _expression(side: Sequence[Token]) -> Node | None:
 
 
 def _has_dimension(node: Node, meant: dict[str, Dimension], wanted: Dimension) -> bool:
-    """Whether a value has a dimension: by how it grows with the units of length, mass and time."""
+    """Return whether an expression has a dimension, by its scaling with the units of length, mass and time."""
     here = arithmetic.value(node, {letter: 1.0 + 0.3 * place for place, letter in enumerate(meant)})
     if not here:
         return True

@@ -48,7 +48,7 @@ class NetForce(Quantity):
     order = 4
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether the body is not welded to others."""
+        """Return whether the body is not welded to others."""
         return not is_welded_part(mechanism, name)
 
     @staticmethod
@@ -70,7 +70,7 @@ class AboutCenter(Quantity):
         return tuple(name for name in self.of.names(mechanism) if any(mechanism.body[name].inertia))
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it has a moment of inertia, and is no part of a rigid body."""
+        """Return whether the body has a moment of inertia and is not part of a larger rigid body."""
         return any(mechanism.body[name].inertia) and not is_welded_part(mechanism, name)
 
 

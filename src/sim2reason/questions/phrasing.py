@@ -82,7 +82,7 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
-    """The words for a moment, *when it stops*, after a noun phrase that names what it is about and nothing else.
+    """Return a moment with a pronoun, *when it stops*, if the noun phrase before it names its subject alone.
 
     Nothing else is a body, or does something: after *the energy that the dashpot beside spring 2 dissipates* the one
     that *it* would be is the dashpot.

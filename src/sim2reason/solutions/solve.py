@@ -182,7 +182,10 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
 
 
 def setting_of(parsed: ParsedPrompt) -> Setting:
-    """What a prompt means, in its own names; without what is stated if that is not enough for what is asked for."""
+    """Return the setting that a prompt describes, with its own symbols.
+
+    If the number asked for is not determined, the setting asks for the result that the prompt states.
+    """
     scene, mentions = parsed.scene, parsed.reading.mentions
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}

@@ -14,7 +14,7 @@ def test_the_geometry_of_a_tipping_prism_is_told() -> None:
 
 
 def test_the_axis_passes_over_the_edge_of_the_last_landing_too() -> None:
-    """The least kinetic energy is that after the last of four landings."""
+    """Check the edge of the last landing, too: after it the kinetic energy is least."""
     prompt = (
         "On a stationary plane inclined at 9° to the horizontal, on one face and with its axis horizontal, lies a long "
         "uniform regular decagonal prism of mass 5.4 kg whose edges are 0.14 m from its axis. No edge slips on the "

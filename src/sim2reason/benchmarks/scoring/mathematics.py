@@ -54,7 +54,7 @@ class MathVerify(Scoring):
 
 
 def _equal(answer: str, said: str) -> bool | None:
-    """Whether two answers are equal, as our grammar reads them; None where it can't tell."""
+    """Compare two answers by the project's own grammar; None if it cannot read them."""
     if "%" in answer + said or _NAMED.search(_COMMAND.sub(" ", answer)):
         return None
     if read(answer) is None or _LETTER.fullmatch(answer):

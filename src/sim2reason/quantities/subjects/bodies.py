@@ -34,7 +34,7 @@ class Bodies(Subject):
         return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """*Relative to the ground* of what rides on another body."""
+        """Return *relative to the ground* for a body that is carried by another one."""
         del mentions
         return {"ground": " relative to the ground" if rides(mechanism, name) else ""}
 

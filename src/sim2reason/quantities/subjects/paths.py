@@ -105,7 +105,7 @@ def rides(mechanism: Mechanism, name: str) -> bool:
 
 
 def is_welded_part(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body is one of several that are welded to the same light one, and so is but a part of a rigid body."""
+    """Return whether a body is one of several welded to the same light body, and so part of a rigid body."""
     body = mechanism.body[name]
     if body.parent is None or body.coordinates:
         return False

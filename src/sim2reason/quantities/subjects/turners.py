@@ -31,7 +31,7 @@ class TurningBodies(Subject):
         return Bodies().gives(need, mechanism, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """The word that an angle needs of what may turn back on the way."""
+        """Return *net* for the angle of a body that may reverse its rotation."""
         del mentions
         return {"net": "" if turns_one_way(mechanism, name) else "net "}
 

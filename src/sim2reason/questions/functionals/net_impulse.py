@@ -27,7 +27,7 @@ class NetImpulse(Functional):
     weight = 0.05
 
     def present(self, words: Words, name: str) -> bool:
-        """What keeps its mass, and is no part of a rigid body."""
+        """Return whether a body has constant mass and is not part of a larger rigid body."""
         mechanism = words.mechanism
         return all(burn.body != name for burn in mechanism.burns) and not is_welded_part(mechanism, name)
 

@@ -27,7 +27,7 @@ class Away(DistanceThreshold):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A drawn distance; none of what is thrown, of which one asks how far forward and how high it gets."""
+        """Return a random distance; none for a projectile, whose range and height are asked for instead."""
         thrown = only_falls(study.mechanism) and study.mechanism.gravity != ZERO
         return [] if thrown else super(Away, cls).found(study, words, rng)
 

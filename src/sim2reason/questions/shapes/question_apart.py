@@ -19,12 +19,12 @@ class QuestionApart(PromptShape):
     share = 0.8
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts that do not end with a table: that ends with an empty line, whatever the shape."""
+        """Put the question into a paragraph of its own; None after a table, which an empty line always follows."""
         del rng
         return None if is_table(description.sentences[-1]) else f"{description.text}{BETWEEN}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The last paragraph is the question."""
+        """Yield the text with its last paragraph as the question."""
         story, between, question = text.rpartition(BETWEEN)
         if between:
             yield Draft(story, question)

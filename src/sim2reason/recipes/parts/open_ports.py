@@ -78,7 +78,7 @@ def stands_still(named: Named) -> bool:
 
 
 def is_downhill(port: OpenPort) -> bool:
-    """Whether a connection leaves down a slope, where it draws the way in which weight does."""
+    """Return whether a string leaves a body down its slope, so that it pulls in the direction of the weight."""
     direction = port.direction
     return direction is not None and not is_down(direction) and direction[2] < -1e-9
 

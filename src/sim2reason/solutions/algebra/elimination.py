@@ -45,7 +45,7 @@ class Equation:
 
     @property
     def among(self) -> frozenset[str]:
-        """The labels of equations that were put into it."""
+        """Return the labels of equations that were substituted into this one."""
         return frozenset[str]().union(*self.links.values())
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":

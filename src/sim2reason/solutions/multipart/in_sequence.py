@@ -18,7 +18,7 @@ UNCLEAR = "the names of its parts are not clear"
 
 
 def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, whole: bool = False) -> list[Solution]:
-    """The solution of each part, which starts from the answers to earlier ones; `solutions` are those of parts alone.
+    """Return the solution of each part, which starts from earlier answers; `solutions` are those of parts alone.
 
     With `whole` it starts from all that their solutions find, too, as whoever has read them can. Names mean the same in
     all parts; where they do not, none has an answer.

@@ -79,8 +79,6 @@ def verify_tops(
         energy = HALF * inertia * (Power(least, 2))
         step, names = book.open("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
         exceeds(book, step, energy, top)
-        for name, formula in zip(names, (energy, top), strict=True):
-            book.observed[name.name] = book.value(formula)
         told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, top), strict=True)]
         edges, landing = ("each edge", "a landing") if over else ("each edge before the last", "an earlier landing")
         step.say(f"The axis passes over {edges}, since the least kinetic energy at the start or just after {landing},")

@@ -31,7 +31,7 @@ _NAME: Final = re.compile(
 
 
 def same_text(one: str, other: str) -> bool:
-    """Whether two answers are spelled alike but for blanks, dollars, upright text and the size of brackets."""
+    """Return whether two answers are the same text, apart from blanks, dollars, upright fonts and bracket sizes."""
     return bool(one.strip()) and _squeezed(one) == _squeezed(other)
 
 

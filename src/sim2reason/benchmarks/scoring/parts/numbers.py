@@ -21,7 +21,7 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 
 
 def agrees(right: str, said: str, tolerance: float) -> bool | None:
-    """Whether two answers say the same number, relative to the right one and in its unit, where it has one.
+    """Return whether two answers give the same number, within a tolerance relative to the right one, in its unit.
 
     None where the right one is no number; of one without a unit, the unit of the other is not looked at.
     """

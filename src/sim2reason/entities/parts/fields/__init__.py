@@ -73,7 +73,7 @@ _TURNED: Mapping[str, str] = {"increases": "decreases", "decreases": "increases"
 
 
 def _by_way(trend: str) -> Word:
-    """What the component along an axis does if that in the direction of the field has a trend."""
+    """Return the trend of the component along an axis, given that of the component along the field."""
     return Word("way", {way: trend if way.startswith("positive") else _TURNED[trend] for way in _WAYS})
 
 
