@@ -35,6 +35,10 @@ EVENT_KINDS: Mapping[str, str] = {
 """What each kind of event is, in the order in which simultaneous ones are told. The last five end a motion."""
 
 
+IMPACTS = frozenset({"collision", "taut", "land"})
+"""Kinds of events at which velocities change at once, so that forces and accelerations are infinite."""
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """Something of one of the `EVENT_KINDS` that happens at an instant, to `subjects` in the order of engines."""

@@ -180,7 +180,7 @@ class Setting:
             ends = [self.called(body) for body in bodies if body is not None]
             where = " and ".join(ends) if ends else "its two fixed ends"
             named[line.name] = f"the string between {where}" if len(ends) > 1 else f"the string tied to {where}"
-            if len(ends) == 1 and any(self._on_a_rim(site) for site in line.through):
+            if len(ends) == 1 and any(self._on_a_rim(site) for site in (line.through[0], line.through[-1])):
                 named[line.name] = f"the part of the string between {where} and its fixed end"
             if not ends:
                 around = [self.mechanism.site[site].body for site in line.through]

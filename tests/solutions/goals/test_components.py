@@ -14,3 +14,9 @@ def test_a_string_under_a_pulley_is_not_tied_to_it() -> None:
     text = solution_text("hybrid-medium-numeric-disc-pulley")
     assert "in the part of the string between pulley P and its fixed end" in text
     assert "tied to pulley P" not in text
+
+
+def test_a_string_that_passes_a_pulley_is_tied_to_the_body_at_its_end() -> None:
+    text = solution_text("pulley-medium-choice-4711-0")
+    assert "$T_2$ in the string tied to crate A" in text
+    assert "moving pulley P changes both parts of it equally" in text
