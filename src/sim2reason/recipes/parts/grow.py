@@ -30,7 +30,7 @@ from sim2reason.recipes.parts.open_ports import (
     takes,
 )
 
-TRIES = 40
+TRIES = 100
 LONGEST_SENTENCE = 40  # words
 ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
 UPHILL = 0.7  # of scenes lead strings down a slope only beside one up it: weights are to work against each other
