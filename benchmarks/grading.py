@@ -41,7 +41,7 @@ PLAIN: dict[str, Callable[[], object]] = {
     "formula, Atwood": lambda: formula(r"$\boxed{g\frac{m_1-m_2}{m_1+m_2}}$", r"\frac{m_1-m_2}{m_1+m_2}g"),
     "formula, spring on wedge": lambda: formula(rf"$\boxed{{{REFERENCE}}}$", REFERENCE),
 }
-FLOORS = {"number": 15_000, "formula": 5_000}  # grades a second on one core
+FLOORS = {"number": 15_000, "formula": 6_000}  # grades a second on one core
 CEILINGS = {"number": 50, "formula": 50}  # milliseconds
 MEMORY = 64 * 2**20
 BESIDE = """

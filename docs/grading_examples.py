@@ -53,7 +53,17 @@ NUMBERS: list[tuple[str, float, str | None]] = [
     (r"\boxed{\qty{9.8}{\meter\per\second\squared}}", 9.8, "m/s^2"),
     (r"\boxed{3.2\,\mathrm{ms^{-1}}}", 3.2, "m/s"),
     (r"\boxed{95.5\text{ rpm}}", 10.0, "rad/s"),
+    (r"\boxed{21.5\text{ mph}}", 9.61, "m/s"),
+    (r"\boxed{1\text{ h }5\text{ min }20\text{ s}}", 3920.0, "s"),
+    (r"\boxed{26^\circ 30'}", 26.5, "deg"),
+    (r"\boxed{2.4\,\hat{i}\text{ m/s}}", 2.4, "m/s"),
+    (r"\boxed{2.4\,\hat{i} + 3.2\,\hat{j}}", 2.4, "m/s"),
+    (r"\boxed{\frac{a}{g} = 9.8}", 9.8, "m/s^2"),
     (r"<think>\boxed{9.8}</think> Done.", 9.8, "m"),
+    (r"[THINK]\boxed{9.8}[/THINK] Done.", 9.8, "m"),
+    (r"\boxed{4.9} \phantom{\boxed{9.8}}", 9.8, "m"),
+    (r"It is not \boxed{9.8}.", 9.8, "m"),
+    (r"\boxed{9.8} (instead of \boxed{ })", 9.8, "m"),
     (r"The answer is 9.8 m.", 9.8, "m"),
 ]
 FORMULAS = [

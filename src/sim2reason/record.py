@@ -1,4 +1,4 @@
-"""Data classes of which very many objects are built."""
+"""A decorator for data classes with very many instances."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,10 +9,10 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True)
 def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[T]]:
-    """Make a class a data class that type checkers take for a frozen one, hashed by its fields.
+    """Make a class a data class that type checkers treat as frozen, with a hash by its fields.
 
-    Python's own frozen ones assign each field through `object.__setattr__`, and so take three times as long to build,
-    which was some 4 % of the time of an item. Nothing refuses an assignment at run time.
+    A frozen data class assigns each field through `object.__setattr__` and takes three times as long to create. At run
+    time nothing prevents an assignment.
     """
 
     def decorated(cls: type[T]) -> type[T]:

@@ -5,18 +5,31 @@ letter of a multiple choice. The functions here read it, and are pure: any threa
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
+from typing import cast
+from warnings import warn
 
 from pydantic import TypeAdapter, ValidationError
 
 from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Answer, Item, Record
+from sim2reason.datasets.rows import answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Score, choice
+from sim2reason.grading import Score, choice, opened
 from sim2reason.grading.parts import LABELS
 
-__all__ = ["Letter", "accuracy", "answered", "boxed", "compute_score", "partial_accuracy", "score", "solution"]
+__all__ = [
+    "Letter",
+    "accuracy",
+    "accuracy_with",
+    "answered",
+    "boxed",
+    "compute_score",
+    "partial_accuracy",
+    "score",
+    "solution",
+]
 
 EXTRA = "parts", "letter", "options"  # of an answer, which most do not have
 SHOWN = 80  # characters of a text that is no solution
@@ -60,50 +73,101 @@ def boxed(answer: str) -> str:
     return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"
 
 
-def score(solution: str, response: object, *, partial: bool = False) -> Score:
+def score(solution: str, response: object, *, partial: bool = False, thinking_opened: bool = False) -> Score:
     """The grade of a response, which is a text or messages, by a row's solution.
 
-    With `partial`, a response to a problem of several parts is paid the share of the parts that are right.
+    With `partial`, a response to a problem of several parts is paid the share of the parts that are right. Where the
+    prompt ended within the thinking, as by a chat template, `thinking_opened` says so.
 
     Raises:
         DatasetError: the solution is none of ours.
     """
-    right = _read(solution)
+    return _scored(_read(solution), response, partial=partial, thinking_opened=thinking_opened)
+
+
+def _scored(right: Answer | Letter, response: object, *, partial: bool, thinking_opened: bool) -> Score:
+    said = opened(response) if thinking_opened else response
     if isinstance(right, Letter):
-        return choice(response, right.letter, right.letters)
-    return grade_answer(right, response, partial=partial)
+        return choice(said, right.letter, right.letters)
+    return grade_answer(right, said, partial=partial)
+
+
+Columns = Sequence[object] | None
+Reward = Callable[..., list[float | None]]
 
 
 def accuracy(
     prompts: Sequence[object],
     completions: Sequence[object],
     *,
-    solution: Sequence[str | None],
+    solution: Columns = None,
+    answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """TRL's signature: a reward of 1 or 0 for each completion, a text or a list of messages.
+    """Return a reward of 1 or 0 for each completion, a text or a list of messages, as TRL expects.
 
-    A row without a solution, as those of another dataset in a mixture, gets None, which TRL leaves out.
-
-    Raises:
-        DatasetError: a solution is none of ours.
+    What is right stands in the column `solution` of an export, or in `answer` of a dataset as `generate` writes it. A
+    row that has neither, as those of another dataset in a mixture, gets None, which TRL leaves out; where no row of a
+    batch has one, a warning says so.
     """
     del prompts, columns
-    pairs = zip(solution, completions, strict=True)
-    return [score(right, said).reward if right else None for right, said in pairs]
+    return _rewards(completions, solution, answer, partial=False, thinking_opened=False)
 
 
 def partial_accuracy(
     prompts: Sequence[object],
     completions: Sequence[object],
     *,
-    solution: Sequence[str | None],
+    solution: Columns = None,
+    answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """The same, but for a problem of several parts the share of the parts that are right."""
+    """Return rewards as `accuracy` does, but for a problem of several parts the share of parts that are right."""
     del prompts, columns
-    pairs = zip(solution, completions, strict=True)
-    return [score(right, said, partial=True).reward if right else None for right, said in pairs]
+    return _rewards(completions, solution, answer, partial=True, thinking_opened=False)
+
+
+def accuracy_with(*, partial: bool = False, thinking_opened: bool = False) -> Reward:
+    """Return a reward function for TRL with the settings of `score`."""
+
+    def accuracy(prompts: Sequence[object], completions: Sequence[object], **columns: Columns) -> list[float | None]:
+        del prompts
+        rights = columns.get("solution"), columns.get("answer")
+        return _rewards(completions, *rights, partial=partial, thinking_opened=thinking_opened)
+
+    return accuracy
+
+
+def _rewards(
+    completions: Sequence[object], solution: Columns, answer: Columns, *, partial: bool, thinking_opened: bool
+) -> list[float | None]:
+    none: list[object] = [None] * len(completions)
+    columns = zip(none if solution is None else solution, none if answer is None else answer, strict=True)
+    rights = [_right(*row) for row in columns]
+    if completions and not any(rights):
+        warn(
+            "no row of this batch says what is right: give the column solution of sim2reason export, "
+            "or the column answer of a dataset of sim2reason generate",
+            stacklevel=3,
+        )
+    pairs = zip(rights, completions, strict=True)
+    return [
+        _scored(right, said, partial=partial, thinking_opened=thinking_opened).reward if right else None
+        for right, said in pairs
+    ]
+
+
+def _right(*columns: object) -> Answer | Letter | None:
+    """Return the reference answer in the columns of a row; None if they are not columns of this library."""
+    for held in columns:
+        try:
+            if isinstance(held, str):
+                return _read(held)
+            if isinstance(held, Mapping):
+                return answer_of({"answer": cast("Mapping[str, object]", held)})
+        except DatasetError:
+            continue
+    return None
 
 
 def compute_score(
@@ -111,11 +175,16 @@ def compute_score(
     solution_str: str,
     ground_truth: str,
     extra_info: object = None,
+    *,
+    thinking_opened: bool = False,
     **settings: object,
 ) -> float:
-    """The signature of verl: a reward of 1 or 0 for one response; DatasetError for a ground truth that is none."""
+    """Return a reward of 1 or 0 for one response, as verl expects; DatasetError if the ground truth is unreadable.
+
+    `thinking_opened` comes from ``reward_kwargs``, and says that prompts end within the thinking.
+    """
     del data_source, extra_info, settings
-    return score(ground_truth, solution_str).reward
+    return score(ground_truth, solution_str, thinking_opened=thinking_opened).reward
 
 
 @lru_cache(maxsize=1024)

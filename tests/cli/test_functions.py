@@ -18,7 +18,7 @@ ONE_ROW = {"dataset", "responses", "split"}, {"item", "response"}
 """A file of responses to a dataset, or to its splits; or one response to one item."""
 OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "grade": ONE_ROW,
-    "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
+    "generate": ({"shard_size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
     "export": (set(), {"advance"}),
     "sample-solutions": (set(), {"advance"}),
     "eval": (set(), {"config", "out", "begun", "advance"}),  # a group, whose command without a name takes them
@@ -37,12 +37,17 @@ def command(name: str) -> click.Command:
     return found
 
 
+def named(param: click.Parameter) -> str:
+    """An option as a function has its name."""
+    return max(param.opts, key=len).removeprefix("--").replace("-", "_")
+
+
 def taken(found: click.Command) -> Iterator[str]:
     """What a command takes, but for what says how its result is printed or kept."""
     for param in found.params:
         if isinstance(param, click.Option):
             if not (param.hidden or isinstance(param, Printing) or "--json" in param.opts):
-                yield max(param.opts, key=len).removeprefix("--")
+                yield named(param)
         else:
             yield str(param.name)
 
@@ -70,7 +75,7 @@ def test_a_public_function_has_its_name_and_its_options(name: str) -> None:
 def test_defaults_are_the_same(name: str) -> None:
     signature = inspect.signature(getattr(sim2reason, name.replace("-", "_"))).parameters
     for param in command(name).params:
-        held = signature.get(max(param.opts, key=len).removeprefix("--"))
+        held = signature.get(named(param))
         if held is None or held.default in (held.empty, None, ()) or param.required or isinstance(param, Printing):
             continue
         default = param.get_default(click.Context(command(name)))

@@ -102,6 +102,7 @@ def test_a_request_of_another_configuration_has_no_position() -> None:
         {"license": "none\ntags: x"},
         {"split": {"a": 0.5}},
         {"split": {"../a": 1.0}},
+        {"split": {"all": 0.5, "test": 0.5}},
         {"colour": "red"},
     ],
 )

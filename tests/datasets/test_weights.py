@@ -117,9 +117,11 @@ def test_items_are_of_the_kinds_that_are_ordered() -> None:
 
 def test_what_is_wanted_is_nearly_always_kept() -> None:
     """The kind that an item's weights choose is what it becomes, in at least three of four items (54 % before)."""
-    made = [make(Request("pulley", "easy", "numeric", 9, k)) for k in range(24)]
-    assert sum(found.item is not None and found.item.kind == found.wanted for found in made) >= 18
-    assert len({found.wanted for found in made}) >= 4
+    made = [make(Request("pulley", "easy", "numeric", seed, k)) for seed in (9, 10) for k in range(24)]
+    chosen = [found for found in made if found.wanted]  # empty: a textbook has all its answers ready
+    assert len(chosen) >= 40
+    assert sum(found.item is not None and found.item.kind == found.wanted for found in chosen) >= 0.75 * len(chosen)
+    assert len({found.wanted for found in chosen}) >= 4
 
 
 def test_a_search_is_a_pure_function_of_its_request() -> None:

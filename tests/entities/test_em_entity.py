@@ -11,7 +11,7 @@ from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
 from sim2reason.dsl.template import Wordings
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields import ForceField
+from sim2reason.entities.parts.fields import ElectricField, ForceField
 from sim2reason.entities.parts.fields.dipole_magnetic import DipoleMagnetic
 from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
 from sim2reason.entities.parts.fields.linear_drag import LinearDrag
@@ -21,6 +21,7 @@ from sim2reason.entities.parts.fields.oscillating_electric import OscillatingEle
 from sim2reason.entities.parts.fields.quadratic_drag import QuadraticDrag
 from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
 from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.parsing.scene_parser import parse_scene
 from sim2reason.prose.description import describe
 from sim2reason.questions.prompt import words_of
 
@@ -259,4 +260,36 @@ def test_the_text_says_which_way_a_changing_field_points(law: type[ForceField]) 
     """A component alone may be negative; then a question for it can have two answers."""
     saying = law.says[0]
     assert isinstance(saying, Wordings)
-    assert all("magnitude {strength}" in told and "{way} direction" in told for told in saying.wordings)
+    assert all("magnitude {strength}" in told and "points in {direction}" in told for told in saying.wordings)
+
+
+def electric(text: str) -> ElectricField | None:
+    """The electric field of the scene that a text tells."""
+    entity = parse_scene(text).scene.entities[0].entity
+    assert isinstance(entity, EmEntity)
+    return entity.electric
+
+
+@pytest.mark.parametrize(("way", "trend", "does"), [("positive", "increases", "in"), ("negative", "increases", "de")])
+@pytest.mark.parametrize("seed", range(4))
+def test_what_changes_is_told_as_a_component_along_an_axis(way: str, trend: str, does: str, seed: int) -> None:
+    """E = −(E₀ + k x) points the other way the more the larger x is: its x component decreases."""
+    values = {"strength": 1.1, "way": f"{way} x", "trend": trend}
+    linear = LinearElectric.model_validate({**values, "axis": "x", "slope": 0.4})
+    told = describe(alone(EmEntity(electric=linear, particle=BEAD, start=Released())), seed).text
+    assert f"x component {does}creases with x at a rate of 0.40 N/(C·m)" in told
+    assert f"the {way} x direction" in told
+    assert "the only one" not in told
+    assert electric(told) == linear
+    growing = GrowingElectric.model_validate({**values, "growth": 0.3})
+    told = describe(alone(EmEntity(electric=growing, particle=BEAD, start=Released())), seed).text
+    assert f"x component {does}creases at a " in told
+    assert electric(told) == growing
+
+
+def test_the_strength_of_a_field_that_changes_is_not_called_the_field() -> None:
+    field = LinearElectric(strength=1.1, way="positive x", trend="increases", axis="x", slope=0.4)
+    words = words_of(describe(alone(EmEntity(electric=field, particle=BEAD, start=Released()))))
+    assert "it.electric.strength" not in words.named
+    asked = next(u for u in words.unknowns if u.path == "it.electric.strength")
+    assert asked.phrases == ("the magnitude $E$", "$E$")

@@ -303,7 +303,7 @@ def test_a_rod_ends_in_what_is_thick_on_its_own_side_alone() -> None:
         RotationEntity(pieces=(ball, rod.model_copy(update={"side": OTHER})), angle=9.0)
 
 
-@pytest.mark.parametrize(("side", "angle", "line"), [(OTHER, 150.0, "all that turns"), (SAME, 30.0, "the arm")])
+@pytest.mark.parametrize(("side", "angle", "line"), [(OTHER, 150.0, "the bodies on the arm"), (SAME, 30.0, "the arm")])
 def test_an_arm_that_carries_bodies_on_both_sides_does_not_point(side: Side, angle: float, line: str) -> None:
     """Its centre of mass is on the side of the ball at 2 m, not at 0.5 m; that on the other side is at 180° − 30°."""
     near = BallPiece(body=FixedBall(mass=1.0), distance=0.5)

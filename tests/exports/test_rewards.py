@@ -68,6 +68,37 @@ def test_trl_gets_a_reward_for_each_completion_and_none_for_rows_of_others(items
     assert found == [1.0, 1.0, 0.0, None]
 
 
+def test_a_row_of_a_generated_dataset_is_graded_by_its_answer(items: list[Item]) -> None:
+    item = items[0]
+    row = item.model_dump(mode="json")
+    worked = [{"strategy": "a", "text": "b"}, None]
+    said = [rewards.boxed(rewards.answered(item)), r"\boxed{1e9}"]
+    assert rewards.accuracy(["p"] * 2, said, solution=worked, answer=[row["answer"]] * 2) == [1.0, 0.0]
+    assert rewards.partial_accuracy(["p"] * 2, said, answer=[row["answer"]] * 2) == [1.0, 0.0]
+
+
+def test_rows_of_other_data_with_columns_of_their_own_get_none(items: list[Item]) -> None:
+    item = items[0]
+    right = rewards.boxed(rewards.answered(item))
+    others: list[object] = [rewards.solution(item), "So $x = 2$.", r"\boxed{2}", '{"value": 1}', 2, {"a": 1}]
+    assert rewards.accuracy(["p"] * 6, [right] * 6, solution=others, answer=["2"] * 6) == [1.0, *[None] * 5]
+
+
+def test_a_batch_without_any_answer_of_ours_is_told() -> None:
+    with pytest.warns(UserWarning, match="give the column solution of sim2reason export"):
+        assert rewards.accuracy(["p"], [r"\boxed{1}"], text=["a"]) == [None]
+
+
+def test_settings_of_a_reward_are_given_once(items: list[Item]) -> None:
+    item = items[0]
+    cut_off, held = f"We get {rewards.boxed(rewards.answered(item))}, but", rewards.solution(item)
+    reward = rewards.accuracy_with(thinking_opened=True)
+    assert reward.__name__ == "accuracy"
+    assert reward(["p"] * 2, [cut_off, f"a</think>{cut_off}"], solution=[held] * 2) == [0.0, 1.0]
+    assert rewards.accuracy(["p"], [cut_off], solution=[held]) == [1.0]
+    assert rewards.compute_score("sim2reason", cut_off, held, thinking_opened=True) == 0.0
+
+
 @pytest.mark.parametrize("text", ["", "{}", "9.8", '{"value": 1}', '{"value": NaN, "unit": ""}', "x" * 500])
 def test_what_is_no_solution_is_told_in_one_short_line(text: str) -> None:
     with pytest.raises(DatasetError, match="is no solution of sim2reason; give the column") as error:

@@ -28,6 +28,11 @@ def test_nearly_every_case_is_judged_as_it_should_be() -> None:
     assert len(REFUSALS) < 0.02 * len(CASES)
 
 
+def test_of_the_cases_from_reports_nearly_all_are_judged_as_they_should_be() -> None:
+    given = [case["id"] for case in CASES if case["id"].startswith("report-")]
+    assert len(REFUSALS.keys() & set(given)) <= 0.01 * len(given)
+
+
 @pytest.mark.parametrize(
     ("response", "outcome"),
     [
@@ -36,7 +41,8 @@ def test_nearly_every_case_is_judged_as_it_should_be() -> None:
         (r"\boxed{9.8} and then \boxed{9", "correct"),
         (r"\boxed{\boxed{9.8}}", "correct"),
         (r"\boxed{9.8 \boxed{9.8}}", "unreadable"),
-        (r"\boxed{1} \boxed{}", "no answer"),
+        (r"\boxed{1} \boxed{}", "wrong"),
+        (r"\boxed{}", "no answer"),
         (r"\boxed{9.8", "no answer"),
         (r"boxed{9.8}", "no answer"),
         (r"\\boxed{9.8}", "no answer"),

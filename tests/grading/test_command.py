@@ -50,6 +50,27 @@ def read(path: Path) -> list[Response]:
         return list(responses(file, str(path)))
 
 
+def test_a_list_of_texts_is_as_many_responses_and_a_list_of_messages_one(tmp_path: Path) -> None:
+    messages = [{"role": "user", "content": "?"}, {"role": "assistant", "content": r"\boxed{1}"}]
+    held = [[r"\boxed{1}", r"\boxed{2}", "none"], messages, []]
+    path = tmp_path / "said.jsonl"
+    path.write_text("\n".join(json.dumps({"id": "a", "response": each}) for each in held), encoding="utf-8")
+    assert [found.response for found in read(path)] == [*held[0], messages, []]
+
+
+def test_thinking_that_the_prompt_opened_is_no_answer(item: Item, data: Path, tmp_path: Path) -> None:
+    cut_off = rf"We get \boxed{{{item.answer.value!r}}}, but"
+    assert grade(item, cut_off).reward
+    assert grade(item, cut_off, thinking_opened=True).outcome == "no answer"
+    assert grade(item, f"{cut_off} yes.</think>{cut_off}", thinking_opened=True).reward
+    first = next(iter(Dataset(data)))
+    path = tmp_path / "said.jsonl"
+    path.write_text(json.dumps({"id": first.id, "response": rf"\boxed{{{first.answer.value!r}}}"}), encoding="utf-8")
+    arguments = ["grade", str(data), "--responses", str(path), "--json"]
+    for more, paid in ([], 1.0), (["--thinking-opened"], 0.0):
+        assert json.loads(CliRunner().invoke(main, [*arguments, *more]).stdout)[0]["reward"] == paid
+
+
 def test_an_item_is_graded_in_its_unit_and_tolerance(item: Item) -> None:
     value = item.answer.value
     assert grade(item, rf"\boxed{{{value!r}}}").reward

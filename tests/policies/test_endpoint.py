@@ -88,6 +88,35 @@ def test_what_no_patience_mends_stops_the_run_and_names_no_key(status: int) -> N
     assert KEY not in told
 
 
+def test_an_endpoint_that_refuses_a_seed_can_be_asked_without_one() -> None:
+    with serving(lambda *_: Said(answer("9.8"))) as server:
+        policy(server.url, send_seed=False)[0].complete([REQUEST])
+    assert "seed" not in server.requests[0]
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        (
+            {"detail": [{"loc": ["body", "seed"], "msg": "Extra inputs are not permitted", "type": "extra"}]},
+            r"status 422: seed: Extra inputs are not permitted; set send_seed: false",
+        ),
+        (
+            {"message": {"detail": [{"loc": ["body", "n"], "msg": "no"}]}, "object": "error"},
+            r"status 422: n: no; see url",
+        ),
+        (
+            {"error": {"message": "Use 'max_completion_tokens' instead.", "param": "max_tokens"}},
+            r"max_tokens: Use .*max_completion_tokens' instead\.; set length_field",
+        ),
+        ({"error": {"message": "temperature must be 1"}}, r"set sampling: \{temperature: null\}"),
+    ],
+)
+def test_why_a_request_is_refused_is_shown_with_what_to_set(body: dict[str, Any], said: str) -> None:
+    with serving(lambda *_: Said(body, 422)) as server, pytest.raises(PolicyError, match=said):
+        policy(server.url)[0].complete([REQUEST])
+
+
 def test_an_answer_that_echoes_the_key_is_kept_without_it() -> None:
     with serving(lambda _, __, key: Said(answer(f"your key is {key}", reasoning_content=f"hm, {key}"))) as server:
         found = policy(server.url)[0].complete([REQUEST])[0]

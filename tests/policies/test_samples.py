@@ -63,6 +63,14 @@ def test_a_second_run_asks_only_for_what_is_missing(tmp_path: Path) -> None:
     assert all(found.seed == sample_seed(0, *found.key) for found in held)
 
 
+def test_a_text_that_begins_within_the_thinking_says_so(tmp_path: Path) -> None:
+    run(tmp_path / "plain.jsonl", Parrot(name="p"), 1, 1)
+    run(tmp_path / "within.jsonl", Parrot(name="p", thinking_opened=True), 1, 1)
+    plain, within = (next(iter(finished(tmp_path / f"{name}.jsonl"))).completion for name in ("plain", "within"))
+    assert plain.whole == plain.text
+    assert within.whole == f"<think>{within.text}"
+
+
 @settings(max_examples=30)
 @given(cut=st.integers(1, 4000))
 def test_wherever_a_kill_cuts_the_last_lines_no_sample_is_lost_or_asked_twice(

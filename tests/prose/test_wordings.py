@@ -4,8 +4,11 @@ import re
 
 import pytest
 
+from plain_scenes import row
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 from sim2reason.parsing.scene_parser import parse_scene
+from sim2reason.prose.closings import CLOSINGS
 from sim2reason.prose.description import describe
 from sim2reason.questions.moments.closest import Closest
 from sim2reason.questions.moments.farthest import Farthest
@@ -34,9 +37,26 @@ def test_a_second_plane_tells_nothing_of_the_first(wording: int) -> None:
     """No *another smooth plane* after a rough one; and no horizontal has a surface."""
     told = describe(load(TWO_SLOPES), wording).text
     assert re.search(
-        r"nother fixed plane (with a|whose) (smooth|rough) surface (is )?inclined at \d+° to the horizontal", told
+        r"nother fixed plane of inclination \d+° (with a (smooth|rough) surface|whose surface is (smooth|rough))", told
     )
     assert parse_scene(told).scene.joints
+
+
+def test_no_way_to_say_when_a_motion_begins_is_said_by_lines_and_closings_alike() -> None:
+    """As in *to begin with, the rod makes …* and then *to begin with, everything is held at rest*."""
+    closing = [wording for found in CLOSINGS for wording in found.wordings]
+    assert not any("to begin with" in wording or wording.startswith("initially") for wording in closing)
+
+
+def test_what_is_said_of_friction_is_said_in_different_ways() -> None:
+    assert len(set(FRICTION_ON_PLANE.wordings)) == len(FRICTION_ON_PLANE.wordings)
+    assert not any("friction on this plane, static and kinetic, has" in told for told in FRICTION_ON_PLANE.wordings)
+
+
+def test_the_other_one_of_two_springs_is_called_so() -> None:
+    """For one sentence later the other is a cart."""
+    chain = row((2.0, 3.0), (40.0, 50.0), "left", strain=0.2, speed=1.0)
+    assert "the other spring is relaxed" in describe(chain).text
 
 
 def test_one_body_is_far_from_another_that_is_fixed() -> None:

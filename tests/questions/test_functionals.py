@@ -448,3 +448,20 @@ def test_areas_are_asked_for_where_the_line_turns_in_one_sense(*, turns: bool, w
         name for name in Pairs().names(study.mechanism) if {"system.star", "system.planets.0"} == {*members(name)}
     )
     assert AreaSwept().worth(study, pair, 0.343) is worth
+
+
+def test_no_tension_is_the_greatest_where_a_slack_string_becomes_taut_with_a_jerk() -> None:
+    """Before it goes slack, the tension is greatest at the lowest point: m (v²/ℓ + 2 g (1 - cos θ) + g)."""
+    read = parse_prompt(
+        "A light, inextensible string of length 1.2 m joins a small bead (0.42 kg) to a fixed point. Initially the "
+        "string is taut and makes an angle of 68° with the downward vertical. At t = 0 the bead starts moving "
+        "downwards along its arc at speed 3.0 m/s. Each time the slack string becomes taut, the velocity along it is "
+        "lost. The acceleration of free fall is g = 9.8 m/s². Find the greatest tension in the string in the time from "
+        "t = 0 to the moment just after it becomes taut again for the first time. State the answer in N to three "
+        "significant figures, inside \\boxed{}."
+    )
+    assert read.answer is None
+    slack = next(event.time for event in read.study.trace.events if event.kind == "slack")
+    early = replace(read.query, moment=AtTime(round(slack - 0.05, 2)))
+    expected = 0.42 * (3.0**2 / 1.2 + 2.0 * 9.8 * (1.0 - cos(radians(68.0))) + 9.8)
+    assert KINDS["extremum"].answer(early, read.study) == pytest.approx(expected)

@@ -8,6 +8,7 @@ import pytest
 
 import motions
 from plain_scenes import ramp, table
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Z
 from sim2reason.filters import FILTERS, Candidate
@@ -224,3 +225,12 @@ def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
     assert {"velocity", "kinetic energy"} & {query.target.quantity for query in asked if query.target is not None}
     assert not {"friction force", "acceleration", "torque"} & {q.target.quantity for q in asked if q.target is not None}
     assert AtTime(0.5).time(study.trace) == 0.5
+
+
+@pytest.mark.parametrize(("recipe", "asked"), [("projectile", False), ("electromagnetic", True)])
+def test_of_what_is_thrown_no_slant_distance_fixes_a_moment(recipe: str, asked: bool) -> None:
+    """Of a bead in a field one may ask when it is so far from where it began."""
+    scene = sample(recipe, "easy", seed=3)
+    words, study = words_of(describe(scene)), Study(scene, simulate(scene))
+    found = [moment for seed in range(5) for moment in Away.found(study, words, np.random.default_rng(seed))]
+    assert bool(found) is asked

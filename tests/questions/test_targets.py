@@ -8,11 +8,18 @@ import pytest
 
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
+from sim2reason.bodies.ball import FixedBall
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.box import Box
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.sphere import Sphere
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_box_plane import MassBoxPlane
+from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
+from sim2reason.entities.parts.rolling import Rolling, Rough, Sliding, Spinning
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
@@ -168,8 +175,43 @@ def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) ->
         assert ("relative to the ground" in asked[name]) == riding, name
 
 
-def test_of_what_rolls_the_net_angle_is_asked_for() -> None:
-    """A body that slips may turn back on the way."""
-    held = QUANTITIES["angle rolled"]
-    assert "net angle" in held.magnitude
-    assert "net angle" in held.how
+@pytest.mark.parametrize(
+    ("angle", "start", "net"),
+    [
+        (20.0, None, ""),
+        (20.0, Rolling(speed=2.0, way="down the slope"), ""),
+        (20.0, Rolling(speed=2.0, way="up the slope"), "net "),
+        (20.0, Spinning(spin=9.0, way="down the slope"), ""),
+        (20.0, Spinning(spin=9.0, way="up the slope"), "net "),
+        (0.0, Sliding(speed=2.0, way="to the right"), ""),
+        (0.0, Spinning(spin=9.0, way="to the right"), ""),
+    ],
+)
+def test_the_net_angle_is_asked_of_what_may_turn_back(
+    angle: float, start: Rolling | Sliding | Spinning | None, net: str
+) -> None:
+    """A body that is sent up a slope may; one that rolls down, or slips on level ground, turns one way."""
+    ball = Sphere(mass=2.0, radius=0.1)
+    held = RollingEntity(body=ball, plane=Incline(angle=angle), grip=Rough(friction=0.4), start=start)
+    scene = Scene(entities=(Named(name="lane", entity=held),))
+    found = {t.quantity: n for t, n in targets(words_of(describe(scene))).items()}["angle rolled"]
+    assert found.phrase.startswith(f"the {net}angle through which the ")
+    assert found.over.startswith(f"the {net}angle through which the ")
+    turned = QUANTITIES["angle rolled"].evaluate(simulate(scene).scan, "lane.body")
+    back = bool((np.diff(turned) < -1e-9 * np.abs(turned).max()).any() and (np.diff(turned) > 0.0).any())
+    assert back <= bool(net)
+
+
+@pytest.mark.parametrize("several", [True, False])
+def test_of_a_part_of_a_rigid_body_no_force_is_asked_for(several: bool) -> None:
+    """Nor its kinetic energy without that of its rotation."""
+    ball = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.6)
+    other = BallPiece(body=FixedBall(mass=1.0), distance=1.1)
+    arm = RotationEntity(pieces=(ball, other) if several else (ball,), angle=40.0)
+    scene = Scene(entities=(Named(name="arm", entity=arm),))
+    found = {t.quantity for t in targets(words_of(describe(scene))) if t.subject == "arm.pieces.0.body"}
+    assert {"kinetic energy", "velocity"} <= found
+    asked = {"net force", "torque", "translational kinetic energy", "rotational kinetic energy"} & found
+    assert bool(asked) != several
+    words = words_of(describe(scene))
+    assert ("arm.pieces.0.body" in FUNCTIONALS["impulse of the net force"].asked(words)) != several

@@ -145,3 +145,11 @@ def test_pieces_that_would_be_in_one_another_are_not_drawn(difficulty: Difficult
         except SceneError as error:
             refused.append(str(error))
     assert not [reason for reason in refused if "overlap" in reason]
+
+
+@pytest.mark.parametrize("recipe", ["incline", "pulley", "hybrid", "box"])
+def test_one_hand_pulls_at_most(recipe: str) -> None:
+    """Two that pull at the ends of one chain do no more than one."""
+    for seed in range(15):
+        kinds = [type(named.entity).__name__ for named in sample(recipe, "hard", seed=seed).entities]
+        assert kinds.count("ConstantForcePuller") <= 1

@@ -12,7 +12,7 @@ TENSION = (
     " is free to slide. On the left face lies crate A of mass 3.3 kg, and on the right face crate B (mass"
     " $m_B$). Across the apex, over a light pulley, a light string joins A to B. Everything is released "
     "from rest with the string taut. What must $m_B$ be if the tension in the string after the release is"
-    " to be 15.7 N? (The pulley turns freely, and no body reaches it or an edge. The acceleration due to "
+    " to be 15.7 N? (The pulley turns freely, and no body reaches an edge. The acceleration due to "
     "gravity is g = 9.8 m/s².) Give your answer in kg, to three significant figures, inside \\boxed{}."
 )
 LANDING = (
@@ -25,7 +25,7 @@ LANDING = (
 )
 ENERGY = (
     "A smooth, fixed plane inclined at an angle $\\theta$ to the horizontal carries a block whose mass is "
-    "2.4 kg. The velocity of the block at t = 0 is 0.76 m/s, directed up the slope. In the time from t = "
+    "2.4 kg. The velocity of the block at t = 0 is 0.76 m/s, directed up the slope. In the interval from t = "
     "0 to t = 1.4 s, the magnitude of the change in the block's gravitational potential energy is 63 J. "
     "Find $\\theta$. Let g = 9.8 m/s². Give your answer in degrees, to three significant figures, inside "
     "\\boxed{}."
@@ -43,18 +43,18 @@ FRICTION = (
     "A stationary plane inclined at an angle $\\theta$ to the horizontal carries a uniform thin disc A of "
     "radius $R_A$ and mass $m_A$; it is free to roll straight up or down the slope. There is no slipping."
     " From the axle of A a light string runs up the slope, passes over a pulley fixed in place (a uniform"
-    " disc of mass $M$) and runs straight down to block B of mass $m_B$. To begin with, everything is "
-    "held at rest with the string taut, and is then let go. The axle is frictionless, no string slips on "
-    "the pulley, and nothing reaches it. Let g = 9.8 m/s². The magnitude of the friction force exerted on"
+    " disc of mass $M$) and runs straight down to block B of mass $m_B$. The bodies are released from "
+    "rest with the string taut. The axle is frictionless, no string slips on "
+    "the pulley, and no body reaches it. Let g = 9.8 m/s². The magnitude of the friction force exerted on"
     " disc A by the plane after the release is 1.86 N. Find the angle $\\theta$. Data: $R_A$ = 0.099 m, "
     "$m_A$ = 1.1 kg, $M$ = 0.97 kg and $m_B$ = 2.2 kg. Give your answer in degrees, to three significant "
     "figures, inside \\boxed{}."
 )
 CRATE = (
-    "In the set-up below, find the total distance that the crate travels between t = 0 and t = 0.54 s. On"
-    " a fixed smooth plane inclined at 26° to the horizontal lies a crate whose mass is 0.59 kg. The "
-    "crate is launched up the slope at t = 0 with a speed of 1.2 m/s. Here g = 9.8 m/s². Give your answer"
-    " in m, to three significant figures, inside \\boxed{}."
+    "On a fixed smooth plane inclined at 26° to the horizontal lies a crate whose mass is 0.59 kg. The "
+    "crate is launched up the slope at t = 0 with a speed of 1.2 m/s. Here g = 9.8 m/s². Find the total "
+    "distance that the crate travels between t = 0 and t = 0.54 s. Give your answer in m, to three "
+    "significant figures, inside \\boxed{}."
 )
 LAUNCHED = (
     "Description: On a smooth, fixed plane inclined at 39° to the horizontal lies a crate of mass 0.82 "
@@ -130,8 +130,8 @@ HALTED = (
 PRISM = (
     "A prism of mass $M$ with smooth faces rising at 28° on the left and 31° on the right is free to slide on a smooth "
     "floor. On the left face lies crate A of mass 1.6 kg, and on the right face crate B of mass 0.86 kg. Over a light "
-    "pulley at the apex a light string runs from A to B. Friction at the pulley is negligible, and no body reaches it "
-    "or an edge. Take g = 9.8 m/s². Given that the motion starts from rest with the string taut, calculate the mass "
+    "pulley at the apex a light string runs from A to B. Friction at the pulley is negligible, and no body reaches "
+    "an edge. Take g = 9.8 m/s². Given that the motion starts from rest with the string taut, calculate the mass "
     "$M$ if the prism takes 0.660 s to move 0.29 m, counted from release. State the answer in kg to three significant "
     "figures, inside \\boxed{}."
 )

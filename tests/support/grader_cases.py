@@ -3,10 +3,12 @@
 import json
 from pathlib import Path
 
-from sim2reason.grading import Score, formula, number
+from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.grading import Outcome, Score, formula, number
 
 DATA = Path(__file__).parents[1] / "grading"
-FILES = "cases.jsonl", "cases_attack.jsonl", "cases_own.jsonl"  # the policy, what attack and models taught, our own
+FILES = "cases.jsonl", "cases_attack.jsonl", "cases_reports.jsonl", "cases_own.jsonl"
+"""The policy, what attack and models taught, what public bug reports of other graders taught, our own."""
 CASES: list[dict[str, str]] = [
     json.loads(line) for name in FILES for line in (DATA / name).read_text(encoding="utf-8").splitlines()
 ]
@@ -15,10 +17,19 @@ REFUSALS: dict[str, str] = json.loads((DATA / "refusals.json").read_text(encodin
 
 
 def grade(case: dict[str, str]) -> Score:
-    """The score of a case; a numeric reference is a number, with its unit after a space if it is known."""
-    if case["kind"] == "numeric":
+    """The score of a case; a numeric reference is a number, with its unit after a space if it is known.
+
+    The kind *lenient* is numeric without a box; *scoring:RULE* is scored by a benchmark's rule.
+    """
+    kind, _, rule = case["kind"].partition(":")
+    if kind in {"numeric", "lenient"}:
         value, _, unit = case["reference"].partition(" ")
-        return number(case["response"], float(value), unit or None, positive=case.get("positive", ""))
+        lenient, positive = kind == "lenient", case.get("positive", "")
+        return number(case["response"], float(value), unit or None, positive=positive, lenient=lenient)
+    if kind == "scoring":
+        award = SCORINGS[rule].award(case["response"], json.loads(case["reference"]))
+        outcome = Outcome.CORRECT if award.points == 1.0 else Outcome.WRONG
+        return Score.of(outcome, award.parsed, award.why or f"by the rule {rule}")
     return formula(case["response"], case["reference"])
 
 

@@ -22,6 +22,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.fixed_support import FixedSupport
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
+from sim2reason.entities.mass_with_movable_pulley import MassWithMovablePulley
 from sim2reason.entities.mass_with_reverse_movable_pulley import MassWithReverseMovablePulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import RoundPiece
@@ -80,6 +81,14 @@ def bight(mass: float, load: float, disc: float | None = None) -> Scene:
     links = (("one", "tail"), ("loaded", "under"), ("hook", "end"))
     string = String(links=tuple(Link(entity=entity, port=port) for entity, port in links))
     return Scene(entities=(_hanging("one", mass, None), loaded, hook), connections=(string,))
+
+
+def nested_atwood(mass: float, left: float, right: float) -> Scene:
+    """A block on a string over a fixed pulley to the axle of a movable one, over which two more blocks hang."""
+    ends = [Hanging(blocks=(Block(mass=held),)) for held in (left, right)]
+    carried = MassWithMovablePulley(left=ends[0], right=ends[1], pulley=MovablePulley())
+    string = String(links=(Link(entity="one", port="tail"), Link(entity="two", port="top")))
+    return Scene(entities=(_hanging("one", mass, None), Named(name="two", entity=carried)), connections=(string,))
 
 
 def _hanging(name: str, mass: float, pulley: float | None) -> Named:

@@ -1,35 +1,79 @@
-"""Settings of worked solutions: of drawn problems, and of questions about plain scenes."""
+"""Settings of worked solutions: of problems that are kept, of drawn ones, and of questions about plain scenes."""
 
+import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import cast
 
-from sim2reason.datasets.items import item
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import MODES, Query
+from sim2reason.questions import MODES, Formula, Query
+from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.part_prompts import parse_parts
+from sim2reason.questions.spoken import spoken_of
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.multipart.in_sequence import in_sequence
+from sim2reason.solutions.parts import together
+from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 
+PROBLEMS = Path(__file__).parents[1] / "data" / "problems.jsonl"
 TRIES = 40
 ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies have a way to
 
 
-def setting_of(search: QuestionSearch, query: Query) -> Setting:
+def _setting(search: QuestionSearch, query: Query) -> Setting:
     study = search.study
     return Setting(study.scene, search.words, search.description.symbols, study, query)
 
 
-def solution_text(recipe: str, difficulty: str, mode: str, index: int, seed: int = 301914) -> str:
-    """Return the worked solution of one generated problem, as its text."""
-    found = item(recipe=recipe, difficulty=difficulty, mode=mode, seed=seed, index=index, solutions=True)
-    assert found.solution is not None, found.unsolved
-    return found.solution.text
+def solution_text(problem: str) -> str:
+    """Solve a stored problem of tests/data/problems.jsonl and return the text of its worked solution."""
+    settings = settings_of(problem)
+    alone = [solve(setting) for setting in settings]
+    found = together(in_sequence(settings, alone, whole=True)) if len(alone) > 1 else alone[0]
+    assert found.answer is not None, found.reason
+    return found.text
+
+
+@cache
+def settings_of(problem: str) -> tuple[Setting, ...]:
+    """Return what each part of such a problem asks.
+
+    Prompts are kept, those of multiple choice without options, so that a problem stays the same whatever recipes draw.
+    """
+    held = _stored()[problem]
+    prompt, given = str(held["prompt"]), cast("dict[str, str]", held.get("given", {}))
+    if given:
+        return (_in_symbols(parse_prompt(prompt, given=given), given, str(held["formula"])),)
+    return tuple(map(setting_of, parse_parts(prompt) if "\n(b) " in prompt else [parse_prompt(prompt)]))
+
+
+@cache
+def _stored() -> dict[str, dict[str, object]]:
+    """What is kept of each problem, by id."""
+    rows = [cast("dict[str, object]", json.loads(line)) for line in PROBLEMS.read_text("utf-8").splitlines()]
+    return {str(row["id"]): row for row in rows}
+
+
+def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) -> Setting:
+    """A question about symbols of which `given` has the numbers; some are the question's own, such as a time."""
+    plain = setting_of(parsed)
+    symbols = {path: symbol for path, symbol in plain.symbols.items() if symbol in given}
+    others = {symbol: said for symbol, said in given.items() if symbol not in symbols.values()}
+    own = [spoken_of(symbol, said, plain.words.units) for symbol, said in others.items()]
+    words = replace(plain.words, symbols=symbols).in_symbols(dict(filter(None, own)))
+    found = Formula(formula, tuple(given), tuple("" for _ in given), (), ())
+    return replace(plain, words=words, symbols=symbols, formula=found, assumed=parsed.asked.assumed)
 
 
 def asked(scene: Scene, question: str | Query) -> Setting:
@@ -37,7 +81,7 @@ def asked(scene: Scene, question: str | Query) -> Setting:
     search = QuestionSearch(scene, 0)
     query = question if isinstance(question, Query) else parse_question(question, search.study, search.words)
     assert query is not None, question
-    return setting_of(search, query)
+    return _setting(search, query)
 
 
 def derived(scene: Scene, query: Query) -> Solution:
@@ -81,5 +125,5 @@ def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequenc
         except (SceneError, SimulationError, UnsupportedError):
             continue
         if found is not None:
-            return setting_of(search, found.question.query)
+            return _setting(search, found.question.query)
     return None

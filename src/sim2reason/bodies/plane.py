@@ -28,12 +28,12 @@ class Plane(Body):
         "with": Word(
             "angle",
             {0.0: "horizontal plane with a {surface} surface"},
-            "plane with a {surface} surface inclined at {angle} to the horizontal",
+            "plane of inclination {angle} with a {surface} surface",
         ),
         "whose": Word(
             "angle",
             {0.0: "horizontal plane whose surface is {surface}"},
-            "plane whose {surface} surface is inclined at {angle} to the horizontal",
+            "plane of inclination {angle} whose surface is {surface}",
         ),
         "uphill": Word("angle", {0.0: "to the right along the plane"}, "up the slope"),
         "downhill": Word("angle", {0.0: "to the left along the plane"}, "down the slope"),

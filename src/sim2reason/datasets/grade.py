@@ -13,7 +13,7 @@ from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, choice, formula, number, parts
+from sim2reason.grading import Outcome, Score, choice, formula, number, opened, parts
 from sim2reason.grading.parts import Grader
 from sim2reason.questions.choice_prompts import LETTERS
 
@@ -24,7 +24,10 @@ TOGETHER = 2000, 2**23  # responses that are graded together, at most, and the b
 
 
 class Response(BaseModel):
-    """What a policy said about the item `id`: a text, messages, or what is no answer; further fields are left alone."""
+    """What a policy said about the item `id`: a text, messages, or what is no answer; further fields are left alone.
+
+    In a file, a list of texts is as many responses.
+    """
 
     id: str
     response: JsonValue
@@ -39,19 +42,28 @@ class GradedResponse(NamedTuple):
     kind: str
 
 
-def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
+def grade(
+    item: Item | ItemRow | NamedRow,
+    response: object,
+    *,
+    lenient: bool = False,
+    partial: bool = False,
+    thinking_opened: bool = False,
+) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
     `item` may be a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow give it; only its
     answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
     takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
-    answers to several parts. Of those all must be right, unless `partial` pays for the share that is.
+    answers to several parts. Of those all must be right, unless `partial` pays for the share that is. Where the prompt
+    ended within the thinking, as by a chat template, `thinking_opened` says so: nothing before its end counts.
 
     Raises:
         DatasetError: a row without an answer that can be read.
     """
     answer = item.answer if isinstance(item, Item) else answer_of(item)
-    return grade_answer(answer, response, lenient=lenient, partial=partial)
+    said = opened(response) if thinking_opened else response
+    return grade_answer(answer, said, lenient=lenient, partial=partial)
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
@@ -74,7 +86,13 @@ def _grader(answer: Answer) -> Grader:
 
 
 def graded(
-    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False, partial: bool = False
+    data: Dataset,
+    given: Iterable[Response],
+    *,
+    split: Names = ALL,
+    lenient: bool = False,
+    partial: bool = False,
+    thinking_opened: bool = False,
 ) -> Iterator[GradedResponse]:
     """Responses to a dataset with their scores, in their order; some are held at a time, never all.
 
@@ -92,7 +110,8 @@ def graded(
             if row["split"] not in splits:
                 passed_over = True
                 continue
-            found, score = True, grade(row, response.response, lenient=lenient, partial=partial)
+            found = True
+            score = grade(row, response.response, lenient=lenient, partial=partial, thinking_opened=thinking_opened)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
     if passed_over and not found:
         raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
@@ -116,9 +135,18 @@ def responses(file: IO[bytes], name: str) -> Iterator[Response]:
             raise DatasetError(f"{name}:{count}: more than {LONGEST_LINE} bytes; a line is {{id, response}}")
         if text.strip():
             found = True
-            yield _response(text, f"{name}:{count}")
+            yield from _each(_response(text, f"{name}:{count}"))
     if not found:
         raise DatasetError(f"{name}: holds no response; give a line {{id, response}} for each")
+
+
+def _each(line: Response) -> Iterator[Response]:
+    """Yield the responses of one line: a list of texts is several samples, a list of messages one conversation."""
+    held = line.response
+    if isinstance(held, list) and held and all(isinstance(said, str) for said in held):
+        yield from (line.model_copy(update={"response": said}) for said in held)
+    else:
+        yield line
 
 
 def _response(text: bytes, place: str) -> Response:

@@ -133,6 +133,8 @@ class Config(Record):
         for name, share in value.items():
             if not _SPLIT.fullmatch(name):
                 raise ValueError(f"{name!r} is no name of a split; write small letters and digits, as in {SHARES}")
+            if name == ALL:
+                raise ValueError(f"{ALL!r} stands for all splits, here and in the library datasets; give another name")
             if not 0.0 < share <= 1.0:
                 raise ValueError(f"{name}={share:g} is no share; give a number above 0 and at most 1, as in {SHARES}")
         total = sum(value.values())

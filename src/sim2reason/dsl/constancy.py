@@ -7,7 +7,7 @@ from sim2reason.dsl.frames import BodyFrame, Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Prop, RigidBody
 from sim2reason.dsl.points import Point
 from sim2reason.dsl.triples import Triple, cross, minus, times
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, inner
 
 ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel
 
@@ -36,6 +36,26 @@ def may_turn_back(mechanism: Mechanism) -> bool:
     """Whether something may: what is sent off, collides, or is driven by a force that changes."""
     sent = any(coordinate.speed for coordinate in mechanism.coordinates)
     return sent or bool(mechanism.meetings or changing(mechanism))
+
+
+def turns_one_way(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body that rolls or slips on a plane never reverses its rotation, whatever its numbers are.
+
+    What starts from rest does not where nothing may turn back. Nor does what is sent off alone, its centre and its rim
+    in one sense that is not up the slope: friction makes one slower and the other faster till they agree.
+    """
+    if not may_turn_back(mechanism):
+        return True
+    face = mechanism.contacts.get(name)
+    if face is None or mechanism.meetings or mechanism.lines or mechanism.forces or changing(mechanism):
+        return False
+    slopes = [inner(mechanism.gravity, c.axis) for c in mechanism.body[name].coordinates if c.kind == "slide"]
+    speeds = [(mechanism.coordinates[mechanism.number[one]], factor) for one, factor in face.slip]
+    senses = [factor * c.speed * (1.0 if c.kind == "slide" else -1.0) for c, factor in speeds]
+    if len(slopes) != 1 or {c.kind for c, _ in speeds} != {"slide", "hinge"}:
+        return False
+    down = slopes[0] if abs(slopes[0]) > ALIGNED else sum(senses)
+    return all(sense * down >= 0.0 for sense in senses)
 
 
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:

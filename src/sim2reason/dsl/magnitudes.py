@@ -57,6 +57,8 @@ STATED: Mapping[tuple[str, str], Span] = {
     ("damping constant", "N*s/m"): (0.05, 50.0),
     ("electric field", "N/C"): (0.1, 1e6),
     ("magnetic field", "T"): (1e-3, 5.0),
+    ("field strength", "N/C"): (0.1, 1e6),
+    ("field strength", "T"): (1e-3, 5.0),
     ("growth", "N/(C s)"): (0.01, 1e5),
     ("gradient", "N/(C m)"): (0.01, 1e5),
     ("gradient", "T/m"): (1e-3, 10.0),

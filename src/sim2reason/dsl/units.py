@@ -7,6 +7,7 @@ counted here beside the seven base dimensions; `Unit.factor_to` says when they m
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import lru_cache
@@ -25,6 +26,7 @@ __all__ = [
     "UnitError",
     "UnitSystem",
     "coherent",
+    "combined",
     "parse_unit",
 ]
 
@@ -184,12 +186,17 @@ def parse_unit(text: str) -> Unit:
 
     Raises `UnitError` for anything outside the table, and for ``a/b c``, which people read in two ways.
     """
+    return combined(text, {})
+
+
+def combined(text: str, further: Mapping[str, Unit]) -> Unit:
+    """Return a copy of this table with `further` units, a mapping from spellings to units."""
     powers: dict[str, int] = {}
     factor, dimension = 1.0, Dimension()
     for word, power in factors(text):
-        if word not in _WORDS:
+        unit = _WORDS.get(word) or further.get(word)
+        if unit is None:
             raise UnitError(f"{word!r} is not in the table of units")
-        unit = _WORDS[word]
         powers[unit.name] = powers.get(unit.name, 0) + power
         factor *= unit.factor**power
         dimension = Dimension(*(a + power * b for a, b in zip(dimension, unit.dimension, strict=True)))

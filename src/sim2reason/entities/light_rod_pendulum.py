@@ -29,9 +29,9 @@ class LightRodPendulum(Entity):
     }
     says = (
         either(
-            "{bob} is fixed to one end of {rod}.",
-            "{bob} sits at one end of {rod}.",
-            "{rod} carries {bob} at one of its ends.",
+            "{bob} is fixed to one end of {rod}, which can turn about its other end.",
+            "{bob} sits at one end of {rod}, which is free to turn about its other end.",
+            "{rod} carries {bob} at one of its ends and can turn about the other.",
         ),
         AT_FIRST,
         SENT_OFF,

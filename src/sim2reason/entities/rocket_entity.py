@@ -31,8 +31,8 @@ class RocketEntity(Entity):
     says = (
         either(
             "{rocket} {place}.",
-            "until t = 0 {rocket} {place}.",
-            "before t = 0 {rocket} {place}.",
+            "initially {rocket} {place}.",
+            "at first {rocket} {place}.",
         ),
         starting(
             "at t = 0 the engine starts: it burns fuel at a rate of {rate} and ejects the gas backwards at speed {exhaust} relative to {rocket} until no fuel is left.",

@@ -73,7 +73,7 @@ class SpringBlock(Entity):
             table=(
                 "light {noun}s run from {block} to fixed points; each {noun}'s {columns} are listed below.",
                 "{block} is tied to fixed points by light {noun}s, and the list below gives the {columns} of each.",
-                "the light {noun}s that {block} is tied to have the other end fixed; their {columns} are listed below.",
+                "several light {noun}s, each fixed at its far end, are attached to {block}; their {columns} are listed below.",
                 "light {noun}s hold {block}; each has the {columns} in its row below.",
             ),
         ),

@@ -1,9 +1,10 @@
 """The reward: numbers, formulas, letters and answers of several parts, graded without ever running what they say."""
 
 from sim2reason.grading.choice import choice
+from sim2reason.grading.extract import opened
 from sim2reason.grading.formula import FormulaError, formula
 from sim2reason.grading.number import number
 from sim2reason.grading.parts import parts
 from sim2reason.grading.score import Outcome, Score
 
-__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number", "parts"]
+__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number", "opened", "parts"]

@@ -11,6 +11,8 @@ __all__ = [
     "GREEK",
     "GREEK_NAMES",
     "HEDGES",
+    "HIDING",
+    "INK",
     "LAYOUT",
     "SCRIPTS",
     "SIGNS",
@@ -115,7 +117,7 @@ _FONT: Final = """
     rm bf it sf tt sc bfseries normalfont upshape itshape boldmath
 """
 _PASSED: Final = """
-    quad qquad thinspace displaystyle textstyle left right rm bf it
+    quad qquad space thinspace displaystyle textstyle left right rm bf it
 """
 _LAID_OUT: Final = """
     enspace enskip medspace thickspace nobreakspace normalsize small large Large LARGE huge Huge scriptstyle limits
@@ -126,6 +128,12 @@ SPACES: Final = tuple(_PASSED.split())  # what the tokenizer passes over
 LAYOUT: Final = (*_LAID_OUT.split(), *(name for name in SWITCHES if name not in SPACES))  # rarer: taken out before
 HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
 SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
+HIDING: Final = "[hv]?phantom|smash|[lrc]lap|math[lrc]lap|transparent|opacity"
+"""Names of commands that hide what they hold, as a pattern."""
+INK: Final = (
+    "red|blue|green|black|orange|purple|teal|brown|cyan|magenta|violet|[Gg]ray|navy|ForestGreen|RoyalBlue|maroon"
+)
+"""Inks that are seen on white and on black paper, as a pattern."""
 ANGLES: Final = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "delta"})
 CLOSES: Final = {"(": ")", "[": "]", "{": "}"}
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from math import isfinite
 from typing import Final
 
 from sim2reason.grading.score import Outcome, Refused
@@ -70,7 +71,7 @@ _HYPERBOLIC: Final = {"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 
 
 def _finite(x: float) -> float:
-    if not math.isfinite(x):
+    if not isfinite(x):
         raise OverflowError
     return x
 
@@ -78,14 +79,15 @@ def _finite(x: float) -> float:
 def value(node: Node, bindings: Mapping[str, float]) -> float | None:
     """The value of `node` at `bindings`; None where it is not a finite real number."""
     try:
-        return _finite(node(bindings))
+        found = node(bindings)
     except (ArithmeticError, ValueError):
         return None
+    return found if isfinite(found) else None
 
 
 def constant(x: float) -> Node:
     """A number; an infinite one is undefined wherever it is used."""
-    return (lambda _: x) if math.isfinite(x) else (lambda _: _finite(x))
+    return (lambda _: x) if isfinite(x) else (lambda _: _finite(x))
 
 
 def symbol(name: str) -> Node:
@@ -112,7 +114,7 @@ def total(terms: Sequence[tuple[Node, bool]]) -> Node:
         result = 0.0
         for node, minus in terms:
             result = result - node(bindings) if minus else result + node(bindings)
-        return _finite(result)
+        return result if isfinite(result) else _finite(result)
 
     return evaluate
 
@@ -126,14 +128,19 @@ def product(factors: Sequence[tuple[Node, bool]]) -> Node:
         result = 1.0
         for node, divides in factors:
             result = result / node(bindings) if divides else result * node(bindings)
-        return _finite(result)  # each factor is finite, so a step that was not stays so
+        return result if isfinite(result) else _finite(result)  # each factor is finite, so a step that was not stays so
 
     return evaluate
 
 
 def power(base: Node, exponent: Node) -> Node:
     """Real powers only: a negative base with a broken exponent is undefined."""
-    return lambda bindings: _finite(math.pow(base(bindings), exponent(bindings)))
+
+    def evaluate(bindings: Mapping[str, float]) -> float:
+        result = math.pow(base(bindings), exponent(bindings))
+        return result if isfinite(result) else _finite(result)
+
+    return evaluate
 
 
 def root(radicand: Node, index: Node) -> Node:
@@ -152,7 +159,12 @@ def call(name: str, argument: Node) -> Node:
     function = _FUNCTIONS.get(_ALIASES.get(name, name))
     if function is None:
         raise Refused(Outcome.UNREADABLE, f"{name!r} is no function that is known here")
-    return lambda bindings: _finite(function(argument(bindings)))
+
+    def evaluate(bindings: Mapping[str, float]) -> float:
+        result = function(argument(bindings))
+        return result if isfinite(result) else _finite(result)
+
+    return evaluate
 
 
 def inverse(name: str) -> str:

@@ -1,31 +1,60 @@
-"""A value in two units, as people measure: *1 m 20 cm*, *2 min 5 s*. The second unit is the smaller one of the same."""
+"""A value in several units, as people measure: *1 m 20 cm*, *1 h 5 min 20 s*, 26°30′; each smaller than the last."""
 
 import re
 from typing import Final
 
-from sim2reason.dsl.units import Unit, UnitError
+from sim2reason.dsl.units import Unit, UnitError, parse_unit
 from sim2reason.grading.remarks import printed
 from sim2reason.grading.unit_spelling import unit_in
 
 __all__ = ["smaller_part"]
 
+SIXTY: Final = 60  # minutes in a degree, and seconds in a minute
+
 _PARTS: Final = re.compile(
-    r"\s*(?P<unit>[A-Za-z]{1,12})\s*(?P<number>[0-9]{1,4}(?:\.[0-9]{1,6})?)\s*(?P<smaller>[A-Za-z]{1,12})\s*"
+    r"\s*(?P<unit>[A-Za-z]{1,12})(?P<rest>(?:\s*[0-9]{1,4}(?:\.[0-9]{1,6})?\s*[A-Za-z]{1,12}){1,3})\s*"
+)
+_PART: Final = re.compile(r"([0-9.]+)\s*([A-Za-z]+)")
+_ARC: Final = re.compile(
+    r"\s*(?:\^\s*\\circ|\^\s*\{\s*\\circ\s*\}|\^?°|\\degree)\s*(?P<minutes>[0-9]{1,2}(?:\.[0-9]{1,6})?)"
+    r"\s*(?:['′]|\^?\s*\{?\s*\\prime\s*\}?)"
+    r"(?:\s*(?P<seconds>[0-9]{1,2}(?:\.[0-9]{1,6})?)\s*(?:''|″|′′|\"|\^?\s*\{?\s*\\prime\s*\\prime\s*\}?))?\s*"
 )
 
 
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
-    """The unit of a whole number, and what the text behind adds to that number; None if it is no such text.
+    """Read a value in several units, as 1 h 5 min: its first unit, and the fraction that the others add, or None.
 
     The same number twice is none either: that offers two units to choose from.
     """
-    found = _PARTS.fullmatch(printed(tail)) if whole.isdecimal() else None
-    if found is None or found["number"] == whole:
+    if not whole.isdecimal():
         return None
+    if arc := _ARC.fullmatch(re.sub(r"\\[ ,;:!]", " ", tail)):
+        return _of_arc(arc)
+    found = _PARTS.fullmatch(printed(tail))
+    if found is None:
+        return None
+    parts = _PART.findall(found["rest"])
+    return None if len(parts) == 1 and parts[0][0] == whole else _added(found["unit"], parts, asked)
+
+
+def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tuple[Unit, float] | None:
+    """Return the first unit and the fraction that smaller units add; None if a part exceeds the unit before it."""
     try:
-        unit, smaller = unit_in(found["unit"], asked), unit_in(found["smaller"], asked)
+        unit, *smaller = [unit_in(word, asked) for word in (whole, *(word for _, word in parts))]
     except UnitError:
         return None
-    factor = smaller.factor_to(unit)
-    part = float(found["number"]) * factor if factor is not None else 1.0
-    return (unit, part) if part < 1.0 else None
+    total, last = 0.0, 1.0
+    for (number, _), below in zip(parts, smaller, strict=True):
+        factor = below.factor_to(unit)
+        share = float(number) * factor if factor is not None else last
+        if share >= last:  # more than one of the unit before it
+            return None
+        total, last = total + share, factor or last
+    return unit, total
+
+
+def _of_arc(found: re.Match[str]) -> tuple[Unit, float] | None:
+    """Return the unit of degrees and the fraction that minutes and seconds of arc add."""
+    minutes, seconds = float(found["minutes"]), float(found["seconds"] or 0)
+    return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None

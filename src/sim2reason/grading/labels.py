@@ -9,11 +9,13 @@ from sim2reason.grading.tokens import Token
 from sim2reason.grading.unit_spelling import is_unit
 
 __all__ = [
+    "DENIALS",
     "check",
     "has_numbers",
     "is_bare",
     "is_change",
     "is_compound",
+    "is_mixed_sum",
     "is_name",
     "is_plain",
     "is_pure",
@@ -34,11 +36,13 @@ _QUANTITIES: Final = frozenset(_QUANTITY_WORDS.split())
 _DENYING: Final = """
     no not never nor neither none nothing but except excluding without unlike wrong false incorrect untrue isn aren wasn
     cannot most least exceeds exceeding maybe perhaps possibly either or nearly almost hardly instead rather anything
-    everything unequal differs different isnt doesnt non negative minus negated inverse reciprocal half twice double
-    thrice squared cubed root sine cosine cotangent secant cosecant logarithm logarithmic exponential derivative
-    integral times plus divided multiplied added subtracted
+    everything unequal differs different isnt doesnt previous previously former formerly old outdated discarded rejected
+    alternative alternate example hypothetical naive guess guessed non negative minus negated inverse reciprocal half
+    twice double thrice squared cubed root sine cosine cotangent secant cosecant logarithm logarithmic
+    exponential derivative integral times plus divided multiplied added subtracted
 """
-_DENIALS: Final = frozenset(_DENYING.split())
+DENIALS: Final = frozenset(_DENYING.split())
+"""Words that show that a number beside them is not the answer: negations, alternatives, operations."""
 _COMPARING: Final = """
     less more greater smaller larger fewer higher lower above below under over beyond within up other others another
     opposite
@@ -73,7 +77,7 @@ def _textual(token: Token) -> bool:
     word = token.text
     if token.kind != "word" or len(word) < 2 or not word.isascii() or word in GREEK_NAMES or word in VARIANTS:
         return False
-    if word.lower() in _DENIALS or word.lower() in _COMPARISONS:
+    if word.lower() in DENIALS or word.lower() in _COMPARISONS:
         return True
     return (len(word) > _LONGEST or token.upright) and not (word.isupper() and len(word) <= _LONGEST)
 
@@ -130,6 +134,8 @@ def _words(side: Sequence[Token]) -> list[Token]:
 
 def is_bare(side: Sequence[Token]) -> bool:
     """Whether a side is one name, with marks, bars and what it depends on: ``|v_A'|``, ``v(2)``, *speed of A*."""
+    if _is_letter(side):
+        return True
     if words := _words(side):
         return not _is_power(side) and (not has_numbers(side) or _is_called(side, words))
     outside = _outside(side) or list(side)
@@ -137,6 +143,11 @@ def is_bare(side: Sequence[Token]) -> bool:
     if kinds & {"minus", "dash", "plus", "slash", "fraction", "root", "number", "part", "script", "over", "function"}:
         return False
     return len(set(names(outside))) == 1 and not _is_power(side)
+
+
+def _is_letter(side: Sequence[Token]) -> bool:
+    """Return whether one side of an equation is a single letter."""
+    return len(side) == 1 and side[0].kind in _NAMES and len(side[0].text) == 1
 
 
 def _outside(side: Sequence[Token]) -> list[Token]:
@@ -188,7 +199,14 @@ def _denial(words: Sequence[Token]) -> Token | None:
         compares = name in _COMPARISONS and after in {"", "than"}
         changes = name.removesuffix("s") in _OPERATIONS and after == "of"
         divides = name == "per" and not is_unit(words[at].text if at < len(words) else "")
-        if compares or changes or divides or name in _DENIALS or (before, name) == ("mean", "square"):
+        if (
+            compares
+            or changes
+            or divides
+            or name in DENIALS
+            or (name == "prior" and after != "to")
+            or (before, name) == ("mean", "square")
+        ):
             return word
     return None
 
@@ -203,6 +221,8 @@ def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
 def check(sides: Sequence[Sequence[Token]]) -> None:
     """Refuse sides whose words deny, or are no words for a quantity."""
     for side in sides:
+        if _is_letter(side):
+            continue
         words = _words(side)
         denial = _denial(words)
         if denial is not None:
@@ -225,6 +245,16 @@ def is_compound(side: Sequence[Token]) -> bool:
     kinds = {token.kind for token in side}
     changed = bool(kinds & {"minus", "dash", "slash", "fraction", "root", "number", "part", "over", "function"})
     return len(set(names(side))) == 1 and (changed or _is_power(side))
+
+
+def is_mixed_sum(side: Sequence[Token]) -> bool:
+    """Return whether one side of an equation is a sum of symbols with at least two different letters, as *a - g*."""
+    inside = [token for token in side if token.kind not in {"open", "close", "mark"}]
+    signs = [token for token in inside if token.kind in _SIGNS]
+    named = [token for token in inside if token.kind not in _SIGNS]
+    if not signs or any(len(names([token])) != 1 for token in named):
+        return False
+    return len({letter for letter, _ in names(named)}) > 1
 
 
 def is_plain(side: Sequence[Token]) -> bool:

@@ -1,6 +1,7 @@
-"""The last number of a response without a box, with what belongs to it: for evaluation, never for a reward.
+"""The last quantity of a response without a box, with what belongs to it: for evaluation, never for a reward.
 
-As a reward it could be farmed by ending on a likely number.
+As a reward it could be farmed by ending on a likely number. What wraps an answer is taken off: tags, JSON, signs of
+mathematics, Markdown, tokens that end a text. Its sentence must offer no second value and no denial.
 """
 
 import re
@@ -10,39 +11,122 @@ from typing import Final
 from sim2reason.dsl.units import UnitError
 from sim2reason.grading.alphabet import HEDGES, SOFT_HEDGES
 from sim2reason.grading.extract import MAX_ANSWER, spoken
+from sim2reason.grading.labels import DENIALS
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.grading.unit_spelling import is_unit, unit_in
 
 __all__ = ["last_quantity"]
 
 MOST_WORDS: Final = 6  # of a unit
+WORD: Final = 3  # letters of what is a word of English and no product of letters
 
 _NUMBER: Final = re.compile(
     r"(?<![\w.^{\\])(?<![\^{][-+−–])[-+−–]?(?:[0-9]{1,3}(?:,[0-9]{3})+|[0-9]+)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]{1,4})?(?![0-9])"
     r"(?:[ ]?(?:\\times|\\cdot|×|·|\*|x)[ ]?10(?:\^\{?[-+−]?[0-9]{1,4}\}?|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,5}))?"
 )
 _OPERATES: Final = re.compile(
-    r"(?:[/×·÷√^±<>≤≥(_]|(?<!\*)\*|[0-9})]\s*[-−–+]|\\(?:times|cdot|pm|frac|sqrt|to|leq?|geq?))\s*\Z"
+    r"(?:[/×·÷√^±<>≤≥≠(_]|(?<!\*)\*|[0-9})]\s*[-−–+]|\\(?:times|cdot|pm|frac|sqrt|to|leq?|geq?|neq?))\s*\Z"
 )
 _SENTENCE: Final = re.compile(r"[.!?](?=\s|\Z)|\n")
+_BULLET: Final = re.compile(r"\A(?:[*•]|[-–](?=\s+[^0-9\s]))\s+")
+_ANSWER: Final = re.compile(r"<answer>((?:(?!</?answer>).){1,400})(?:</answer>|\Z)", re.DOTALL | re.IGNORECASE)
+_JSON: Final = re.compile(
+    r'"(?:final[_ ]?)?(?:answer|result|value)"\s*:\s*(?:"([^"\n]{1,200})"|([^,"{}\[\]\n]{1,200}))', re.IGNORECASE
+)
+_TOKENS: Final = re.compile(r"<\|[^|<>\n]{1,40}\|>|</?(?:s|eos|bos|end_of_turn|start_of_turn)>|\[/?INST\]")
+_TAGS: Final = re.compile(r"</?(?!su[bp]\b)[A-Za-z][A-Za-z0-9_:-]{0,20}(?:\s[^<>\n]{0,80})?/?>")
+_WRAPPERS: Final = re.compile(r"\\[()\[\]](?!\s*[0-9.]+\s*(?:pt|em|ex|mm)\])|[$`“”„\"]|\\boxed(?![A-Za-z])|\*\*|✅")
+_STARRED: Final = re.compile(r"(?<![\w*)}\]])\*(?=\S)([^*\n]{1,100}?)(?<=\S)\*(?![\w*({\\])")
+_BRACKETED: Final = re.compile(r"\[\s*([^\[\]\n]{1,100}?)\s*\]\s*\Z")
+_CLOSING: Final = re.compile(
+    r"(?:(?<=[.!?:)\]*])|(?<=\n))\s+(?:please\s+)?(?:(?:let me know|feel free|i hope|hope this|would you like"
+    r"|do you (?:have|want|need)|if you (?:have|need|want|would)|thank you|thanks for)\b.{0,400})\Z",
+    re.IGNORECASE | re.DOTALL,
+)
+_WITH_CONSTANT: Final = re.compile(
+    r"[,(]?\s*(?:using|taking|with|assuming|for)\s+(?:g|π|\\pi|pi)\s*(?:=|≈|\\approx)[^=≈]*\Z"
+)
+_CONCLUDES: Final = re.compile(r"(?:\b(?:so|hence|thus|therefore|gives?|giving|yields?)\b|⇒|\\Rightarrow|\\implies)")
+_DENIES: Final = re.compile(
+    r"(?:\b(?:not|never|no|nor|neither|cannot|between|from|at (?:most|least)|up to|(?:less|more|greater|fewer|smaller"
+    r"|larger|higher|lower|other|rather) than|under|over|below|above|exceeds?|could|might|may|maybe|perhaps|possibly"
+    r"|or|unless|minimum of|maximum of|until|within)\b|n['’]t\b|[<>≤≥≠±])",
+    re.IGNORECASE,
+)
+_DENIED_BEHIND: Final = frozenset({"not", "wrong", "incorrect", "false", "isn't", "wasn't", "never", "impossible"})
+_RELATION: Final = re.compile(r"(?:=|≈|\\approx|\\simeq)\s*\Z")
+_WORDS: Final = re.compile(rf"[A-Za-z]{{{WORD},}}")
+_LEFT: Final = re.compile(r"[^\s,;:]+")
 
 
 def last_quantity(response: object) -> Iterator[str]:
-    """What the last number may stand for, the fullest first: with the rest of its sentence, or with its unit alone.
+    """Yield readings of the last quantity, longest first: its sentence, its equation, its number with a unit.
 
-    Raises `Refused`: no answer where there is no number, unreadable where it is part of an expression.
+    Raises `Refused`: no answer where there is no number, wrong where the sentence offers another value or denies this
+    one, unreadable where the number is part of an expression.
     """
-    text = spoken(response)[-MAX_ANSWER:]
-    *_, last = [None, *_NUMBER.finditer(text)]
+    sentence = _last_sentence(_unwrapped(spoken(response)[-MAX_ANSWER:]))
+    yield sentence
+    *_, last = [None, *_NUMBER.finditer(sentence)]
     if last is None:
-        raise Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
-    if _OPERATES.search(text[max(0, last.start() - 12) : last.start()]):
+        return
+    before, behind = sentence[: last.start()], sentence[last.end() :]
+    if _OPERATES.search(before[-12:]):
         raise Refused(Outcome.UNREADABLE, f"{last[0]} is a part of something longer")
-    tail = _SENTENCE.split(text[last.end() :], maxsplit=1)[0].replace("**", " ").strip().rstrip("*$ ")
-    yield f"{last[0]} {tail}"
+    _refuse_doubt(before)
+    start = _equation(before) if _RELATION.search(before) else ""
+    tail = behind.strip().rstrip("*~ ")
+    yield f"{start}{last[0]} {tail}"
     unit = _unit_before_prose(tail)
     if unit is not None:
-        yield f"{last[0]} {unit}"
+        yield f"{start}{last[0]} {unit}"
+
+
+def _unwrapped(text: str) -> str:
+    """Remove tags, tokens, Markdown and JSON around the answer."""
+    *_, tagged = [None, *_ANSWER.finditer(text)]
+    text = _TAGS.sub(" ", _TOKENS.sub(" ", tagged[1] if tagged else text))
+    *_, field = [None, *_JSON.finditer(text)]
+    text = _CLOSING.sub("", field[1] or field[2] if field else text)
+    text = _STARRED.sub(r" \1 ", _WRAPPERS.sub(" ", text))
+    return _BRACKETED.sub(r" \1 ", text.strip().rstrip("."))
+
+
+def _last_sentence(text: str) -> str:
+    """Return the last sentence with a number, without a final *using g = …*; raise `Refused` if there is none."""
+    for sentence in reversed(_SENTENCE.split(text)):
+        if re.search("[0-9]", sentence):
+            said = _BULLET.sub("", sentence.strip(" \t|#>"))
+            if said.startswith(("- ", "– ")):
+                raise Refused(Outcome.UNREADABLE, "a dash before the value could be a minus sign or begin a list")
+            used = _WITH_CONSTANT.search(said)
+            return said[: used.start()] if used and re.search("[0-9]", said[: used.start()]) else said
+    raise Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
+
+
+def _refuse_doubt(before: str) -> None:
+    """Refuse where what stands before the last number in its sentence denies it or is another value of a list."""
+    *_, concluded = [None, *_CONCLUDES.finditer(before)]
+    clause = before[concluded.end() :] if concluded else before
+    denied = _DENIES.search(clause)
+    word = denied[0] if denied else next((word for word in _WORDS.findall(clause) if word.lower() in DENIALS), "")
+    if word:
+        raise Refused(Outcome.WRONG, f"{word!r} before the value makes it more, or less, than one value")
+    *_, earlier = [None, *_NUMBER.finditer(before)]
+    if earlier is not None:
+        between = [word for word in _WORDS.findall(before[earlier.end() :]) if word.lower() not in SOFT_HEDGES]
+        if all(is_unit(word) for word in between):
+            raise Refused(Outcome.WRONG, "a list is more than one value")
+
+
+def _equation(before: str) -> str:
+    """Return the left sides of the equation that ends here, back to the last English word."""
+    start = len(before)
+    for piece in reversed(list(_LEFT.finditer(before))):
+        if _WORDS.fullmatch(piece[0].strip("().")) and not is_unit(piece[0]):
+            break
+        start = piece.start()
+    return before[start:]
 
 
 def _unit_before_prose(tail: str) -> str | None:
@@ -63,6 +147,6 @@ def _unit_before_prose(tail: str) -> str | None:
 def _is_prose(words: list[str]) -> bool:
     """Whether words have no number and nothing that offers another value."""
     plain = {word.strip(",.;:()").lower() for word in words}
-    return not plain & (HEDGES | SOFT_HEDGES - {"to", "and"}) and not any(
+    return not plain & (_DENIED_BEHIND | HEDGES | SOFT_HEDGES - {"to", "and"}) and not any(
         re.search(r"[0-9<>±~]", word) for word in words
     )

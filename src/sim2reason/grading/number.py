@@ -29,12 +29,14 @@ from sim2reason.grading.tokens import Token, tokenize
 from sim2reason.grading.unit_spelling import unit_in
 from sim2reason.grading.usual_symbols import may_be
 
-__all__ = ["number"]
+__all__ = ["number", "unit_stated"]
 
 AGREE = 0.05  # relative: how far apart two sides may be that say the same
 _NO_REMARK = Remark()
 _PART = re.compile(r"\s*\\text\s*\{\s*\((?:[a-dA-D]|i{1,3}|iv)\)\s*\}(?=\s*[-−+.0-9])")
 """The letter of a part of a problem. An e would be a number, and one in italics a symbol."""
+_TO_ONE = re.compile(r":\s*1")
+"""How a ratio may end: *0.42 : 1*."""
 _RECIPROCAL = re.compile(r"1\s*/")
 
 
@@ -55,7 +57,7 @@ class _Quantity(NamedTuple):
 def number(
     response: object,
     reference: float,
-    unit: str | None = None,
+    unit: str | Unit | None = None,
     *,
     tolerance: float = 0.05,
     positive: str = "",
@@ -66,8 +68,8 @@ def number(
     Args:
         response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
         reference: the true value, finite.
-        unit: a unit of the table; "" for a pure number, None where the unit is not known and a stated one is
-            ignored (but for per cent).
+        unit: a unit, or the name of one of the table; "" for a pure number, None where the unit is not known and a
+            stated one is ignored (but for per cent).
         tolerance: of |x - reference| relative to |reference|, inclusive; there is no absolute slack.
         positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
         lenient: without a box, take the last number. For evaluation, never for a reward.
@@ -77,7 +79,7 @@ def number(
     """
     if not math.isfinite(reference) or not 0 <= tolerance < 1:
         raise ValueError("the reference must be finite and the tolerance in [0, 1)")
-    asked = None if unit is None else parse_unit(unit)
+    asked = parse_unit(unit) if isinstance(unit, str) else unit
     try:
         said = _answer(response, asked, lenient=lenient)
         signed = said.signed_by(positive, below_zero=reference < 0) if said.remark.directions else said
@@ -86,6 +88,14 @@ def number(
         return _judge(signed.value, said.unit, reference, asked, tolerance)
     except Refused as refused:
         return refused.score
+
+
+def unit_stated(content: str) -> Unit | None:
+    """Return the unit stated in an answer; None if there is none, or if the answer is not a number."""
+    try:
+        return _stated(content, None).unit
+    except Refused:
+        return None
 
 
 def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity:
@@ -142,6 +152,8 @@ def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Qua
 
 def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
     """The unit and the remark that the text behind a value spells."""
+    if tail[0] == ":" and _TO_ONE.fullmatch(tail) and (asked is None or not any(asked.dimension)):
+        return None, _NO_REMARK
     if tail[0].isdigit() and not _RECIPROCAL.match(tail):
         raise refusal or Refused(Outcome.UNREADABLE, "two numbers stand side by side")
     try:

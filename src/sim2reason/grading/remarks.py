@@ -89,6 +89,11 @@ _AXIS: Final = re.compile(
     r"([xyz])(?:[\s-]{1,4}(?:axis|direction))?\b"
 )
 _AGAIN: Final = re.compile(r"(?:=|≈|\\approx|\\simeq|\\sim|(?:about|approximately|approx\.?|roughly)(?=[\s\d]))\s*")
+_AT_ANGLE: Final = re.compile(
+    r"(?:\b(?:at|by|making)\s+)?(?:\ban?\s+angle\s+(?:of\s+)?)?\b[0-9]{1,3}(?:\.[0-9]{1,4})?\s*"
+    r"(?:\^\s*\\circ|\^?°|degrees?\b|deg\b)(?=\s*(?:above|below|to|from|with|north|south|east|west|up|down)\b)"
+)
+"""The angle of the direction that a magnitude has: *at 30° above the horizontal*."""
 _LETTER_AXIS: Final = re.compile(r"\b([xyz])[\s-]{1,4}(?:axis|direction)\b")
 
 
@@ -181,7 +186,7 @@ def _directions(plain: str) -> list[Direction]:
     """The directions that words speak of; all of them must be in the list, and one must mean something."""
     if _accuracy(plain):
         return []
-    words = _lowered(plain)
+    words = _lowered(_AT_ANGLE.sub(" ", plain, count=1))
     if any(word in _ALTERNATIVES or re.search(r"[0-9]", word) for word in words):
         raise Refused(Outcome.WRONG, f"{plain!r} behind the value offers another")
     unknown = next((word for word in words if word not in _WORDS), None)

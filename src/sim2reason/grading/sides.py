@@ -16,6 +16,7 @@ from sim2reason.grading.tokens import Token
 
 __all__ = ["Statement", "flattened", "is_signed", "more_or_less", "statement", "two_values", "unwrapped"]
 
+_NO_NAME: Final = frozenset({"number", "symbol", "fraction", "root", "function"})  # of what has no value here
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
 _DIVIDING: Final = frozenset({"step", "word", "arrow", "hedge"})
 _STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
@@ -43,8 +44,8 @@ class Statement:
     others: tuple[Tokens, ...] = ()
 
     def refuse_unsolved(self, side: Tokens) -> None:
-        """Refuse an equation for its one symbol, such as 2T = 9.8, where no other side is a name."""
-        if not self.named and labels.is_compound(side):
+        """Refuse an equation for its one symbol, such as 2T = 9.8, or a sum, where no other side is a name."""
+        if not self.named and (labels.is_compound(side) or labels.is_mixed_sum(side)):
             raise _unreadable("it is an equation that is still to be solved")
 
 
@@ -203,6 +204,8 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     """The last side, where those before it leave no doubt."""
+    if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
+        sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
     value = unwrapped(sides[-1])
     if not value:
         raise _unreadable("nothing stands behind the last sign of equality")
@@ -216,6 +219,13 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     return Statement(
         value, claims, _doubt(value), bool(relations) and relations[-1].text == "≈", any(map(labels.is_bare, named))
     )
+
+
+def _is_name_of(last: Tokens, before: Tokens) -> bool:
+    """Return whether the last side only names the value before it, as in *9.8 m = h*."""
+    if not last or any(token.kind in _NO_NAME for token in last):
+        return False
+    return labels.is_bare(last) and not labels.is_bare(before)
 
 
 def _doubt(tokens: Tokens) -> Token | None:

@@ -7,25 +7,35 @@ What is left is for the tokenizer: ``\hspace{1mm}`` becomes a space, ``30º`` an
 import re
 from typing import Final
 
-from sim2reason.grading import siunitx
-from sim2reason.grading.alphabet import LAYOUT, either
+from sim2reason.grading import clauses, siunitx
+from sim2reason.grading.alphabet import HIDING, LAYOUT, either
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = ["balanced", "spelled"]
 
-_HIDING: Final = re.compile(r"\\(?:[hv]?phantom|smash|[lrc]lap|math[lrc]lap|transparent|opacity)(?![A-Za-z])")
-_USUAL: Final = r"[,;:! ]|(?:frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|theta|mu|quad)(?![A-Za-z])"
-_TRIGGER: Final = re.compile(rf"[*`$º˚…<&✓✔]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=,}}]|\\(?!{_USUAL})")
+_HIDING: Final = re.compile(rf"\\(?:{HIDING})(?![A-Za-z])")
+_USUAL: Final = (
+    r"[,;:! ]|(?:[dt]?frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|quad|sin|cos|tan|ln"
+    r"|theta|mu|pi|alpha|beta|phi|omega|rho|lambda|Delta)(?![A-Za-z])"
+)
+_IN_TEXT: Final = r"\s*(?:\\(?:text|mathrm)\s*\{\s*)?"
+_TRIGGER: Final = re.compile(
+    rf"[*`$º˚…<&✓✔％]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=,.}}]"
+    rf"|\({_IN_TEXT}(?:or|eq|that)|where|\\(?!{_USUAL})"
+)
 _ALIGNED: Final = r"(?:aligned|align\*?|gathered|gather\*?|equation\*?|split|displaymath|math)"
 _DOTS: Final = r"(?:\\[lc]?dots[cbmio]?(?![A-Za-z])|\.{3}|…)"
 _RELATION: Final = rf"(?==|≈|\\(?:{either('relation', '=')}|{either('relation', '≈')})(?![A-Za-z]))"
 _DECIMAL_COMMA: Final = (  # of one number that it can't part into thousands
-    r"(?<![0-9.,])(?<!\{,\})([0-9]+)\{,\}([0-9]{1,2}|[0-9]{4,}|(?<=(?<![0-9])0\{,\})[0-9]{3})(?![0-9.]|\{?,)"
+    r"(?<![0-9.])(?<![^\\],)(?<!\{,\})([0-9]+)\{,\}([0-9]{1,2}|[0-9]{4,}|(?<=(?<![0-9])0\{,\})[0-9]{3})(?![0-9.]|\{?,)"
 )
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
     for pattern, replacement in (
         (r"(?<![A-Za-z])i\.\s?e\.,?", " "),
+        (rf"\(({_IN_TEXT})(?:or|equivalently|equal to|that is,?)(?![A-Za-z])", r"(\1= "),
+        (r"(?<=[0-9])\{\.\}(?=[0-9])", "."),
+        (r"％", r"\\%"),
         (r"\\text\s*\{\s*-\s*\}", "-"),
         (r"\\text\s*\{\s*--\s*\}", "–"),
         (r"\\[hm]space\*?\s*\{\s*[0-9.]+\s*(?:mm|cm|pt|em|ex|mu|in)\s*\}", r"\\ "),
@@ -66,7 +76,8 @@ def spelled(content: str) -> str:
     if hiding := _HIDING.search(content):
         raise Refused(Outcome.UNREADABLE, f"{hiding[0]} hides a part of the answer")
     content = siunitx.expanded(content) if "\\" in content else content
-    content = _unmarked(content)
+    content = _unmarked(clauses.without_meanings(content))
+    content = clauses.vector_as_direction(content) if "\\" in content else content
     for pattern, replacement in _REWRITTEN:
         content = pattern.sub(replacement, content)
     content = _FUNCTION.sub(lambda found: rf"\{_FUNCTIONS[found[1] or found[2] or found[3]]} ", content)

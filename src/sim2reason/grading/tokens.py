@@ -15,6 +15,7 @@ from sim2reason.grading.alphabet import (
     GREEK,
     GREEK_NAMES,
     HEDGES,
+    INK,
     SCRIPTS,
     SIGNS,
     SOFT_HEDGES,
@@ -53,15 +54,12 @@ class Token(NamedTuple):
 
 
 _SPACE = rf"(?:[\s~$]|\\[ ,;:!>]|\\(?:{'|'.join(SPACES)}|[bB]igg?[lr]?)(?![A-Za-z]))"
-_INK: Final = (
-    "red|blue|green|black|orange|purple|teal|brown|cyan|magenta|violet|[Gg]ray|navy|ForestGreen|RoyalBlue|maroon"
-)
 _BELOW: Final = r"(?:[^{}\\$_]|\\[A-Za-z,]++|\{[A-Za-z0-9,\s]*+\}){1,40}+"
 _CUT: Final = re.compile(
     rf"(?P<space>{_SPACE}+)"
     r"|(?P<number>(?:[1-9][0-9]{0,2}(?P<group>[, ~\u00a0\u2009\u202f]|\{,\}|,\\!|\\[, !])[0-9]{3}"
     r"(?:(?P=group)[0-9]{3})*(?![0-9])(?:\.[0-9]+)?|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?P<exponent>[eE][-+−]?[0-9]+)?)"
-    rf"|(?P<color>\\(?:color|textcolor)\s*\{{\s*(?:{_INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*\}})"
+    rf"|(?P<color>\\(?:color|textcolor)\s*\{{\s*(?:{INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*\}})"
     r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
     r"|(?P<hedge>\+\s*+(?:/\s*+)?[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
@@ -90,8 +88,9 @@ class _Lexer:
         self.l_is_ell = "ell" in firsts and "l" not in firsts  # then an l can mean nothing else
 
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
-        upright = bool(self.upright) and self.upright[-1]
-        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", self.text[begin:finish]))
+        upright = self.upright[-1] if self.upright else False
+        said = self.text[begin:finish]
+        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", said))
         self.apart = 0
 
     def run(self) -> list[Token]:
@@ -101,26 +100,28 @@ class _Lexer:
             match = cut(text, at)
             if match is None:
                 raise Refused(Outcome.UNREADABLE, f"{_show(text[at])} has no meaning here")
-            at = self.take(str(match.lastgroup), match)
+            at = self.take(match.lastgroup or "", match)
         return self.tokens
 
     def take(self, kind: str, match: re.Match[str]) -> int:
         """Add what `match` stands for and return where to go on."""
-        text, begin, finish = match[0], match.start(), match.end()
-        match kind:
+        text = match[0]
+        begin, finish = match.span()
+        match kind:  # the most frequent ones first
+            case "sign":
+                self.sign(text, begin, finish)
             case "space":
                 said = text.strip("\\ \t\n$!") if "\\" in text else "left"
                 self.apart = 2 if "quad" in said else int(said not in {"left", "right"})
             case "number":
                 return self.number(match)
             case "letters" | "greek" | "name" | "named":
-                return self.letters(match["name"] or text, begin, finish, named=kind == "named")
+                named = kind == "named"
+                return self.letters(match["name"] if named else text, begin, finish, named=named)
             case "primed":
                 return self.primed(match)
             case "command":
                 return self.command(text[1:], begin, finish)
-            case "sign":
-                self.sign(text, begin, finish)
             case "color":
                 pass
             case "below":
@@ -137,7 +138,8 @@ class _Lexer:
         if exponent and self.known(exponent[0]):  # the item has a symbol e: 2e3 is no power of ten
             finish -= len(exponent)
             mantissa = mantissa[: -len(exponent)]
-        digits = mantissa.replace(match["group"], "") if match["group"] else mantissa
+        group = match["group"]
+        digits = mantissa.replace(group, "") if group else mantissa
         self.add("number", digits.replace("−", "-"), match.start(), finish)
         return finish
 
@@ -253,11 +255,10 @@ def tokenize(text: str, symbols: Collection[str] | None, *, primes: bool = False
     Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
     """
     tokens = _Lexer(text, symbols, primes=primes).run()
-    return [token._replace(kind=_HEDGING[token.text.lower()]) if _hedges(token) else token for token in tokens]
-
-
-def _hedges(token: Token) -> bool:
-    return token.kind == "word" and token.text.lower() in _HEDGING
+    for at, token in enumerate(tokens):
+        if token.kind == "word" and (hedging := _HEDGING.get(token.text.lower())):
+            tokens[at] = token._replace(kind=hedging)
+    return tokens
 
 
 _HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "soft")

@@ -11,8 +11,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Final
 
-from sim2reason.dsl.units import Unit, UnitError, parse_unit
+from sim2reason.dsl.units import Unit, UnitError, combined, parse_unit
 from sim2reason.grading.alphabet import SWITCHES, either
+from sim2reason.grading.further_units import FURTHER
 
 __all__ = ["is_unit", "unit_in"]
 
@@ -39,6 +40,8 @@ _REWRITTEN: Final = tuple(
         (r"(?<=[A-Za-z])(-?[1-4])(?![0-9])", r"^{\1}"),
         (r"(?<![A-Za-z])K[gG]s?(?![A-Za-z])|(?<![A-Za-z])kgs(?![A-Za-z])", "kg"),
         (r"(?<![A-Za-z])(sec|min|hr)s?\.", r"\1"),
+        (r"(?<![A-Za-z])(min|deg|rad|yr)s(?![A-Za-z])", r"\1"),
+        (r"(?<![A-Za-z])K(?=(?:J|N|W|V|Pa|Hz|eV|m)(?![A-Za-z]))", "k"),
         (r"(?<![A-Za-z])kmph(?![A-Za-z])|(?<![A-Za-z])kph(?![A-Za-z])", "km/h"),
         (r"\A((?:[\s~({]|\\[ ,;:!]|\\text(?![A-Za-z]))*)in(?=[\s~\\]+[^\s~\\(){}])", r"\1 "),
     )
@@ -90,7 +93,7 @@ def _read(text: str) -> Unit:
     """A unit of the table, or one with a turn, of 2π rad, to the first power."""
     turns = _TURNS.findall(text)
     if not turns:
-        return parse_unit(text)
+        return combined(text, FURTHER)
     radian, degree = (parse_unit(_TURNS.sub(angle, text)).factor for angle in ("rad", "deg"))
     if len(turns) > 1 or not math.isclose(radian, degree * math.degrees(1)):
         raise UnitError(f"{turns[0]!r} must stand alone, above the line and without a power")

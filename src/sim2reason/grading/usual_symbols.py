@@ -1,6 +1,7 @@
-"""What single letters usually stand for, so that their product is not taken for another quantity: *xy* is no length.
+"""Usual meanings of single letters: an expression of them cannot name a quantity of another dimension.
 
-Only what textbooks agree on is here; a letter with several meanings has them all, and one that is not here may be any.
+*xy* is no length, and *a/g* no acceleration. Only what textbooks agree on is here; a letter with several meanings has
+them all, and one that is not here may be any.
 """
 
 from collections.abc import Sequence
@@ -8,7 +9,10 @@ from itertools import product
 from typing import Final
 
 from sim2reason.dsl.units import Dimension, Unit, parse_unit
-from sim2reason.grading import labels
+from sim2reason.grading import arithmetic, labels
+from sim2reason.grading.arithmetic import Node
+from sim2reason.grading.parser import parse
+from sim2reason.grading.score import Refused
 from sim2reason.grading.tokens import Token
 
 __all__ = ["may_be"]
@@ -29,18 +33,50 @@ _USUAL: Final[dict[str, tuple[Dimension, ...]]] = {
     )
     for letter in letters.split()
 }
-_MOST: Final = 4  # letters of a product
-_KINDS: Final = frozenset({"word", "symbol", "mark", "times"})
+_MOST: Final = 6  # letters of an expression
+_SCALES: Final = (1.9, 2.3, 3.1)  # that units of length, mass and time are made larger by
+_NEAR: Final = 1e-9
 
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
-    """Whether a side may be a quantity in `unit`: all but products of usual letters that have another dimension."""
-    factors = [letter for letter, _ in labels.names(side)]
-    if not 1 < len(factors) <= _MOST or any(token.kind not in _KINDS for token in side):
+    """Return whether a side may be a quantity in `unit`: False for usual letters of another dimension."""
+    found = labels.names(side)
+    letters = list(dict.fromkeys(letter for letter, _ in found))
+    if len(found) <= 1 or len(letters) > _MOST or any(letter not in _USUAL for letter in letters):
         return True
-    if any(letter not in _USUAL for letter in factors):
+    node = _expression(side)
+    if node is None:
         return True
-    return any(
-        tuple(map(sum, zip(*meant, strict=True)))[:7] == unit.dimension.base
-        for meant in product(*(_USUAL[letter] for letter in factors))
-    )
+    meanings = [dict(zip(letters, meant, strict=True)) for meant in product(*(_USUAL[letter] for letter in letters))]
+    return any(_has_dimension(node, meant, unit.dimension) for meant in meanings)
+
+
+def _expression(side: Sequence[Token]) -> Node | None:
+    """Parse a side as an expression of letters and numbers; None if it is not one."""
+    tokens = list[Token]()
+    for token in side:
+        letters = labels.names([token])
+        if token.kind in {"word", "symbol"} and not letters:
+            return None
+        if token.kind == "mark":
+            continue
+        named = (token._replace(kind="symbol", text=letter) for letter, _ in letters)
+        tokens += named if letters else [token]
+    try:
+        node, taken, _ = parse(tokens, unit_follows=False)
+    except Refused:
+        return None
+    return node if taken == len(tokens) else None
+
+
+def _has_dimension(node: Node, meant: dict[str, Dimension], wanted: Dimension) -> bool:
+    """Return whether an expression has a dimension, by its scaling with the units of length, mass and time."""
+    here = arithmetic.value(node, {letter: 1.0 + 0.3 * place for place, letter in enumerate(meant)})
+    if not here:
+        return True
+    for axis, scale in enumerate(_SCALES):
+        larger = {letter: (1.0 + 0.3 * n) * scale ** meant[letter][axis] for n, letter in enumerate(meant)}
+        there = arithmetic.value(node, larger)
+        if there is not None and abs(there - here * scale ** wanted[axis]) > _NEAR * abs(there):
+            return False
+    return True

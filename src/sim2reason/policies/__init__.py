@@ -12,6 +12,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
 
 from sim2reason.errors import PolicyError
+from sim2reason.grading import opened
 from sim2reason.policies.parts.settings import of_kind
 from sim2reason.registry import Registry
 
@@ -77,12 +78,14 @@ class Completion(BaseModel):
     prompt_tokens: int | None = None
     completion_tokens: int | None = None
     """With the thinking. None where nobody counted."""
+    thinking_opened: bool = False
+    """Whether the text begins within the thinking, which the prompt opened."""
 
     @property
     def whole(self) -> str:
         """The response as a grader reads it: the thinking in its tags, then the text."""
         if not self.thinking:
-            return self.text
+            return str(opened(self.text)) if self.thinking_opened else self.text
         return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
 
 
@@ -96,6 +99,8 @@ class Policy(_Settings, ABC):
     """By which reports call it."""
     sampling: Sampling = Sampling()
     limits: Limits = Limits()
+    thinking_opened: bool = False
+    """Whether its chat template ends within the thinking, so that a text without the end of it has no answer."""
     step: Annotated[int, Ge(0)] | None = None
     """After how many steps of training this model was saved, for plots over training."""
 

@@ -46,6 +46,8 @@ class Endpoint(Policy):
     requests_in_flight: Annotated[int, Ge(1), Le(1024)] = 8
     length_field: Literal["max_tokens", "max_completion_tokens"] = "max_tokens"
     """What the endpoint calls the limit on a response."""
+    send_seed: bool = True
+    """Whether requests have a seed; some endpoints refuse one. Without it, no sample can be drawn again."""
     extra: dict[str, JsonValue] = Field(default_factory=dict[str, JsonValue])
     """Further fields of each request, such as ``chat_template_kwargs``; they are written down with the results."""
 
@@ -138,7 +140,7 @@ class Endpoint(Policy):
             "messages": [*system, {"role": "user", "content": request.prompt}],
             **{name: value for name, value in drawn.items() if value is not None},
             self.length_field: self.sampling.max_tokens,
-            "seed": request.seed,
+            **({"seed": request.seed} if self.send_seed else {}),
             **self.extra,
         }
         return json.dumps(fields).encode()

@@ -92,7 +92,7 @@ RELEASES = (
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
-    "to begin with, everything is held at rest{taut}, and is then let go.",
+    "the bodies are released from rest{taut}.",
 )
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",
@@ -101,8 +101,12 @@ LONE_RELEASES = (
 TAUT = ("", " with the string taut", " with all strings taut")
 STRETCHED = (
     (),
-    ("the string is taut at the start.", "initially the string is taut.", "the string is taut to begin with."),
-    ("all strings are taut at the start.", "initially all strings are taut.", "every string is taut to begin with."),
+    ("the string is taut at the start.", "the string is taut at first.", "when the motion begins, the string is taut."),
+    (
+        "all strings are taut at the start.",
+        "all strings are taut at first.",
+        "when the motion begins, all strings are taut.",
+    ),
 )
 
 
@@ -152,17 +156,17 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "nothing reaches it", "there is ample room to move"),
-    (True, False): ("no body reaches a pulley", "every string is long enough", "nothing reaches a pulley"),
+    (False, False): ("every string is long enough", "no body reaches it", "there is ample room to move"),
+    (True, False): ("no body reaches a pulley", "every string is long enough", "all strings are long enough"),
     (False, True): (
-        "no body reaches it or an edge",
+        "no body reaches an edge",
         "there is ample room to move",
-        "nothing reaches it or an edge",
+        "all surfaces are long enough",
     ),
     (True, True): (
-        "nothing reaches a pulley or an edge",
+        "no body reaches a pulley or an edge",
         "there is ample room to move",
-        "no body gets to an edge or a pulley",
+        "all strings and surfaces are long enough",
     ),
 }
 _EITHER = (False, True)
@@ -197,7 +201,7 @@ CLOSINGS: tuple[Closing, ...] = (
     Closing(
         "room on faces",
         _has_faces,
-        ("nothing reaches an edge.", "no body gets to an edge.", "there is ample room to move."),
+        ("no body reaches an edge.", "all surfaces are long enough.", "there is ample room to move."),
     ),
     Closing(
         "g",

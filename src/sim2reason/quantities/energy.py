@@ -10,7 +10,7 @@ from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.momentum import AngularMomentum
 from sim2reason.quantities.rotation import AngularVelocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.paths import center_path, is_welded_part
 
 
 class Energy(Quantity):
@@ -48,8 +48,12 @@ class EnergyOfTurning(Energy):
     given = True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether the body turns and has a moment of inertia, so that the parts differ from the whole."""
-        return any(mechanism.body[name].inertia) and bool(center_path(mechanism, name).turns)
+        """Whether the body turns and has a moment of inertia, so that the parts differ from the whole.
+
+        Of a part of a rigid body nobody asks for them.
+        """
+        turns = any(mechanism.body[name].inertia) and bool(center_path(mechanism, name).turns)
+        return turns and not is_welded_part(mechanism, name)
 
 
 @quantity

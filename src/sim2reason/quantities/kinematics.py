@@ -13,10 +13,10 @@ class Displacement(Quantity):
 
     name, unit, symbol = "displacement", "m", "s"
     of, vector = Bodies(), True
-    magnitude = "the distance{aside} between {body} and its starting point"
+    magnitude = "the distance between {body} and its starting point{ground}"
     signed = "the {component}displacement of {body} from its starting point{ground}"
-    how = "how far{aside} is {body} from its starting point {when}?"
-    indirect = "how far{aside} {body} is from its starting point"
+    how = "how far is {body} from its starting point{ground} {when}?"
+    indirect = "how far {body} is from its starting point{ground}"
     center = from_start = True
     weight = 2.0
     floor = 0.1

@@ -9,6 +9,7 @@ from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.rotation import AngularAcceleration, AngularVelocity
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import is_welded_part
 from sim2reason.quantities.subjects.turners import TurningBodies
 
 
@@ -34,7 +35,7 @@ class Momentum(Quantity):
 
 @quantity
 class NetForce(Quantity):
-    """The sum of all forces on a body alone."""
+    """The sum of all forces on a body alone; of a part of a rigid body nobody asks for it."""
 
     name, unit, symbol = "net force", "N", "F"
     of, vector = Bodies(), True
@@ -45,6 +46,10 @@ class NetForce(Quantity):
     weight = 0.8
     floor, heavy = 0.1, True
     order = 4
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body is not welded to others."""
+        return not is_welded_part(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -65,8 +70,8 @@ class AboutCenter(Quantity):
         return tuple(name for name in self.of.names(mechanism) if any(mechanism.body[name].inertia))
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it has a moment of inertia."""
-        return any(mechanism.body[name].inertia)
+        """Return whether the body has a moment of inertia and is not part of a larger rigid body."""
+        return any(mechanism.body[name].inertia) and not is_welded_part(mechanism, name)
 
 
 @quantity

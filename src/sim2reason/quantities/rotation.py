@@ -98,12 +98,12 @@ class AngleTurned(Angle):
 class AngleRolled(Angle):
     """The angle from the start, in radians, of a body that rolls or slips as it turns: it may be many turns.
 
-    It is said to be the net angle, since a body that slips may turn back on the way.
+    It is said to be the net angle of what may turn back on the way.
     """
 
     name, unit, symbol = "angle rolled", "rad", "φ"
-    magnitude = "the net angle through which {body} has turned since the start"
-    how = "through what net angle has {body} turned {when}?"
+    magnitude = "the {net}angle through which {body} has turned since the start"
+    over = "the {net}angle through which {body} turns"
     floor, least = 0.1, 1e-2
     from_start = True
     panel, order = "angle turned", 0

@@ -14,6 +14,7 @@ QUOTA = {"what": 0.35, "find": 0.3, "how": 0.3, "determine": 0.12, "calculate": 
 """How often a verb asks, where it can; *how* can ask for little, and makes up for it there."""
 
 _VERB = re.compile("|".join(QUOTA))
+_OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subject of its own, or an agent
 
 
 def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
@@ -81,15 +82,20 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
-    """The words for a moment, *when it stops*, after a noun phrase that names what it is about and no other body."""
+    """Return a moment with a pronoun, *when it stops*, if the noun phrase before it names its subject alone.
+
+    Nothing else is a body, or does something: after *the energy that the dashpot beside spring 2 dissipates* the one
+    that *it* would be is the dashpot.
+    """
     subject, pronoun = moment.subject(words), moment.pronoun
     part, of, whole = subject.rpartition(" of ")
     if moment.part and of and whole in noun and subject not in noun:  # the centre of what the phrase names
         pronoun = f"its {part.removeprefix('the ')}"
     elif not (subject and pronoun and subject in noun):
         return when
-    others = (said for said in words.mentions.values() if said in noun and said not in subject)
-    return when if any(others) else when.replace(subject, pronoun, 1)
+    others = any(said for said in words.mentions.values() if said in noun and said not in subject)
+    named = whole if subject not in noun else subject
+    return when if others or _OTHER.search(noun.replace(named, "…")) else when.replace(subject, pronoun, 1)
 
 
 def _plain(noun: str, when: str, again: str) -> tuple[str, ...]:

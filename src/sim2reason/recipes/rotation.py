@@ -11,7 +11,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.solids import Solid
-from sim2reason.entities.parts.assembly import WeldedArm, holds_axle, overlap
+from sim2reason.entities.parts.assembly import WeldedArm, holds_axle
 from sim2reason.entities.parts.pieces import (
     OTHER,
     AxialPiece,
@@ -38,6 +38,7 @@ OWN = 0.14  # of all inertia that belongs to the pieces about their own centres:
 MANY = 3  # pieces, of which one may have a size without bearing
 TOO_MANY = 2  # sizes without bearing, whatever the pieces
 DRAWS = 200
+TRIES = 60  # pieces that are drawn before all are drawn anew
 
 
 @dataclass(frozen=True)
@@ -82,16 +83,25 @@ def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
     """One that is large, and others, perhaps small, where there is room on the arm; last those beyond the axle."""
-    count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), list[WeldedPiece]()
+    count, found, tries = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), list[WeldedPiece](), 0
     shares = np.array(list(SOLID.values()))
     while len(found) < count:
         kind = BallPiece if found and rng.random() < SMALL else list(SOLID)[int(rng.choice(len(SOLID), p=shares))]
         piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
         if kind is not BallPiece and not _is_large([piece]):
             continue
-        if not holds_axle(piece) and not any(overlap(piece, other) for other in found):
+        if not holds_axle(piece) and all(is_clear(piece, other) for other in found):
             found.append(piece)
+        tries += 1
+        if tries == TRIES:  # the first ones have taken all the room
+            found, tries = [], 0
     return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+
+
+def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
+    """Return whether two pieces on one arm are beside one another, and neither reaches past the axle."""
+    (low, high), (near, far) = one.span, other.span
+    return (high < near or far < low) and not any(begin < 0.0 < end for begin, end in (one.span, other.span))
 
 
 def _bears(arm: WeldedArm) -> bool:

@@ -36,11 +36,13 @@ MAX_NODES = 4_000
 MAX_DIGITS = 40  # the longest repr of a float has 24 characters
 WIDTH = 100  # characters; up to here a mapping of scalars is written on one line
 
-_NUMBER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?", re.ASCII)
+NUMBER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?", re.ASCII)
+"""The spelling of numbers that means the same to all readers: 012 and 1:30 do not."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_.]*", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
-_TRUTH = {"true": True, "false": False, "null": None}
-_AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *_TRUTH, "~", "=", "<<"}  # when not exactly true, false or null
+TRUTH = {"true": True, "false": False, "null": None}
+"""The words that are values, to readers of YAML 1.1 and 1.2 alike."""
+_AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # when not exactly true, false or null
 
 
 def shown(value: object) -> str:
@@ -159,8 +161,8 @@ class _Reader:
             return text
         if event.style in ("|", ">"):
             self._refuse(event, "there is a text over several lines (| or >)", "write it on one line, in quotes")
-        if text in _TRUTH:
-            return _TRUTH[text]
+        if text in TRUTH:
+            return TRUTH[text]
         if not text:
             self._refuse(event, "it has no value", "write one, or take the key out")
         if text[0] in "+-.0123456789":
@@ -171,7 +173,7 @@ class _Reader:
 
     def _number(self, event: ScalarEvent) -> float | int:
         text = event.value
-        match = _NUMBER.fullmatch(text)
+        match = NUMBER.fullmatch(text)
         if match is None:
             self._refuse(event, f"{shown(text)[1:-1]} is not a plain number", "write it as 12, 0.5, -3.0 or 1.5e-3")
         if len(text) > MAX_DIGITS:

@@ -46,6 +46,10 @@ ENDINGS: Mapping[str, str] = {
 """Why a motion is followed no longer, in words, by what cut it."""
 
 
+IMPACTS = frozenset({"collision", "taut", "land"})
+"""Kinds of events at which velocities change at once, so that forces and accelerations are infinite."""
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """Something of one of the `EVENT_KINDS` that happens at an instant, to `subjects` in the order of engines."""

@@ -165,6 +165,11 @@ class Setting:
         """What springs are called."""
         return springs(self.mechanism, self.words.mentions)
 
+    def _on_a_rim(self, site: str) -> bool:
+        """Return whether a string leaves the rim of a pulley at a site."""
+        held = self.mechanism.site[site]
+        return held.body in self.pulleys and any(held.at)
+
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
         """The strings that are fixed at an end of which the text has no name."""
         named: dict[str, str] = {}
@@ -175,6 +180,8 @@ class Setting:
             ends = [self.called(body) for body in bodies if body is not None]
             where = " and ".join(ends) if ends else "its two fixed ends"
             named[line.name] = f"the string between {where}" if len(ends) > 1 else f"the string tied to {where}"
+            if len(ends) == 1 and any(self._on_a_rim(site) for site in (line.through[0], line.through[-1])):
+                named[line.name] = f"the part of the string between {where} and its fixed end"
             if not ends:
                 around = [self.mechanism.site[site].body for site in line.through]
                 named[line.name] = f"the string round {next(self.called(b) for b in around if b is not None)}"

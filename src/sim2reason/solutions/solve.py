@@ -12,7 +12,7 @@ from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
 from sim2reason.questions import KINDS, Study
 from sim2reason.questions.need import ELEMENTARY, Need
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
@@ -97,6 +97,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     said = {given.symbol for given in setting.lexicon.givens.values()}
     own = [symbol for symbol in setting.formula.symbols if symbol not in said]
     found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)))
+    if found.answer is None:
+        return found
     sides = [side for held in found.relations for side in (held.left, held.right)]
     if any(is_special(side) or next(numbers(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
@@ -173,6 +175,17 @@ def _inverted(setting: Setting, book: Book, goal: str) -> str:
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     """The solution of a problem from its text alone, in its own names; raises TextError as `parse_prompt` does."""
     parsed = parse_prompt(prompt)
+    setting = setting_of(parsed)
+    if setting.stated != parsed.asked.given:
+        return Solution("", reason="the text leaves open what is asked for"), setting
+    return solve(setting), setting
+
+
+def setting_of(parsed: ParsedPrompt) -> Setting:
+    """Return the setting that a prompt describes, with its own symbols.
+
+    If the number asked for is not determined, the setting asks for the result that the prompt states.
+    """
     scene, mentions = parsed.scene, parsed.reading.mentions
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
@@ -183,13 +196,10 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     if unknown and given is not None:
         answer = parsed.counted
         if answer is None:
-            return Solution("", reason="the text leaves open what is asked for"), Setting(
-                scene, Words.of(scene, mentions), named, study, parsed.query
-            )
+            return Setting(scene, Words.of(scene, mentions), named, study, parsed.query)
         study = Study.of(scene.having(unknown, answer), study.trace.state.times)
     words = Words.of(study.scene, mentions)
-    setting = Setting(study.scene, words, named, study, parsed.query, unknown, given)
-    return solve(setting), setting
+    return Setting(study.scene, words, named, study, parsed.query, unknown, given)
 
 
 def _noun(mention: str) -> str:

@@ -40,6 +40,15 @@ def test_a_name_stands_once_and_the_folder_may_be_given(tmp_path: Path) -> None:
     assert evaluation_from(found, tmp_path / "other").out == tmp_path / "other"
 
 
+@pytest.mark.parametrize("value", ["012", "1:30", "on", "0x10", "1_000", ".5", "~", "2026-01-01"])
+def test_a_value_that_readers_of_yaml_differ_on_is_refused_with_its_line(value: str, tmp_path: Path) -> None:
+    path = tmp_path / "c.yaml"
+    path.write_text(f"out: o\nsamples: {value}\n")
+    with pytest.raises(EvaluationError, match=r"c\.yaml, line 2: .* a value that readers of YAML differ on") as raised:
+        evaluation_from(path)
+    assert repr(value) not in str(raised.value)
+
+
 def test_an_error_names_file_and_place(tmp_path: Path) -> None:
     path = tmp_path / "c.yaml"
     benchmark = {**BENCHMARK, "recipe": "puley"}

@@ -42,11 +42,14 @@ def of_rocket() -> tuple[Study, Words, dict[type[Regime], Regime]]:
 @pytest.mark.parametrize(
     ("chosen", "expected"),
     [
-        ([BurntOut], "Assume that {it} has burned all its fuel by then but has not yet fallen back."),
-        ([BurntOut, MovesOneWay], "Assume that {it} keeps moving up and that it has burned all its fuel by then."),
+        ([BurntOut], "Assume that {it} has burned all its fuel by that moment but has not yet fallen back."),
+        (
+            [BurntOut, MovesOneWay],
+            "Assume that {it} keeps moving up and that it has burned all its fuel by that moment.",
+        ),
         (
             [BurntOut, MovesOneWay, DelayedLiftoff],
-            f"Assume that {{it}} {LIFTS}, that it keeps moving up, and that it has burned all its fuel by then.",
+            f"Assume that {{it}} {LIFTS}, that it keeps moving up, and that it has burned all its fuel by that moment.",
         ),
     ],
 )

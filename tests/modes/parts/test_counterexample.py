@@ -57,7 +57,7 @@ def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formul
 def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
     seen: list[float] = []
     counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
-    assert len(seen) == SIMULATED
+    assert CLOSEST + SCATTERED < len(seen) <= SIMULATED[0]
     assert max(seen[:CLOSEST]) < 1.7  # though factors reach 3.0
     assert max(seen) > 2.5  # and some are from everywhere
 

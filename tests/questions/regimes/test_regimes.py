@@ -191,7 +191,8 @@ def test_what_is_too_heavy_waits() -> None:
 
 
 @pytest.mark.parametrize(
-    ("until", "clause"), [(0.0, ""), (40.0, "still has fuel then"), (80.0, "burned all its fuel by then")]
+    ("until", "clause"),
+    [(0.0, ""), (40.0, "still has fuel at that moment"), (80.0, "burned all its fuel by that moment")],
 )
 def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
     """700 kg of fuel last for 70 s at 10 kg/s."""
@@ -274,7 +275,7 @@ def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
     entity = RocketEntity(rocket=Rocket(mass=724.0, dry=184.0), place=LevelGround(), exhaust=2.8, rate=2.3)
     scene = Scene(entities=(Named(name="rocket", entity=entity),))
     text = assuming(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(280.0)))
-    assert text.endswith("that it keeps moving up, and that it has burned all its fuel by then.")
+    assert text.endswith("that it keeps moving up, and that it has burned all its fuel by that moment.")
 
     def fallen(place: LevelGround | DeepSpace, own: dict[str, OwnSymbol]) -> list[str]:
         entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=place, exhaust=1.0, rate=10.0)
@@ -284,7 +285,7 @@ def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
         return [clause.partition(" has ")[2] for clause in found if "fallen back" in clause]
 
     a_time = {"s": OwnSymbol("a time", "t_1", 80.0)}
-    assert fallen(LevelGround(), a_time) == ["burned all its fuel by then but has not yet fallen back"]
+    assert fallen(LevelGround(), a_time) == ["burned all its fuel by that moment but has not yet fallen back"]
     assert fallen(LevelGround(), {}) == []
     assert fallen(DeepSpace(), a_time) == []
 

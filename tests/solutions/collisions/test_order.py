@@ -8,7 +8,6 @@ import pytest
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.track import Track
-from sim2reason.datasets.items import item
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
@@ -144,9 +143,8 @@ def test_the_law_that_gives_an_impulse_is_named(restitution: float) -> None:
 
 def test_a_collision_without_influence_is_named() -> None:
     """C has left B and hits the wall before A, which meets B, could change that."""
-    found = item(recipe="collision", difficulty="hard", mode="symbolic", seed=301913, index=0, solutions=True).solution
-    assert found is not None
-    assert "The collision of balls A and B does not affect ball C before the moment in question." in found.text
+    text = solution_text("collision-hard-symbolic-301913-0")
+    assert "The collision of balls A and B does not affect ball C before the moment in question." in text
 
 
 def tilted() -> Scene:
@@ -181,7 +179,7 @@ def test_discs_that_touch_after_an_inelastic_collision_do_not_collide_again() ->
 
 def test_two_walls_are_told_apart() -> None:
     """Of a wall on the left and one on the right, neither is *the wall*."""
-    text = solution_text("collision", "hard", "multipart", 0, seed=301915)
+    text = solution_text("collision-hard-multipart-301915-0")
     assert "moves away from the right wall" in text
     assert " hits the left wall" in text
     assert " the wall" not in text

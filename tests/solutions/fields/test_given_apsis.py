@@ -12,7 +12,7 @@ in Msun, to three significant figures, inside \\boxed{}."""
 PLANET = """A star of mass $M$ is fixed at the origin of the x-y plane; with lengths in au, times in years (yr) and \
 masses in solar masses (Msun), G = 4π² au³/(Msun yr²). At t = 0 a planet of negligible mass is at the \
 point ($x$, $y$) and has the velocity ($v_x$, $v_y$). No force but the attraction of the star acts on the \
-planet. Calculate the magnitude of the acceleration of the planet after the line from the star to the \
+planet. Calculate the magnitude of the acceleration of the planet when the line from the star to the \
 planet has turned through 180°. Take $M$ = 0.84 Msun, $x$ = −0.95 au, $y$ = 2.67 au, $v_x$ = −1.67 au/yr \
 and $v_y$ = −1.23 au/yr. Give your answer in au/yr², to three significant figures, inside \\boxed{}."""
 

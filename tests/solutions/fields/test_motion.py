@@ -4,17 +4,17 @@ from sim2reason.solutions import solve_prompt
 from sim2reason.testing.solutions.reading import read
 
 CROSSED = """There is a uniform magnetic field of strength $B$ in the positive z direction. An electric field is \
-parallel to the x axis; at x = 0 it has magnitude $E$ and points in the negative x direction, and its \
-component in that direction increases with x at a rate of $k$. At t = 0 a small ball (mass $m$) that \
+everywhere parallel to the x axis; at x = 0 it has magnitude $E$ and points in the negative x direction, and its x \
+component decreases with x at a rate of $k$. At t = 0 a small ball (mass $m$) that \
 carries a negative charge of magnitude $q$ is at the origin of the x-y plane, moving at speed $v$ in a \
 direction at an angle $\\theta$ counter-clockwise from the positive x direction. No gravity acts here. \
 Calculate the work that the electric field does on the ball between t = 0 and t = 1.5 s. Let $B$ = 0.84 \
 T, $E$ = 0.48 N/C, $k$ = 0.75 N/(C·m), $m$ = 3.1 mg, $q$ = 4.4 µC, $v$ = 2.3 m/s and $\\theta$ = 50°. \
 Give your answer in µJ, to three significant figures, inside \\boxed{}."""
-GROWING = """An electric field is parallel to the y axis; at y = 0 it has magnitude $E$ and points in the positive y \
-direction, and its component in that direction increases with y at a rate of 0.63 N/(C·m). At t = 0, a \
+GROWING = """An electric field is everywhere parallel to the y axis; at y = 0 it has magnitude $E$ and points in the \
+positive y direction, and its y component increases with y at a rate of 0.63 N/(C·m). At t = 0, a \
 small bead (4.1 mg) that carries a positive charge of 1.8 µC is released from rest at the origin of the \
-x-y plane. No gravity acts here. Calculate the electric field $E$ if the distance between the bead and \
+x-y plane. No gravity acts here. Calculate $E$ if the distance between the bead and \
 its starting point at t = 1.8 s is 0.54 m. State the answer in N/C to three significant figures, inside \
 \\boxed{}."""
 

@@ -15,7 +15,7 @@ from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
-from worked import asked
+from worked import asked, solution_text
 
 PLANET, PAIR = "system.planets.0", "system.planets.0 & system.star"
 ALONG_X = Sense("to the right", (1.0, 0.0, 0.0), axis="x")
@@ -108,3 +108,8 @@ def test_half_a_turn_ends_where_the_velocity_has_no_part_in_the_place() -> None:
     assert "chord" not in text
     text = solved(Query("time_to_event", None, Orbited(PAIR, 180)), (0.0, 6.5)).text
     assert "From one end of the major axis to the other it takes half a period" in text
+
+
+def test_a_planet_that_moves_inwards_is_nearest_before_it_is_farthest() -> None:
+    text = solution_text("orbital-hard-numeric-4711-0")
+    assert "so within half a turn it comes to the least distance." in text

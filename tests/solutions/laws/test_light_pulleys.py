@@ -6,16 +6,16 @@ import pytest
 
 from sim2reason.solutions import solve_prompt
 
-PULLEYS = """For the motion below, how long after release is the kinetic energy of block A 17.0 J for the first time? \
-On a rough, fixed plane inclined at 26° to the horizontal lies block A of mass 5.2 kg. Friction on this \
-plane, static and kinetic, has the coefficient 0.31. On another fixed plane with a rough surface inclined \
-at 63° to the horizontal lies block B of mass 9.8 kg. On this plane the coefficient of friction, static \
+PULLEYS = """On a rough, fixed plane inclined at 26° to the horizontal lies block A of mass 5.2 kg. On this plane the \
+coefficient of friction, static and kinetic, is 0.31. On another fixed plane of inclination 63° with a rough \
+surface lies block B of mass 9.8 kg. On this plane the coefficient of friction, static \
 and kinetic, is 0.37. Block C of mass 8.0 kg hangs from a light string, which passes over a light hanging \
 pulley P, goes straight down and round a light pulley Q fixed in place and reaches B from above, along \
 the slope. A second light string is tied to block A; it runs up the slope, passes over a light fixed \
-pulley R and runs straight down to the axle of P. To begin with, everything is held at rest with all \
-strings taut, and is then let go. Pulleys turn without friction, and no body reaches a pulley. The \
-free-fall acceleration is g = 9.8 m/s². Give your answer in s, to three significant figures, inside \
+pulley R and runs straight down to the axle of P. The bodies are released from rest with all \
+strings taut. Pulleys turn without friction, and no body reaches a pulley. The \
+free-fall acceleration is g = 9.8 m/s². How long after release is the kinetic energy of block A 17.0 J for the \
+first time? Give your answer in s, to three significant figures, inside \
 \\boxed{}."""
 
 SUM = re.compile(r"\((\d)\) \+ ([\d.]+)·\((\d)\): \((\d)\) \$([\d.]+)\\,a_A = ([\d.]+)\$")
@@ -23,7 +23,8 @@ SUM = re.compile(r"\((\d)\) \+ ([\d.]+)·\((\d)\): \((\d)\) \$([\d.]+)\\,a_A = (
 
 def test_a_string_is_said_to_change_on_both_sides_of_a_pulley_that_moves() -> None:
     text = solve_prompt(PULLEYS)[0].text
-    assert r"does not stretch, and both of its parts at pulley P change alike: $a_B = 2\,a_A - a_C$." in text
+    said = "does not stretch, and moving pulley P changes both parts of it equally: "
+    assert said + r"$a_B = 2\,a_A - a_C$." in text
 
 
 def test_printed_numbers_of_an_elimination_lead_to_the_printed_result() -> None:

@@ -23,7 +23,7 @@ PRISM = (
     "and is free to slide. On the left face lies block A (3.4 kg), and on the right face block B of mass 2.4 kg. A "
     "light string over a light pulley at the apex joins A to B. On both faces the coefficient of friction, static and "
     "kinetic, is $\\mu$. All bodies are held at rest with the string taut, and let go together. The pulley turns "
-    "freely, and no body reaches it or an edge. Use g = 9.8 m/s². Find the smallest coefficient of friction $\\mu$ "
+    "freely, and no body reaches an edge. Use g = 9.8 m/s². Find the smallest coefficient of friction $\\mu$ "
     "for which block A does not slip on the prism. Give your answer to three significant figures, inside \\boxed{}."
 )
 

@@ -145,9 +145,9 @@ def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
         r"In this problem g = 9.8 m/s². A fixed horizontal plane carries a thin-walled pipe of radius "
         r"0.097 m and mass 5.6 kg; it is free to roll along the plane in a straight line. The coefficient "
         r"of friction (static and kinetic) between it and the plane is 0.31. At t = 0 its centre is at "
-        r"rest, and it spins at 19 rad/s in the sense in which it would roll to the right. Through what "
-        r"net angle has the pipe turned when it has moved 1.2 m? Give your answer in rad, to three "
-        r"significant figures, inside \boxed{}."
+        r"rest, and it spins at 19 rad/s in the sense in which it would roll to the right. Find the "
+        r"angle through which the pipe turns between t = 0 and the moment when it has moved 1.2 m. "
+        r"Give your answer in rad, to three significant figures, inside \boxed{}."
     )
     found, _ = solve_prompt(prompt)
     assert "As $s < d$, the pipe covers the distance $d$ only later." in found.text

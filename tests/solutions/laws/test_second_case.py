@@ -4,22 +4,29 @@ import re
 
 import pytest
 
-from sim2reason import item
+from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import words
 from sim2reason.testing.solutions.reading import read
+from worked import settings_of, solution_text
 
 LONGEST = 150  # words of a solution to an easy problem
 
 
 @pytest.mark.parametrize(("recipe", "index"), [("pulley", 4), ("box", 5), ("rolling", 2)])
 def test_the_second_case_names_what_is_new_and_sets_up_no_law_again(recipe: str, index: int) -> None:
-    found = item(recipe=recipe, difficulty="easy", seed=77, index=index, weights={"comparison": 1.0}, solutions=True)
-    assert found.solution is not None
-    assert found.solution.strategy == "comparison of two cases"
-    text = found.solution.text
+    (setting,) = settings_of(f"{recipe}-easy-numeric-77-{index}-comparison")
+    found = solve(setting)
+    assert found.strategy == "comparison of two cases"
+    text = found.text
     assert re.search(r"The same laws hold, with \$\w+_\{[^}]*\\text\{new\}\}\$ for \$", text)
     assert " and $a_" in text or ", $a_" in text
     assert text.count("(1) ") == 1 + text.count("(1) +") + text.count("(1) −")
     assert not read(text).unread
     assert not read(text).broken
     assert words(text) <= LONGEST + (45 if recipe == "pulley" else 0)  # there each case has two unknowns and two ways
+
+
+def test_a_sum_of_equations_begins_with_one_that_is_added() -> None:
+    text = solution_text("pulley-easy-numeric-77-4-comparison")
+    assert "(4) − 2·(3), with (1): " in text
+    assert "-2·" not in text

@@ -6,7 +6,7 @@ from worked import solution_text
 
 
 def test_bodies_that_rest_share_a_sentence_and_a_quadratic_is_written_with_its_other_root() -> None:
-    text = solution_text("box", "hard", "choice", 2)
+    text = solution_text("box-hard-choice-301914-2")
     assert "Blocks A, B, C and D stay at rest relative to the prism." in text
     assert text.count("at rest relative to the prism") == 1
     assert "this gives, in SI units, $6.0041\\,m_C^{2} + 103.08\\,m_C = 2232.3$" in text
@@ -14,30 +14,30 @@ def test_bodies_that_rest_share_a_sentence_and_a_quadratic_is_written_with_its_o
 
 
 @pytest.mark.parametrize(
-    ("recipe", "difficulty", "mode", "told"),
+    ("problem", "told"),
     [
-        ("box", "easy", "reverse", r"(2) + (3): (4) $m_B g = \left(m_A + m_B\right) a_A - m_A a_M$."),
-        ("pulley", "medium", "symbolic", r"(1) + 2·(3), with (2): (5) $2\,m_B g - m_A g \sin\theta = "),
+        ("box-easy-reverse-301914-0", r"(2) + (3): (4) $m_B g = \left(m_A + m_B\right) a_A - m_A a_M$."),
+        ("pulley-medium-symbolic-301914-0", r"(1) + 2·(3), with (2): (5) $2\,m_B g - m_A g \sin\theta = "),
     ],
 )
-def test_no_equation_is_copied_in_the_order_of_the_unknowns(recipe: str, difficulty: str, mode: str, told: str) -> None:
-    text = solution_text(recipe, difficulty, mode, 0)
+def test_no_equation_is_copied_in_the_order_of_the_unknowns(problem: str, told: str) -> None:
+    text = solution_text(problem)
     assert told in text
     assert "In order of the unknowns" not in text
 
 
 def test_a_normal_force_that_the_weight_gives_is_told_once() -> None:
-    assert solution_text("hybrid", "medium", "symbolic", 0).count(r"$N_{\text{block}} = m g \cos\theta$") == 1
+    assert solution_text("hybrid-medium-symbolic-301914-0").count(r"$N_{\text{block}} = m g \cos\theta$") == 1
 
 
 def test_a_sine_and_a_cosine_make_a_single_sine_and_the_other_angle_is_excluded() -> None:
-    text = solution_text("hybrid", "medium", "reverse", 0)
+    text = solution_text("hybrid-medium-reverse-301914-0")
     assert r"The left side is a multiple of $\sin\left(\theta - \arctan\mu\right)$, so" in text
     assert r"The other solution, $160.67^\circ$, is more than $90^\circ$." in text
 
 
 def test_parts_write_no_equation_that_they_do_not_use() -> None:
-    text = solution_text("pulley", "hard", "multipart", 1)
+    text = solution_text("pulley-hard-multipart-301914-1")
     *_, third, fourth = text.split("\n\n(")
     assert "17.050" not in text
     assert third.count("In numbers") == 1

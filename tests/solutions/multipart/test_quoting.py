@@ -3,10 +3,10 @@
 import re
 from collections import Counter
 
-from sim2reason.datasets.items import item
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.sequence import times_in_sequence
 from sim2reason.solutions.solution import Solution, Step
+from worked import solution_text
 
 INERTIA = r"whose moment of inertia is $\tfrac{1}{2} m R^{2}$, divided by its radius $R$:"
 
@@ -35,8 +35,6 @@ def test_times_are_numbered_as_they_are_introduced() -> None:
 
 def test_a_later_part_shows_that_no_further_collision_comes_before_its_moment() -> None:
     """The first part is about the collision itself, a later one about a later time."""
-    found = item(recipe="collision", difficulty="hard", mode="multipart", seed=2, index=1, solutions=True)
-    assert found.solution is not None
-    early, _, late = found.solution.text.partition("\n\n(b) ")
+    early, _, late = solution_text("collision-hard-multipart-2-1").partition("\n\n(b) ")
     assert "no further collision before" not in early
     assert "so there is no further collision before" in late

@@ -1,12 +1,12 @@
 """Later parts alone, which start from a result of an earlier part."""
 
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import worked_parts
-from sim2reason.solutions import Solution
+from plain_scenes import nested_atwood
+from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.multipart.in_sequence import in_sequence
 from sim2reason.solutions.multipart.unused import without_unused
 from sim2reason.solutions.solution import Relation, Step
+from worked import asked
 
 GIVEN = Step(0, "givens", "Given: $a = 1$ and $b = 2$.", (), (), ())
 FORCES = Step(2, "newton", "(1) Block A: $x = a$. (2) Block B: $y = b$.", (), ("newton",), (1,))
@@ -33,10 +33,12 @@ def test_equations_that_the_text_does_not_use_are_left_out() -> None:
 
 def test_a_tension_from_an_acceleration_needs_two_equations_alone() -> None:
     """Part (a) solves four equations for the acceleration of a block."""
-    request = Request("pulley", "easy", "multipart", 51, 6)
-    found = ItemSearch(request).found()
-    assert found is not None
-    first, second = worked_parts(request, found)
+    questions = (
+        "What is the magnitude of the acceleration of block C after release?",
+        "What is the tension in the string between block A and block B after release?",
+    )
+    settings = [asked(nested_atwood(0.55, 0.65, 0.82), question) for question in questions]
+    first, second = in_sequence(settings, [solve(setting) for setting in settings])
     assert "(4) Block B" in first.text
     laws = [relation for step in second.steps for relation in step.relations if relation.role == "law"]
     assert len(laws) == 2

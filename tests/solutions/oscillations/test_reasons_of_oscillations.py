@@ -73,21 +73,21 @@ def test_modes_are_told_to_be_orthogonal_before_they_are_used() -> None:
 
 
 def test_a_string_in_an_oscillation_is_shown_to_stay_taut() -> None:
-    text = solution_text("mixed", "easy", "multipart", 0)
+    text = solution_text("mixed-easy-multipart-301914-0")
     assert "sets block A in motion to the right" in text
     assert "and it stays taut" in text
     assert "It turns back" not in text
 
 
 def test_a_relative_motion_turns_back_before_a_cart_comes_to_rest() -> None:
-    text = solution_text("chain", "easy", "numeric", 2)
+    text = solution_text("chain-easy-numeric-301914-2")
     assert "the relative velocity is zero where" in text
     assert "This is the negative root, as $x$ decreases at first." in text
     assert "Until then cart A is faster, so it has not come to rest before." in text
 
 
 def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> None:
-    text = solution_text("box", "easy", "symbolic", 0)
+    text = solution_text("box-easy-symbolic-301914-0")
     assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
     assert text.index("the total kinetic energy is") < text.index("effective mass")
     assert r"-\left(-" not in text

@@ -170,6 +170,6 @@ def test_what_is_assumed_of_an_unknown_is_verified_in_the_end() -> None:
     )
     found, _ = solve_prompt(prompt)
     assert "Assume that the block starts to move down the slope and moves back at each turning point" in found.text
-    told = found.text.partition("m = 1.7035")[2]
+    told = found.text.partition(r" = 1.7035\ \text{kg}$. The other root")[2]
     assert told.count("as was assumed") == 4
     assert "it is less than $f_{\\text{max}}$, so the block stays at rest." in told

@@ -29,7 +29,7 @@ def test_a_string_is_shown_to_stay_taut_by_the_greatest_acceleration() -> None:
 
 
 def test_the_greatest_tension_is_at_an_end_of_the_motion_with_the_reason() -> None:
-    text = solution_text("mixed", "easy", "symbolic", 3, 301917)
+    text = solution_text("mixed-easy-symbolic-301917-3")
     assert "The tension is therefore greatest at an end of the motion, here where crate A turns back." in text
     assert "The other root, zero, is the start." in text
     assert (

@@ -1,12 +1,27 @@
 """Why a prism that tips over its edges has its moment of inertia, gets over each edge, and turns its velocity."""
 
+from sim2reason.solutions.solve import solve_prompt
 from worked import solution_text
 
 
 def test_the_geometry_of_a_tipping_prism_is_told() -> None:
-    text = solution_text("rolling", "hard", "multipart", 2, 301917)
+    text = solution_text("rolling-hard-multipart-301917-2")
     assert "into 10 equal triangles" in text
     assert r"is turned uphill by $\frac{\pi}{10}$ from the perpendicular to the plane" in text
     assert "The axis passes over each edge, since the least kinetic energy" in text
     assert "The initial and the final velocity therefore make the angle $\\phi_1$." in text
     assert r"at the angle $\frac{\pi}{5}$ to its direction just after." in text
+
+
+def test_the_axis_passes_over_the_edge_of_the_last_landing_too() -> None:
+    """Check the edge of the last landing, too: after it the kinetic energy is least."""
+    prompt = (
+        "On a stationary plane inclined at 9° to the horizontal, on one face and with its axis horizontal, lies a long "
+        "uniform regular decagonal prism of mass 5.4 kg whose edges are 0.14 m from its axis. No edge slips on the "
+        "plane, and none rebounds when it lands there. It starts with an angular velocity of 5.5 rad/s about its lower "
+        "edge, over which it tips. Calculate the magnitude of the acceleration of the prism at the instant at which it "
+        "has first turned through 160° from its starting position. (The acceleration due to gravity is g = 9.8 m/s².) "
+        "Give your answer in m/s², to three significant figures, inside \\boxed{}."
+    )
+    found, _ = solve_prompt(prompt)
+    assert r"$K_{\text{min}} = \tfrac{1}{2} I \omega_7^{2} = 2.2684\ \text{J}$" in found.text

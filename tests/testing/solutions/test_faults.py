@@ -145,7 +145,7 @@ STACK = """Slab A of mass 7.2 kg is on top of slab B of mass 9.1 kg, which lies 
 inclined at 36° to the horizontal. Slab A in turn carries slab C of mass 5.9 kg. Static and kinetic \
 friction between B and A have the same coefficient, 0.18. Between A and C the coefficient of \
 friction, static and kinetic, is 0.20. Slab A is launched up the slope at t = 0 with a speed of 3.4 \
-m/s, all else being at rest. Nothing reaches an edge. The free-fall acceleration is g = 9.8 m/s². \
+m/s, all else being at rest. No body reaches an edge. The free-fall acceleration is g = 9.8 m/s². \
 Find the magnitude of the change in slab A's gravitational potential energy from t = 0 \
 until slab B has moved 3.5 m. Write the answer in J, to three significant figures, in \\boxed{}."""
 

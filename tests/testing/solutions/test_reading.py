@@ -41,3 +41,15 @@ def test_a_number_without_a_value_follows_from_what_rounding_spoils_least() -> N
     for text in (f"{told}: {means}, {wave}.", f"{told}: {wave}, {means}."):
         assert read(text).values["b"] == pytest.approx(2.6 / 3.0)
         assert not read(text).broken
+
+
+@pytest.mark.parametrize(("number", "law", "broken"), [("3.0000", "m g", False), ("3.0000", "2 m g", True)])
+def test_a_law_goes_on_holding_in_a_sum_where_its_result_is_said_too(number: str, law: str, broken: bool) -> None:
+    """N = m g = 3.0 N is put into the sum, as N = m g alone would be."""
+    text = (
+        "Given: $m = 1.5$, $g = 2.0$ and $F = 7.0$.\n\n"
+        f"Perpendicular to the surface, block A: $N = m g = {number}$.\n\n"
+        "(1) Block B: $F - T = m a$. (2) Block A: $T - N = m a$.\n\n"
+        f"(1) + (2): $F - {law} = 2 m a$.\n\nSo $a = 1.3333$.\n\nThen $T = 5.0000$."
+    )
+    assert any(held.startswith("(1) + (2)") or "2 m a" in held for held in read(text).broken) is broken

@@ -13,7 +13,7 @@ WITHOUT = {Outcome.NO_ANSWER, Outcome.UNREADABLE, Outcome.TOO_LONG}
 
 
 class Numeric(Scoring):
-    """One number within 5 %, or the tolerance of the reference; a reference of zero must be met within that."""
+    """One number within 5 %, or the tolerance of the reference, relative to it: 0 is right for 0 alone."""
 
     def award(self, response: str, reference: Reference) -> Award:
         """By the reference's `value`, `unit` (None: not known) and `tolerance`."""
@@ -21,8 +21,6 @@ class Numeric(Scoring):
         tolerance = cast("float", reference.get("tolerance", TOLERANCE))
         score = number(response, value, unit, tolerance=tolerance, lenient=bool(reference.get("lenient")))
         parsed = f"{score.parsed:g}" if isinstance(score.parsed, float) else ""
-        if value == 0.0 and isinstance(score.parsed, float):
-            return Award.all_or_nothing(abs(score.parsed) <= tolerance, parsed, score.why)
         return Award(score.reward, score.outcome not in WITHOUT, parsed, score.why)
 
 

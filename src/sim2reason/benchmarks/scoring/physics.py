@@ -16,7 +16,7 @@ from sim2reason.benchmarks.scoring.parts.expressions import (
     same_text,
 )
 from sim2reason.benchmarks.scoring.parts.matching import paired
-from sim2reason.benchmarks.scoring.parts.numbers import read
+from sim2reason.benchmarks.scoring.parts.numbers import agrees
 
 __all__ = ["Physics"]
 
@@ -74,10 +74,8 @@ def _same(right: str, said: str) -> bool:
         return True
     if is_equation(right):
         return bool(equivalent_equations(right, said))
-    value, other = read(right), read(said)
-    if value is not None:
-        return other is not None and abs(other - value) <= TOLERANCE * abs(value)
-    return bool(equal_expressions(right, said))
+    number = agrees(right, said, TOLERANCE)
+    return number if number is not None else bool(equal_expressions(right, said))
 
 
 SCORINGS.add("physics", Physics())

@@ -19,8 +19,6 @@ FRICTION_ON_PLANE = either(
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
     "static and kinetic friction on this plane have the same coefficient, {plane.friction}.",
     "the coefficient of friction, static and kinetic, is {plane.friction} on this plane.",
-    "take {plane.friction} as the coefficient of friction, static and kinetic, on this plane.",
-    "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
     "the coefficient of friction on this plane, static and kinetic, is {plane.friction}.",
     "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
     "the coefficients of static and of kinetic friction on this plane are both {plane.friction}.",

@@ -81,8 +81,8 @@ class Rolling(Start):
     says = (
         either(
             "at t = 0 it is already rolling {way} at speed {speed}.",
-            "it is set rolling {way} at speed {speed}.",
-            "its velocity at t = 0 is {speed}, directed {way}, and it is rolling.",
+            "it is set rolling {way} at t = 0 with a speed of {speed}.",
+            "at t = 0 it is rolling {way} with a speed of {speed}.",
         ),
     )
 
@@ -99,7 +99,7 @@ class Sliding(Start):
     says = (
         either(
             "at t = 0 it slides {way} at speed {speed} without turning.",
-            "it is set sliding {way} at speed {speed}, initially without any rotation.",
+            "it is set sliding {way} at t = 0 with a speed of {speed}, initially without any rotation.",
             "its velocity at t = 0 is {speed}, directed {way}, and it is not turning then.",
         ),
     )
@@ -117,9 +117,9 @@ class Spinning(Start):
 
     says = (
         either(
-            "it is set down spinning at {spin}, its centre at rest, as if it rolled {way}.",
+            "at t = 0 it is set down with its centre at rest, spinning at {spin} in the sense in which it would roll {way}.",
             "at t = 0 its centre is at rest, and it spins at {spin} in the sense in which it would roll {way}.",
-            "at t = 0 it is spinning at {spin} on the spot, in the sense in which it would turn if it rolled {way}.",
+            "it spins on the spot at t = 0, at {spin} and in the sense of rolling {way}.",
         ),
     )
 
@@ -142,7 +142,7 @@ class Hole(Part):
             "the line from its centre to the hole makes an angle of {bearing} with the upward vertical, on the {towards} side",
         ),
     }
-    says = (placing("initially {place}.", "to begin with, {place}.", "when the motion begins, {place}."),)
+    says = (placing("initially {place}.", "at the start {place}.", "when the motion begins, {place}."),)
 
     @model_validator(mode="after")
     def _is_said(self) -> Self:

@@ -49,8 +49,8 @@ DASHPOTS = either(
 STRAINED = Word(
     "strain.by",
     {0.0: "{springs:the spring is/all springs are} relaxed"},
-    "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other is relaxed/ and the others are relaxed}",
+    "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other spring is relaxed/ and the other springs are relaxed}",
 )
 """How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
 
-AT_FIRST = placing("initially {strained}.", "at the start {strained}.", "to begin with, {strained}.")
+AT_FIRST = placing("initially {strained}.", "at the start {strained}.", "at first {strained}.")

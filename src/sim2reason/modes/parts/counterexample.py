@@ -5,9 +5,11 @@ above all those closest to the scene's own: there what is told holds most often.
 """
 
 from collections.abc import Callable, Iterator
+from itertools import chain, islice
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.state import Array
 from sim2reason.modes.parts.variation import Variation
 from sim2reason.modes.parts.variations import Variations
@@ -16,7 +18,10 @@ from sim2reason.solutions.algebra.functions import values
 
 DRAWN, SEED = 2000, 0  # sets of numbers for which the formula is worked out
 CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own
-SIMULATED = 60  # of those where it is negative, and of those where it has no value, at most
+SIMULATED = (
+    600,
+    60,
+)  # of those where it is negative, and of those without a value, at most; where motions are integrated
 CLOSEST, SCATTERED = 8, 8  # so many of either first; if there is an answer in none of these scenes, that is all
 OTHER_SIGN = 3.0  # the distance of a number from itself with the other sign, as of one e³ times as large
 TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
@@ -49,7 +54,8 @@ def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Va
     """The first counterexample among some sets of numbers, (n, s)."""
     here, answered = np.array([held.value for held in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
-    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist())):
+    most = SIMULATED[bool(changing(variations.study.mechanism))]
+    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
         if tried == CLOSEST + SCATTERED and not answered:
             return None
         other = variations.having(unfit[number].tolist(), [])
@@ -59,12 +65,12 @@ def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Va
     return None
 
 
-def _in_turn(closest: list[int]) -> Iterator[int]:
-    """The closest, some from everywhere, and then the next to these."""
-    beyond = closest[SIMULATED - SCATTERED :]
-    yield from closest[:CLOSEST]
-    yield from beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
-    yield from closest[CLOSEST : SIMULATED - SCATTERED]
+def _in_turn(closest: list[int], most: int) -> Iterator[int]:
+    """Yield the closest, some from everywhere, and then the next to these, `most` at most."""
+    first, beyond = closest[:CLOSEST], closest[CLOSEST:]
+    scattered = beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
+    rest = (number for number in beyond if number not in scattered)
+    yield from islice(chain(first, scattered, rest), most)
 
 
 def _drawn(variations: Variations, width: float) -> Array:

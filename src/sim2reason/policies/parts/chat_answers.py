@@ -1,6 +1,7 @@
 """What an OpenAI-compatible endpoint answered, with all that endpoints are known to do wrong."""
 
 import json
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final, Literal, cast
@@ -21,6 +22,13 @@ FINISHES: Final[dict[str, Finish]] = {
     "max_tokens": "length",
     "content_filter": "refused",
 }
+_FIELDS: Final = {
+    r"\bseed\b": "set send_seed: false",
+    r"\bmax_(?:completion_)?tokens\b": "set length_field to the other of max_tokens and max_completion_tokens",
+    r"\btemperature\b": "set sampling: {temperature: null}",
+    r"\btop_p\b": "set sampling: {top_p: null}",
+}
+"""What to set where an endpoint refuses a field, by the field."""
 _CONTEXT: Final = ("context_length", "context length", "context size", "context window", "maximum context")
 
 
@@ -81,15 +89,37 @@ def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
         return Completion(text="", finish="overflow")
     if 300 <= reply.status < 400:
         return Fault(f"status {reply.status}: it sends us elsewhere; give the final address as url", "stop")
-    return Fault(f"status {reply.status}{said}; see url and model", "stop")
+    return Fault(f"status {reply.status}{said}; {_remedy(reply.status, said)}", "stop")
+
+
+def _remedy(status: int, said: str) -> str:
+    """Return which setting to change after an endpoint has refused a request."""
+    found = [remedy for field, remedy in _FIELDS.items() if status in REFUSES_PROMPT and re.search(field, said)]
+    return found[0] if found else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
 
 
 def _said(found: Mapping[str, object], hidden: Callable[[str], str]) -> str:
     """What the endpoint says about its error, with a colon."""
-    error = found.get("error", found.get("message", found.get("detail")))
-    text = cast("dict[str, object]", error).get("message") if isinstance(error, dict) else error
-    line = " ".join(hidden(_whole(text)).split())[:SHOWN] if isinstance(text, str) else ""
+    text = _reason(found.get("error", found.get("message", found.get("detail"))))
+    line = " ".join(hidden(_whole(text)).split())[:SHOWN]
     return f": {line}" if line else ""
+
+
+def _reason(error: object, depth: int = 4) -> str:
+    """Return the message of an endpoint's error; of several, each with the field that it concerns."""
+    if isinstance(error, str):
+        return error
+    if isinstance(error, list) and depth:
+        return "; ".join(filter(None, (_reason(each, depth - 1) for each in cast("list[object]", error)[:4])))
+    if not isinstance(error, dict) or not depth:
+        return ""
+    fields = cast("dict[str, object]", error)
+    held = next((fields[name] for name in ("message", "msg", "detail") if fields.get(name)), "")
+    place = fields.get("loc", fields.get("param"))
+    parts = cast("list[object]", place) if isinstance(place, list) else [place] if isinstance(place, str) else []
+    said = _reason(held, depth - 1)
+    named = ".".join(str(part) for part in parts if part != "body")
+    return f"{named}: {said}" if named and not re.search(rf"\b{re.escape(named)}\b", said) else said
 
 
 def _json(body: bytes) -> dict[str, object] | None:

@@ -8,27 +8,47 @@ from pathlib import Path
 from typing import Any, Final, TypeVar, cast
 
 from pydantic import BaseModel, ValidationError
-from yaml import AliasEvent, MappingNode, Node, SafeLoader, YAMLError, load
+from yaml import AliasEvent, MappingNode, MarkedYAMLError, Node, SafeLoader, ScalarNode, YAMLError, load
 
 from sim2reason.errors import EvaluationError, Sim2ReasonError
 from sim2reason.policies.parts.words import first_fault
 from sim2reason.registry import Registry
+from sim2reason.scene_files.yaml_text import NUMBER, TRUTH
 
 __all__ = ["configuration", "each_of", "of_kind", "settings_in"]
 
 MAX_BYTES: Final = 2**20
+_TEXT: Final = "tag:yaml.org,2002:str"
 Fault = type[Sim2ReasonError]
 M = TypeVar("M", bound=BaseModel)
 T = TypeVar("T")
 
 
 class _Plain(SafeLoader):
-    """No aliases, which could stand for more than fits in memory, and no key twice."""
+    """No aliases, which could stand for more than fits in memory, no key twice, and no value that readers differ on.
+
+    YAML 1.1 takes 012 for 10, 1:30 for 90 and *on* for true; here, as in scene files, they are refused.
+    """
 
     def compose_node(self, parent: Node | None, index: Any) -> Node | None:  # noqa: ANN401 - the library's own
         if self.check_event(AliasEvent):
             raise YAMLError("an alias; write the value itself")
         return super().compose_node(parent, index)
+
+    def construct_object(self, node: Node, deep: bool = False) -> Any:  # noqa: ANN401, FBT001, FBT002 - the library's own
+        if not isinstance(node, ScalarNode) or node.style is not None or not node.value:
+            return super().construct_object(node, deep)
+        text = node.value
+        if text in TRUTH:
+            return TRUTH[text]
+        if number := NUMBER.fullmatch(text):
+            return int(text) if number[1] is None and number[2] is None else float(text)
+        if node.tag != _TEXT:
+            problem = (
+                "a value that readers of YAML differ on; write 12, 0.5, 1.5e-3, true, false, null, or a text in quotes"
+            )
+            raise MarkedYAMLError(problem=problem, problem_mark=node.start_mark)
+        return super().construct_object(node, deep)
 
     def construct_mapping(self, node: MappingNode, deep: bool = False) -> dict[Hashable, Any]:  # noqa: FBT001, FBT002
         names = [getattr(key, "value", None) for key, _ in node.value]
@@ -48,7 +68,7 @@ def settings_in(path: Path) -> dict[str, object]:
     except (YAMLError, UnicodeDecodeError, RecursionError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
         line = f", line {mark.line + 1}" if mark is not None else ""
-        why = " ".join(str(getattr(error, "problem", None) or error).split())[:120]
+        why = " ".join(str(getattr(error, "problem", None) or error).split())[:200]
         raise EvaluationError(f"{path}{line}: this is not YAML that we read: {why}") from None
     if not isinstance(found, dict) or not all(isinstance(key, str) for key in cast("dict[object, object]", found)):
         raise EvaluationError(f"{path}: holds no settings; write NAME: VALUE in each line")

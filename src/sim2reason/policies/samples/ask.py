@@ -133,7 +133,8 @@ def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, bud
     try:
         completions = policy.complete(batch)
         for request, completion, limit in zip(batch, completions, most, strict=True):
-            journal.add(request, completion)
+            said = completion.model_copy(update={"thinking_opened": True}) if policy.thinking_opened else completion
+            journal.add(request, said)
             tokens, cost = budget.used(completion, limit)
             used = used[0] + tokens, used[1] + cost
     finally:

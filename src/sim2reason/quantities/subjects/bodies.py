@@ -19,7 +19,7 @@ class Bodies(Subject):
     """Every body; those whose centre of mass can move are spoken of."""
 
     name = slot = "body"
-    extras = frozenset({"ground", "aside"})
+    extras = frozenset({"ground"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """All bodies, massless ones and wheels among them."""
@@ -34,10 +34,9 @@ class Bodies(Subject):
         return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """*Relative to the ground*, within a phrase or at its end, of what rides on another body."""
+        """Return *relative to the ground* for a body that is carried by another one."""
         del mentions
-        ground = "relative to the ground" if rides(mechanism, name) else ""
-        return {"ground": ground and f" {ground}", "aside": ground and f", {ground},"}
+        return {"ground": " relative to the ground" if rides(mechanism, name) else ""}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
         """The centre of mass of what has a size and swings; what turns about its centre moves as that does."""

@@ -104,6 +104,15 @@ def rides(mechanism: Mechanism, name: str) -> bool:
     return False
 
 
+def is_welded_part(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body is one of several welded to the same light body, and so part of a rigid body."""
+    body = mechanism.body[name]
+    if body.parent is None or body.coordinates:
+        return False
+    beside = [b for b in mechanism.bodies if b.parent == body.parent and b.mass > 0.0 and not b.coordinates]
+    return len(beside) > 1
+
+
 def extended(mechanism: Mechanism, name: str) -> bool:
     """Whether a body has a size that turning shows."""
     return any(mechanism.body[name].inertia)

@@ -42,7 +42,7 @@ class SwingingLines(Subject):
         for name in self.names(mechanism):
             body = mechanism.body.get(name)
             if body is not None and is_light_rod(body) and carries_on_both_sides(mechanism, name):
-                found[name] = "the line from the axle to the centre of mass of all that turns"
+                found[name] = "the line from the axle to the centre of mass of the bodies on the arm"
             elif name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
                 found[name] = known[name]
             elif body is not None and name in mentions:

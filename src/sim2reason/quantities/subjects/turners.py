@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from sim2reason.dsl.constancy import turns_one_way
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.subjects import Subject
 from sim2reason.quantities.subjects.bodies import Bodies
@@ -14,6 +15,7 @@ class TurningBodies(Subject):
     """Every body that a hinge turns, its own or one of what carries it."""
 
     name, slot = "turning body", "body"
+    extras = frozenset({"net"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """All that turn, wheels of pulleys among them."""
@@ -27,6 +29,11 @@ class TurningBodies(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Whether the body has it and the text says it at the body's address."""
         return Bodies().gives(need, mechanism, name, said)
+
+    def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return *net* for the angle of a body that may reverse its rotation."""
+        del mentions
+        return {"net": "" if turns_one_way(mechanism, name) else "net "}
 
 
 def _has_size(mechanism: Mechanism, name: str) -> bool:

@@ -11,4 +11,5 @@ class GreatestAcceleration(Extreme):
 
     name = "greatest acceleration"
     quantity = Acceleration
+    impulsive = True
     phrase = "the greatest magnitude of the acceleration of {body}{ground}"

@@ -13,7 +13,7 @@ class GreatestDisplacement(Extreme):
 
     name = "greatest displacement"
     quantity = Displacement
-    phrase = "the greatest distance{aside} between {body} and its starting point"
+    phrase = "the greatest distance between {body} and its starting point{ground}"
     weight = 1.0
 
     def present(self, words: Words, name: str) -> bool:

@@ -5,6 +5,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.momentum import Momentum
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import is_welded_part
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.jump import is_smooth
@@ -26,8 +27,9 @@ class NetImpulse(Functional):
     weight = 0.05
 
     def present(self, words: Words, name: str) -> bool:
-        """What keeps its mass."""
-        return all(burn.body != name for burn in words.mechanism.burns)
+        """Return whether a body has constant mass and is not part of a larger rigid body."""
+        mechanism = words.mechanism
+        return all(burn.body != name for burn in mechanism.burns) and not is_welded_part(mechanism, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """|p − p₀|."""

@@ -11,6 +11,7 @@ class GreatestNormalForce(Extreme):
 
     name = "greatest normal force"
     quantity = NormalForce
+    impulsive = True
     phrase = "the greatest normal force exerted on {body} by {surface}"
     weight = 2.0
 

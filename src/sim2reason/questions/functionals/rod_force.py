@@ -11,5 +11,6 @@ class GreatestRodForce(Extreme):
 
     name = "greatest rod force"
     quantity = RodForce
+    impulsive = True
     phrase = "the greatest magnitude of the force in {rod}"
     weight = 5.0

@@ -11,6 +11,7 @@ class GreatestTension(Extreme):
 
     name = "greatest tension"
     quantity = Tension
+    impulsive = True
     phrase = "the greatest tension in {string}"
     weight = 5.0
 

@@ -72,4 +72,8 @@ class AtTime(Moment):
                 f"during the first {time} after release",
                 f"during the first {time}",
             )
-        return (f"between t = 0 and t = {time}", f"from t = 0 to t = {time}", f"in the time from t = 0 to t = {time}")
+        return (
+            f"between t = 0 and t = {time}",
+            f"from t = 0 to t = {time}",
+            f"in the interval from t = 0 to t = {time}",
+        )

@@ -1,12 +1,19 @@
 """The first time that a body that moves in a plane is a stated distance from its starting point."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
+import numpy as np
+
+from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.subjects.bodies import AXES
 from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.questions.choices import only_falls
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 
@@ -17,6 +24,12 @@ class Away(DistanceThreshold):
 
     label = "away"
     verb = Verb("is", "", "is")
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Return a random distance; none for a projectile, whose range and height are asked for instead."""
+        thrown = only_falls(study.mechanism) and study.mechanism.gravity != ZERO
+        return [] if thrown else super(Away, cls).found(study, words, rng)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:

@@ -92,7 +92,7 @@ class Orbited(Passage):
         """As in: when planet A has completed one orbit."""
         center, planet = self.ends(words)
         done = f"{planet} {self.verb.told}" if self.degrees == ALL_ROUND else self._swept(center, planet, "has ")
-        return (f"when {done}", f"at the moment when {done}", f"after {done}")
+        return (f"when {done}", f"at the moment when {done}", f"at the instant at which {done}")
 
     def clause(self, words: Words) -> Clause | None:
         """As in: planet A has completed one orbit."""

@@ -55,13 +55,17 @@ class BurntOut(Regime):
         return True
 
     def clause(self, words: Words) -> str:
-        """Return the assumption, such as *the rocket has burned all its fuel by then but has not yet fallen back*."""
+        """Return the assumption, as in: it has burned all its fuel by that moment but has not yet fallen back."""
         return f"{self.short_clause(words)}{' but has not yet fallen back' * (self.out and self.falls)}"
 
     def short_clause(self, words: Words) -> str:
-        """Return only the part about fuel, such as *the rocket has burned all its fuel by then*."""
+        """Return only the part about fuel, as in: the rocket has burned all its fuel by that moment."""
         called = words.called(self.of)[self.name]
-        return f"{called} has burned all its fuel by then" if self.out else f"{called} still has fuel then"
+        return (
+            f"{called} has burned all its fuel by that moment"
+            if self.out
+            else f"{called} still has fuel at that moment"
+        )
 
     def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
         """Return the clause without *but has not yet fallen back* if another one says that the rocket only rises."""

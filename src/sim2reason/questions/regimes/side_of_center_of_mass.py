@@ -64,6 +64,6 @@ class SideOfCenterOfMass(Regime):
         return isclose(self._side(other), self._side(study.mechanism), rel_tol=SAME)
 
     def clause(self, words: Words) -> str:
-        """As in: the centre of mass of all that turns is on the same side of the axle as disc A."""
+        """As in: the centre of mass of the bodies on the arm is on the same side of the axle as disc A."""
         where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
-        return f"the centre of mass of all that turns is {where} {words.called(self.of)[self.name]}"
+        return f"the centre of mass of the bodies on the arm is {where} {words.called(self.of)[self.name]}"

@@ -14,7 +14,7 @@ FRONTS = (
     "In this problem g = {g}.",
     "The acceleration of free fall is taken as g = {g}.",
     "Let the acceleration of free fall be g = {g}.",
-    "Use g = {g} below.",
+    "Take the acceleration of free fall as g = {g}.",
 )
 USUAL = "Take g = {g}."
 _TOLD = re.compile(r"\bg = (\S.{0,20})\.$")

@@ -19,11 +19,21 @@ from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import draft, written
 from sim2reason.recipes.parts.floors import leads_below_floor
-from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
+from sim2reason.recipes.parts.open_ports import (
+    OpenPort,
+    ends_for,
+    is_down,
+    is_downhill,
+    is_passed,
+    open_ports,
+    stands_still,
+    takes,
+)
 
-TRIES = 40
+TRIES = 100
 LONGEST_SENTENCE = 40  # words
 ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
+UPHILL = 0.7  # of scenes lead strings down a slope only beside one up it: weights are to work against each other
 UNDER = 0.3  # the chance that a string passes an entity on its way
 LOADED = 0.75  # the chance that something optional hangs where it can
 COMPARABLE = 2.5  # the largest ratio where pulleys have mass
@@ -81,7 +91,8 @@ class Grower:
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
-        self.pulled: set[str] = set()  # entities at which a hand pulls: two would do no more than one
+        self.uphill = self._chance(UPHILL)
+        self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
         """Blocks of comparable masses, pulleys, if they have mass, lighter than all of them, and pulls like weights."""
@@ -161,14 +172,14 @@ class Grower:
 
     def _join_all(self, named: Named) -> None:
         """Give every port of a new entity its connection, if it must or happens to have one."""
-        for here in open_ports(named):
+        for here in sorted(open_ports(named), key=lambda port: self.uphill and is_downhill(port)):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
-            if not taken and (needed or self._wants(named)):
+            if not taken and (needed or self._wants()):
                 self._join(here)
 
-    def _wants(self, named: Named) -> bool:
-        if self.left == 0 and named.name in self.pulled and not self.tier.closers.keys() - CLOSERS.keys():
+    def _wants(self) -> bool:
+        if self.left == 0 and self.pulled and not self.tier.closers.keys() - CLOSERS.keys():
             return False  # hardly anything but another hand could be there
         return (self.left > 0 and (not self.joined or self._chance(0.8))) or self._chance(self.tier.more)
 
@@ -210,20 +221,19 @@ class Grower:
                 picked = self._pick()
                 named = self._named(picked if picked in pool else self._one_of(pool))
                 ends = ends_for(named, kind, here)
+                ends = [end for end in ends if not (self.uphill and is_downhill(end))] or ends
                 if ends:
                     self._enter(named)
                     return ends[int(self.rng.integers(len(ends)))]
         taken = {type(stop.owner.entity).__name__ for stop in path}
-        pulled = any(stop.owner.name in self.pulled for stop in (here, *path))
-        barred = taken | {HAND} if pulled else taken
+        barred = taken | {HAND} if self.pulled else taken
         closers = {name: weight for name, weight in self.tier.closers.items() if name not in barred}
         while closers:
             named = self._named(self._one_of(closers))
             end = next(iter(ends_for(named, kind, here)), None)
             if end is not None and (moving or not stands_still(named)):
                 self._enter(named)
-                if type(named.entity).__name__ == HAND:
-                    self.pulled.update(stop.owner.name for stop in (here, *path))
+                self.pulled = self.pulled or type(named.entity).__name__ == HAND
                 return end
             del closers[type(named.entity).__name__]
         raise SceneError(here.owner.name, f"nothing closes its {here.port.name}", "draw again")

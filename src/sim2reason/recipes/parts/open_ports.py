@@ -77,6 +77,12 @@ def stands_still(named: Named) -> bool:
     return not named.alone.drawing and not named.alone.finish().bodies
 
 
+def is_downhill(port: OpenPort) -> bool:
+    """Return whether a string leaves a body down its slope, so that it pulls in the direction of the weight."""
+    direction = port.direction
+    return direction is not None and not is_down(direction) and direction[2] < -1e-9
+
+
 def is_down(direction: Vector | None) -> bool:
     """Whether a connection can only leave straight down."""
     return direction is not None and direction[2] < -1.0 + 1e-9

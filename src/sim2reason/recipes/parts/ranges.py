@@ -10,7 +10,7 @@ WORDS: Mapping[Difficulty, int] = {"easy": 66, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
 PRISM = 25
 """Words more for scenes that else have no room for a prism."""
-TWO = 17
+TWO = 18
 """Words more for easy scenes that are always of two entities."""
 
 NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {

@@ -13,7 +13,7 @@ from sim2reason.solutions.algebra.expressions import (
     added,
     multiplied,
 )
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
 
 NOTHING = 1e-9  # relative: a sum of leading terms that is less has cancelled
 
@@ -53,9 +53,9 @@ def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float)
         case Power():
             base, power = _leading(held.base, name, at, sense)
             found = Power(base, held.exponent), held.exponent * power
-        case Root():
+        case Root() | Absolute():
             inside, power = _leading(held.inside, name, at, sense)
-            found = Root(inside), 0.5 * power
+            found = held.built_of([inside]), power if isinstance(held, Absolute) else 0.5 * power
         case Call():
             argument, power = _leading(held.argument, name, at, sense)
             if power != 0.0:

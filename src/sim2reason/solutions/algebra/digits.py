@@ -27,7 +27,7 @@ def rounded(value: float, digits: int = DIGITS) -> str:
 
 
 def with_guard_digits(value: float) -> str:
-    """A number of which differences are formed, in LaTeX: with more digits, and without zeros at its end but one."""
+    """Write a number with guard digits, for equations that are subtracted, and without trailing zeros."""
     text = rounded(value, GUARDED)
     return text if "times" in text or "." not in text else re.sub(r"(\.\d+?)0+$", r"\1", text)
 

@@ -45,7 +45,7 @@ class Equation:
 
     @property
     def among(self) -> frozenset[str]:
-        """The labels of equations that were put into it."""
+        """Return the labels of equations that were substituted into this one."""
         return frozenset[str]().union(*self.links.values())
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
@@ -149,7 +149,10 @@ class Elimination:
         forces = total(e.forces * weight for e, weight in weighted)
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
-        how = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        told = [_times(weight, e.label) for e, weight in weighted]
+        if told[0].startswith("-"):
+            told.sort(key=lambda part: part.startswith("-"))  # no sum begins with a sign
+        how = " + ".join(told).replace("+ -", "− ")
         left = total(e.told * weight for e, weight in weighted).names()  # what cancels needs no other equation
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))

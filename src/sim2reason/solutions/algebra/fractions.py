@@ -9,7 +9,7 @@ WHOLE = 1e-12  # by how much a factor may differ from an integer
 
 
 def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expression:
-    """A fraction without what both of its sides share; with `grouped` a number that all terms share stands in front."""
+    """Divide two polynomials and cancel common factors; with `grouped`, put a common number in front of a sum."""
     if below.number is None:
         above, below = _cancelled(above, below)
         above, below = quotient(above, below) or (above, below)
@@ -33,7 +33,7 @@ def _common_number(factors: list[float]) -> float:
 
 
 def _shared_number(factors: list[float]) -> float:
-    """Return the least factor, without its sign, if all others are multiples of it; one where they are not."""
+    """Return the smallest coefficient by magnitude if it divides all others, else 1."""
     least = min(map(abs, factors), default=1.0)
     whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= WHOLE for factor in factors)
     return least if whole else 1.0

@@ -17,7 +17,7 @@ class NumericEquation:
 
     @property
     def sum(self) -> Expression:
-        """The left side as one formula."""
+        """Return the left side as one formula."""
         found: Expression = ZERO
         for name, part in self.left.items():
             found = added(found, term(part, name, 1.0))
@@ -25,7 +25,7 @@ class NumericEquation:
 
 
 def term(part: Expression, name: str, sign: float) -> Expression:
-    """A number times a symbol, with the minus sign before both."""
+    """Return a number times a symbol as a term with its sign in front."""
     negative = isinstance(part, Worked) and part.comes_to < 0.0
     size = -part if negative else part
     return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))

@@ -113,7 +113,7 @@ class Polynomial:
         return {name for monomial in self.terms for atom, _ in monomial for name in atom.symbols()}
 
     def value(self, at: Values) -> float:
-        """Its value, to the last digit that of `expression`, which takes longer to build than to evaluate."""
+        """Evaluate the polynomial directly; its value equals that of `expression` to the last digit."""
         found = sum((_term_value(monomial, part, at) for monomial, part in self.terms.items()), 0.0)
         assert not isinstance(found, complex)
         return found

@@ -141,7 +141,6 @@ class Impacts(FreeFlights, ABC):
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
         exceeds(book, step, formula, span)
         self.flown.add((body, number))
-        book.observed[name.name] = book.value(formula)
         step.rest_on(span.name)
         told = step.verified(name, formula, SECONDS)
         step.say(f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$.")

@@ -30,11 +30,9 @@ def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None
     if book.is_hidden(corner) or book.value(corner) >= book.value(distance):
         return
     step, names = book.open("verify"), [book.fresh(base, mark) for base, mark in BOUNDS]
-    book.observed[names[1].name] = book.value(corner)
     exceeds(book, step, distance, corner)
     rise = "it never rises above its starting point"
     if top is not None:
-        book.observed[names[0].name] = book.value(top)
         exceeds(book, step, height, ZERO if top == height else top)
         rise = f"it rises to {step.verified(names[0], top, METRES)} above its starting point"
     size = Absolute(along) if book.value(along) < 0.0 else along

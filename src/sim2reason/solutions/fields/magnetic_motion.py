@@ -64,7 +64,7 @@ class Crossed(Driven):
         return self.launch[axis] + self._turning * TURNS[axis] * self._along(time)
 
     def _along(self, time: Expression) -> Expression:
-        """The displacement along the field, by a name at the moment that is asked about."""
+        """Return the displacement along the electric field, as a named symbol at the moment asked about."""
         if not isinstance(time, Symbol) or time.name not in self.book.values:
             return self._departed(self._drive.axis, time)
         if self._displacement is None:

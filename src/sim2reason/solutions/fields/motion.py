@@ -129,7 +129,7 @@ class Driven(FieldMotion):
 
     @cached_property
     def center(self) -> Expression:
-        """Where along the field the component of the net force in its direction is zero."""
+        """Return the place at which the component of the net force along the field is zero."""
         along = AXES[self._drive.axis]
         said = f"The {along} component of the net force is zero at {along} equal to"
         return self.named(said, along, "c", -(self.push / self.slope), METRES)

@@ -59,7 +59,7 @@ class Turned(OrbitPlace):
 
     @property
     def _conic(self) -> str:
-        """A sentence without its end that says what the equation of the conic is."""
+        """Return the beginning of a sentence that states the equation of the conic."""
         e, rectum = self.orbit.oval.latex(), self._rectum.latex()
         said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
         return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"

@@ -6,6 +6,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Protocol, Self
 
+from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.registry import Registry
@@ -13,14 +14,12 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals.struck import Struck
-from sim2reason.solutions.laws.either_way import is_open
+from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
-WAYS = ("to the right", "away from us", "upward")
-OPPOSITE = {"to the right": "to the left", "away from us": "towards us", "upward": "downward"}
 AXES = ("x", "y", "z")
 
 
@@ -55,7 +54,7 @@ class Stretch(ABC):
         """How far a body travels along its line, to and fro."""
 
     def paths(self, body: str) -> Sequence[Expression]:
-        """How far it travels each time, if it turns back in this part."""
+        """Return the distances between successive turning points in this part."""
         return (self.path(body),)
 
 
@@ -227,11 +226,12 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
 
 
-def _along(way: str, part: Polynomial, known: Known) -> str:
-    """Return the direction of a component that has a name; in symbols without its sense, which may not be known."""
+def _along(way: Vector, part: Polynomial, known: Known) -> str:
+    """Return the direction in which a component that has a name is positive; in symbols without its sense."""
     if known.book.in_symbols:
-        return "vertically" if way == "upward" else "horizontally"
-    return way if known.book.value(part.expression()) >= 0.0 else OPPOSITE[way]
+        return "vertically" if way == Z else "horizontally"
+    ((x, y, z), (sign,)) = way, part.terms.values()
+    return known.setting.towards((sign * x, sign * y, sign * z))
 
 
 def magnitude(
@@ -243,9 +243,9 @@ def magnitude(
     """
     one = single(parts, known)
     if one is not None:
-        return modulus(one, known.book, of_either_sign=is_open(known.setting, known.book, one, body))
+        return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
-    kept = [(axis, way, part) for axis, way, part in zip(axes, WAYS, parts, strict=True) if part]
+    kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
     step, mark = known.book.open("components"), known.setting.mark(body)
     names: list[Symbol] = []
     sentences: list[str] = []
@@ -257,7 +257,7 @@ def magnitude(
                 sentences.append(f"${plain.latex()}$ {_along(way, part, known)}")
             continue
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
-        where = way if axes == AXES else f"along {axis}"
+        where = known.setting.towards(way) if axes == AXES else f"along {axis}"
         sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
     whose = f"{noun.said} of {known.setting.called(body)}"
     if (sentences and len(kept) > 1) or step.relations:

@@ -105,7 +105,7 @@ class EnergyOfRim(KineticShare, AboutAxis):
     noun = VectorName.of("rotational kinetic energy", "energy of rotation")
 
     def why(self, body: str, known: Known) -> str:
-        """Of what the speed of the rim is made."""
+        """Return a clause that relates the rim's speed to the angular velocity."""
         rim = known.rim("v", body).expression()
         return f"as its radius times its angular velocity is ${rim.latex()}$, "
 

@@ -131,7 +131,7 @@ class Dynamics:
         return found
 
     def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
-        """Return what is relative to carriers as that of the bodies themselves, where they are counted so."""
+        """Convert velocities or displacements relative to carriers to those relative to the ground, if named."""
         found = dict(relative)
         for k, (j, sign) in self.carried.items():
             if k in found or j in found:

@@ -1,4 +1,4 @@
-"""Whether the numbers that stand for the symbols of a question decide which way something moves."""
+"""Quantities in symbols whose sign depends on the numbers for which the symbols stand."""
 
 from collections.abc import Collection, Iterator
 
@@ -16,33 +16,35 @@ BAR = r"\left|"
 DECADES = 1.0  # by which a number is varied, up and down
 
 
-def either_way(setting: Setting, book: Book, held: Expression, bodies: Collection[str]) -> bool:
-    """Return whether a quantity of some bodies in symbols may be positive or negative, with no direction assumed."""
+def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Collection[str]) -> bool:
+    """Return whether a quantity in symbols may be positive or negative, for bodies with no assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
     return len({*_signs(setting, book, held)}) > 1
 
 
-def of_motion(setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Collection[str]) -> Expression:
-    """Return the acceleration of bodies over a distance; its magnitude where they may set off from rest either way."""
-    return Absolute(a) if begun == ZERO and either_way(setting, book, a, bodies) else a
+def acceleration_over_distance(
+    setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Collection[str]
+) -> Expression:
+    """Return an acceleration for d = ½ a t²: its magnitude if the bodies may start from rest in either direction."""
+    return Absolute(a) if begun == ZERO and has_either_sign(setting, book, a, bodies) else a
 
 
-def is_open(setting: Setting, book: Book, held: Expression, body: str) -> bool:
-    """Return whether numbers decide on the sign of a quantity of a body of which an answer in symbols has bars."""
-    return setting.formula is not None and BAR in setting.formula.latex and either_way(setting, book, held, [body])
+def needs_modulus(setting: Setting, book: Book, held: Expression, body: str) -> bool:
+    """Return whether a quantity may have either sign, and the answer in symbols is written as a modulus."""
+    return setting.formula is not None and BAR in setting.formula.latex and has_either_sign(setting, book, held, [body])
 
 
 def reason_for_negative(setting: Setting, book: Book, held: Expression, body: str) -> str:
-    """Return the words that say that a quantity is negative, if the answer's formula supposes it; else nothing."""
+    """Return a clause stating that a quantity is negative, or an empty text if the answer does not suppose that."""
     if not book.in_symbols or setting.formula is None or BAR in setting.formula.latex:
         return ""
-    why = " under the assumption made" if either_way(setting, book, held, [body]) else ""
+    why = " under the assumption made" if has_either_sign(setting, book, held, [body]) else ""
     return f"${held.latex()}$ is negative{why}"
 
 
 def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[bool]:
-    """Yield whether a quantity is positive, for other numbers in place of those that are given."""
+    """Yield the sign of a quantity, as whether it is positive, for random numbers in place of the given ones."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)

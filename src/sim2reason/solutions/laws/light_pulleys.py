@@ -44,4 +44,4 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
         return ""
-    return f", and both of its parts at {dynamics.setting.listed(pulleys)} change alike"
+    return f", and moving {dynamics.setting.listed(pulleys)} changes both parts of it equally"

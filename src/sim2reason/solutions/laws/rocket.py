@@ -231,9 +231,7 @@ class Burning(Way):
 
     def _observed(self, step: Writing, mark: str, formula: Expression) -> str:
         """Return the equation of a time that only a verification uses."""
-        name = self.book.fresh("t", mark)
-        self.book.observed[name.name] = self.book.value(formula)
-        return step.verified(name, formula, SECONDS)
+        return step.verified(self.book.fresh("t", mark), formula, SECONDS)
 
     def verify_farther(self, distance: Symbol, high: Expression) -> None:
         """Write that a distance is covered only after burnout."""

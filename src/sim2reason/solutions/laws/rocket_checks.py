@@ -24,7 +24,6 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
     )
     step, name = book.open("verify"), book.fresh("h")
     exceeds(book, step, height, ZERO)
-    book.observed[name.name] = book.value(height)
     told = step.verified(name, height, METRES)
     step.say(f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is")
     step.say(f"{told}.")
@@ -40,7 +39,6 @@ def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> No
         return
     step, name = book.open("verify"), book.fresh(dry.name, r"\text{down}")
     exceeds(book, step, would, rocket.full)
-    book.observed[name.name] = book.value(would)
     told = step.verified(name, would, KILOGRAMS)
     step.say(f"If {rocket.name} moved down at this speed, its empty mass would be {told}, more than the mass")
     step.say(f"${rocket.full.latex()}$ at which it begins to rise.")
@@ -66,7 +64,6 @@ def exclude_burning(rocket: Burning, time: Symbol) -> None:
         return
     step, name = book.open("verify"), book.fresh("s", r"\text{max}")
     exceeds(book, step, Symbol(far), most)
-    book.observed[name.name] = book.value(most)
     told = step.verified(name, most, METRES)
     step.say(f"If the engine were still on at ${time.latex()}$, ${rate.latex()}$ would be at most")
     step.say(f"${(fuel / time).latex()}$, and {rocket.name} at most {told} from its start, less than ${far}$.")

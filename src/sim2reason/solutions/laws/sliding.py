@@ -99,7 +99,6 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
         told = f"the acceleration ${relative.latex()}$"
     else:
         name = book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
-        book.observed[name.name] = book.value(relative)
         told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
     step.say(f"Even against friction {told} is positive, so {joined(_slides(dynamics, faces))}.")
     step.close()
@@ -179,7 +178,6 @@ def _tell_taut(dynamics: Dynamics, place: int) -> None:
     if isinstance(tension, Symbol):
         return
     symbol = book.fresh("T", "".join(map(dynamics.setting.mark, bodies)))
-    book.observed[symbol.name] = book.value(tension)
     told = step.verified(symbol, tension, NEWTONS)
     who = joined([dynamics.setting.called(body) for body in bodies])
     step.say(f"The string between {who} stays taut, as its tension {told} is positive.")

@@ -17,7 +17,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
-from sim2reason.solutions.laws.either_way import of_motion
+from sim2reason.solutions.laws.either_way import acceleration_over_distance
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, speed_words
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
@@ -230,7 +230,9 @@ class Stage:
     def _over(self, shared: Shared) -> tuple[Expression, str]:
         """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
-        found = of_motion(self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies)
+        found = acceleration_over_distance(
+            self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies
+        )
         return found, "" if found is shared.symbol else f", whichever way {self.setting.called(bodies[0])} moves"
 
     def _at_end(self, shared: Shared) -> Polynomial:

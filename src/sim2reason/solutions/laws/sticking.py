@@ -103,7 +103,6 @@ def _needed_words(
     load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
     pull, name = over(load, heavy), book.fresh("a", r"\text{roll}")
     pull = pull if book.value(pull) >= 0.0 else -pull
-    book.observed[name.name] = book.value(pull)
     rolls = step.verified(name, pull, ACCELERATION)
     told = told_friction(book, step, mark, *forces)
     whole = (
@@ -139,8 +138,6 @@ def told_friction(
 ) -> list[str]:
     """Return the formulas of the friction that is needed, unless it is `named` already a new name, and the greatest."""
     names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
-    for name, held in zip(names, (friction, most), strict=True):
-        book.observed[name.name] = book.value(held)
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 

@@ -27,17 +27,16 @@ def _verify(book: Book, step: Step, held: Relation, change: tuple[str, Expressio
     writing = book.open("verify")
     left, right = (put(side, symbol, changed) for side in (held.left, held.right))
     exceeds(book, writing, left, right)
-    said = [_told(book, writing, step, pair) for pair in ((held.left, left), (held.right, right))]
+    said = [_told(writing, step, pair) for pair in ((held.left, left), (held.right, right))]
     writing.say(f"{lead}, {said[0]} still exceeds {said[1]}.")
     writing.close()
 
 
-def _told(book: Book, writing: Writing, step: Step, sides: tuple[Expression, Expression]) -> str:
+def _told(writing: Writing, step: Step, sides: tuple[Expression, Expression]) -> str:
     """Return one side of a comparison: its new value, or its name where it stays what it is."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and r.right == before), None)
     if named is None or before == after:
         return f"${(after if named is None else named.left).latex()}$"
     name = Symbol(marked(named.left.latex(), NEW))
-    book.observed[name.name] = book.value(after)
     return writing.verified(name, after, named.unit)

@@ -82,7 +82,6 @@ def _tell(stage: Stage, face: int, velocity: Expression) -> None:
     assert under is not None
     step, name = book.open("verify"), book.fresh("u", f"{setting.mark(under)}{setting.mark(body)}")
     exceeds(book, step, velocity, ZERO)
-    book.observed[name.name] = book.value(velocity)
     told = step.verified(name, velocity, SPEED)
     further = "further " if stage.segment.start else ""
     step.say(f"After the {further}time ${stage.time.latex()}$, {setting.called(body)} still slides on")

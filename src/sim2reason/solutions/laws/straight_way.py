@@ -78,7 +78,7 @@ class Way(ABC):
         return sorted({*self.moving(bodies), *hinges, *drawn})
 
     def _matters(self, body: str, k: int, way: Vector) -> bool:
-        """Whether a coordinate moves a body along a direction."""
+        """Return whether a coordinate moves a body along a direction."""
         return abs(product(self._start.center(body).gradient[k], way)) >= STILL
 
     def stretching(self, line: str) -> list[int]:
@@ -141,7 +141,7 @@ class Way(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Along the only line on which a body moves, in the sense of its own coordinate; None if it has several."""
+        """Return a vector along the line on which a body moves, positive as its coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
         senses = [product(way, ways[-1]) for way in ways]

@@ -16,7 +16,6 @@ def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time:
     if book.is_hidden(formula):
         return f", before ${time.name}$"
     name = book.fresh("t", r"\text{turn}")
-    book.observed[name.name] = book.value(formula)
     return f", after {step.verified(name, formula, SECONDS)}, which is less than ${time.name}$"
 
 
@@ -27,7 +26,6 @@ def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who:
     formula = added(begun, multiplied(a, time))
     step, name = book.open("verify"), book.fresh("v")
     exceeds(book, step, formula, ZERO)
-    book.observed[name.name] = book.value(formula)
     told = step.verified(name, formula, SPEED)
     step.say(f"At ${time.name}$ the velocity is {told} and still positive, so {who} is there for the first time.")
     step.close()
@@ -57,7 +55,6 @@ def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomi
         step, name = book.open("verify"), book.fresh("s", r"\text{rest}")
         left = rest if book.value(rest) > 0.0 else -rest
         exceeds(book, step, left, ZERO)
-        book.observed[name.name] = book.value(left)
         step.say(f"Indeed {step.verified(name, left, METRES)} is positive, so the distance is covered only after this.")
         step.close()
 

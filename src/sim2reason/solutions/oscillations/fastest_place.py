@@ -48,7 +48,6 @@ def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
     near, far = (-held if book.value(held) < 0.0 else held for held in (name, end))
     step, last = book.open("verify"), book.fresh(name.name, r"\text{end}")
     exceeds(book, step, far, near)
-    book.observed[last.name] = book.value(end)
     told = step.verified(last, end, METRES)
     spring = way.setting.springs[way.query.moment.name] if isinstance(way.query.moment, NaturalLength) else ""
     there = f"{spring} has its natural length, at {told}" if spring else f"${name.name} = {end.latex()}$ is reached"

@@ -39,7 +39,6 @@ def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expr
     """Write that what moves would come to rest, first or `later`, only beyond a place, so that friction is constant."""
     book, step = way.book, way.book.open("verify")
     name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
-    book.observed[name.name] = book.value(turning)
     far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
     exceeds(book, step, far, near)
     told = step.verified(name, turning, METRES)

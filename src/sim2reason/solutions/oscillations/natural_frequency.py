@@ -34,7 +34,6 @@ def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
     formula = rest.expression() / (leading.expression() * square)
     step, name = book.open("verify"), book.fresh(r"\lambda", r"\text{other}")
     exceeds(book, step, *((formula, square) if slower else (square, formula)))
-    book.observed[name.name] = book.value(formula)
     product = (
         f"The product of both roots is the constant term divided by the coefficient of ${Power(square, 2).latex()}$"
     )

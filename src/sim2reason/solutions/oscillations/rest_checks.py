@@ -68,11 +68,10 @@ class RestChecks:
         elif len(motion.springs) > 1:
             what = "net force of the springs"
         step, name = book.open("verify"), book.fresh("F", str(number))
-        book.observed[name.name] = book.value(pull)
         told, limit = step.verified(name, pull, NEWTONS), f"${self._most}$"
         if not self._most:
             greatest = book.fresh("f", r"\text{max}")
-            self._most, book.observed[greatest.name] = greatest.name, book.value(most)
+            self._most = greatest.name
             limit = f"the greatest static friction {step.verified(greatest, most, NEWTONS)}"
         if moves:
             exceeds(book, step, pull, most)

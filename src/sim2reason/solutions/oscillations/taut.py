@@ -36,7 +36,6 @@ def _write(setting: Setting, book: Book, held: Harmonic, gravity: Expression, k:
     formula = greatest if ratio == 1.0 else Number(ratio) * greatest
     step, name = book.open("verify"), book.fresh("a", r"\text{max}")
     exceeds(book, step, gravity, formula)
-    book.observed[name.name] = book.value(formula)
     who = setting.called(setting.mechanism.coordinates[k].body)
     string = setting.lines[held.motion.laws.lines[line].name]
     step.say(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")

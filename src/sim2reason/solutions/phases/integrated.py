@@ -40,7 +40,7 @@ ASKED = "the moment asked about"
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
 )
-INTRODUCTION = "The equations of motion have no solution in elementary functions; they are integrated numerically."
+INTRODUCTION = "The equations of motion are integrated numerically."
 
 
 class IntegratedPhases:

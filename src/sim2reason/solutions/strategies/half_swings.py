@@ -267,7 +267,6 @@ class _Swinging(Oscillating):
             step.say(f"As ${left.name} < {self._half.name}$, it does not come to rest{again} within this time.")
         else:
             name = book.fresh("t", r"\text{turn}")
-            book.observed[name.name] = book.value(formula)
             told = step.verified(name, formula, SECONDS)
             rest = "next" if self._times else "first"
             step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")

@@ -50,7 +50,6 @@ class _Pair(PairWay, EnergyWay):
         step, name, who = book.open("verify"), book.fresh("V"), self.setting.called(moment.name)
         exceeds(book, step, both, ZERO)
         exceeds(book, step, first, both)
-        book.observed[name.name] = book.value(both)
         told = step.verified(name, both, SPEED)
         step.say(f"The common velocity is then {told}. Until then {who} is faster, so it has not come to rest before.")
         step.close()

@@ -186,7 +186,8 @@ class _OnOrbit(Way):
         if query.functional == "greatest displacement":
             return orbit.farthest()
         which, far = FUNCTIONALS[query.functional]
-        if isinstance(query.moment, Orbited) and query.moment.degrees < ALL_ROUND:
+        part = isinstance(query.moment, Orbited) and query.moment.degrees < ALL_ROUND
+        if part or isinstance(query.moment, Farthest | Closest):
             orbit.tell_approach(far=far)
         if which == "speed":
             step, where = self.book.open("extreme"), "greatest" if far else "least"

@@ -138,7 +138,7 @@ class _Tumbling:
             self._lands()
             self.edges, self.begun = self.edges + 1, event.time
             self.book.begin_phase("an edge lands", f"the next edge of {self.who} lands")
-        prism_words.verify_tops(self.book, rates, self.about, self.weight, self.begins)
+        prism_words.verify_tops(self.book, [*rates, self.rate], self.about, self.weight, self.begins)
 
     def _lands_after(self, time: float) -> None:
         end = PI + (self.slope + self.half if self.slope != ZERO else self.half)

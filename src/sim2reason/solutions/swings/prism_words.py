@@ -65,20 +65,23 @@ def tell(book: Book, sentence: str) -> None:
 def verify_tops(
     book: Book, rates: Sequence[Expression], inertia: Expression, weight: Expression, begins: Expression
 ) -> None:
-    """Write, in the end, that the axis gets over every edge from which another one is reached; nothing in symbols."""
-    if book.in_symbols or not rates or book.value(begins) >= 0.0:
+    """Write, in the end, that the axis gets over every edge from which another one is reached; nothing in symbols.
+
+    The last of the `rates` is that after the last landing: its edge is included where the energy is enough for it.
+    """
+    if book.in_symbols or len(rates) < 2 or book.value(begins) >= 0.0:
         return
 
     def write() -> None:
-        least = min(rates, key=book.value)
+        top = weight * (ONE - Call("cos", begins))
+        over = book.value(HALF * inertia * Power(rates[-1], 2)) > book.value(top)
+        least = min(rates if over else rates[:-1], key=book.value)
         energy = HALF * inertia * (Power(least, 2))
-        height = weight * (ONE - Call("cos", begins))
         step, names = book.open("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
-        exceeds(book, step, energy, height)
-        for name, formula in zip(names, (energy, height), strict=True):
-            book.observed[name.name] = book.value(formula)
-        told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, height), strict=True)]
-        step.say("The axis passes over each edge, since the least kinetic energy at the start or just after a landing,")
+        exceeds(book, step, energy, top)
+        told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, top), strict=True)]
+        edges, landing = ("each edge", "a landing") if over else ("each edge before the last", "an earlier landing")
+        step.say(f"The axis passes over {edges}, since the least kinetic energy at the start or just after {landing},")
         step.say(f"{told[0]}, exceeds the energy {told[1]} by which it rises.")
         step.close()
 

@@ -199,7 +199,6 @@ class SwingTime:
         before = sum(n * quarter < self.book.value(integral) for n in turns)
         step, name = self.book.open("verify"), self.book.fresh("u", r"\text{turn}")
         formula = Number(float(turns[before])) * self.complete
-        self.book.observed[name.name] = self.book.value(formula)
         often = {0: "not at all", 1: "once", 2: "twice"}.get(before, f"{before} times")
         told, k = step.verified(name, formula, ""), self.complete.latex()
         step.say(

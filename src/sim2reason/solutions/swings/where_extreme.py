@@ -39,6 +39,5 @@ def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
     where = "At the lowest point" if less is lowest else "At a turning point"
     step, name = book.open("verify"), book.fresh("a", r"\text{end}")
     exceeds(book, step, found, less)
-    book.observed[name.name] = book.value(less)
     step.say(f"{where} the acceleration is only {step.verified(name, less, ACCELERATION)}.")
     step.close()

@@ -232,10 +232,15 @@ class Writing:
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
-        """What something comes to on which nothing rests, so that an assumption can be judged by it."""
-        relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
+        """State what something comes to on which nothing rests, so that an assumption can be judged by it.
+
+        The book keeps the value of a name that is new.
+        """
+        relation, value = Relation(what, formula, "verified", self._book.unit_in_text(unit)), self._book.value(formula)
         self.relations.append(relation)
-        return relation.latex(None if self._book.is_hidden(formula) else self._book.value(formula))
+        if isinstance(what, Symbol) and what.name not in self._book.values:
+            self._book.observed[what.name] = value
+        return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def integrate(self, integration: Integration) -> None:
         """State an initial-value problem; the values at its end are known to the book already."""

@@ -65,7 +65,8 @@ def label_sums(
     found: list[LabelSum] = []
     for match in sums:
         plain = re.findall(r"\$([^$]*=[^$]*)\$", text[: match.start()])  # what follows is free to move with it
-        laws = [f for f in plain if f not in rows and f.count("=") == 1 and not _number(f)]
+        told = [f.rpartition("=")[0] if f.count("=") == 2 and _number(f) else f for f in plain]  # a law and its result
+        laws = [f for f in told if f not in rows and f.count("=") == 1 and not _number(f)]
         held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
         out = read(match["out"])
         parts = [_part(part, labelled, read) for part in PART.finditer(match["sum"])]

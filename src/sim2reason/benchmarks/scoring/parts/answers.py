@@ -3,13 +3,13 @@ r"""Where answers stand in a response: in its boxes, after the thinking."""
 import re
 from typing import Final
 
-from sim2reason.grading.extract import MAX_ANSWER, spoken
+from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, spoken
+from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.score import Refused
 
 __all__ = ["after_thinking", "boxes", "in_box", "parts"]
 
 MOST: Final = 64  # boxes that are looked at, the last ones
-_BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 _AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
 _BLANK: Final = re.compile(r"(?<!\\)\\[,;: ]|\$")
 _THOUSANDS: Final = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d{3}(?!\d))")
@@ -25,20 +25,17 @@ def after_thinking(response: str) -> str:
 
 
 def boxes(response: str) -> list[str]:
-    """The contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters."""
+    """The contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
+
+    Those that print hides or words deny are left out.
+    """
     text = after_thinking(response)
     spans: list[tuple[int, int]] = []
-    braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
-    for match in _BRACE.finditer(text, max(text.find(r"\boxed"), 0)):
-        if match[0] == "}":
-            begin = braces.pop() if braces else -1
-            if begin >= 0:
-                while spans and spans[-1][0] > begin:  # boxes within this one
-                    spans.pop()
-                spans.append((begin, match.start()))
-        elif match[0] == "{" or match[0].startswith(r"\boxed"):
-            braces.append(match.end() if match[0] != "{" else -1)
-    found = (text[slice(*span)] for span in spans[-MOST:])
+    for begin, end in closed_boxes(text):
+        while spans and spans[-1][0] > begin:  # boxes within this one
+            spans.pop()
+        spans.append((begin, end))
+    found = (text[slice(*span)] for span in spans[-MOST:] if not fault_of_box(text, *span))
     return [content for content in found if content.strip() and len(content) <= MAX_ANSWER]
 
 

@@ -24,20 +24,23 @@ __all__ = [
 ]
 
 EQUAL = 1e-6  # relative, at each point that is tried
+_UPRIGHT: Final = re.compile(r"\\(?:text|textrm|textbf|mathrm|mbox)\{([^{}]*)\}")
 _NAME: Final = re.compile(
     r"(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*_(?:[A-Za-z0-9]|\{[^{}=]*(?:\{[^{}=]*\})?\}))?(?:\s*\([^()=]*\))?"
 )
 
 
 def same_text(one: str, other: str) -> bool:
-    """Whether two answers are spelled alike but for blanks, dollars and the size of brackets."""
+    """Return whether two answers are the same text, apart from blanks, dollars, upright fonts and bracket sizes."""
     return bool(one.strip()) and _squeezed(one) == _squeezed(other)
 
 
 def _squeezed(text: str) -> str:
     for mark in (r"\left", r"\right", r"\,", r"\;", r"\!", "$", "~", " ", "\n", "\t"):
         text = text.replace(mark, "")
-    return text.rstrip(".")
+    text = text.rstrip(".")
+    upright = _UPRIGHT.fullmatch(text)
+    return upright[1] if upright else text
 
 
 def name_of(text: str) -> str:

@@ -1,14 +1,15 @@
 """Numbers in answers, read as our grader reads them, and compared as a benchmark says."""
 
 from sim2reason.benchmarks.scoring.parts.answers import in_box
-from sim2reason.dsl.units import UnitError, parse_unit
+from sim2reason.dsl.units import Unit, UnitError, parse_unit
 from sim2reason.grading import Outcome, number
+from sim2reason.grading.number import unit_stated
 from sim2reason.grading.unit_spelling import unit_in
 
-__all__ = ["read", "unit_or_none"]
+__all__ = ["agrees", "read", "unit_or_none"]
 
 
-def read(content: str, unit: str | None = None, *, expected: float = 1.0) -> float | None:
+def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0) -> float | None:
     """The one number that an answer says, in `unit` where that is known; None if it says none, or in no such unit.
 
     `expected` decides how a direction without a sign is read.
@@ -17,6 +18,19 @@ def read(content: str, unit: str | None = None, *, expected: float = 1.0) -> flo
     return (
         found.parsed if found.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(found.parsed, float) else None
     )
+
+
+def agrees(right: str, said: str, tolerance: float) -> bool | None:
+    """Return whether two answers give the same number, within a tolerance relative to the right one, in its unit.
+
+    None where the right one is no number; of one without a unit, the unit of the other is not looked at.
+    """
+    stated = unit_stated(right)
+    unit = stated if stated is not None and any(stated.dimension) else None
+    value, other = read(right, unit), read(said, unit)
+    if value is None:
+        return None
+    return other is not None and abs(other - value) <= tolerance * abs(value)
 
 
 def unit_or_none(text: object) -> str | None:

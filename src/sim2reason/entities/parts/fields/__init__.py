@@ -5,7 +5,7 @@ from typing import Annotated, Literal, TypeVar
 
 from annotated_types import Le
 
-from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, X, Y, Z, scale
+from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, Word, X, Y, Z, scale
 from sim2reason.dsl.model import Model
 from sim2reason.registry import Registry
 
@@ -14,6 +14,13 @@ MagneticStrength = Annotated[float, LEAST, Le(1e6), Measure("magnetic field", "T
 Direction = Literal["positive x", "negative x", "positive y", "negative y"]
 Trend = Literal["increases", "decreases"]
 AXES: Mapping[str, Vector] = {"x": X, "y": Y, "z": Z}
+ElectricAtFirst = Annotated[
+    float, LEAST, Le(1e6), Measure("field strength", "N/C", "E", called="magnitude"), Range(0.4, 2.0)
+]
+MagneticAtFirst = Annotated[
+    float, LEAST, Le(1e6), Measure("field strength", "T", "B", called="magnitude"), Range(0.4, 1.2)
+]
+"""Those of fields that have them at one time or in one place alone."""
 
 
 class ForceField(Part):
@@ -59,6 +66,27 @@ class Medium(ForceField):
     """What resists the motion."""
 
     called = "the medium"
+
+
+_WAYS = [f"{side} {axis}" for axis in AXES for side in ("positive", "negative")]
+_TURNED: Mapping[str, str] = {"increases": "decreases", "decreases": "increases"}
+
+
+def _by_way(trend: str) -> Word:
+    """Return the trend of the component along an axis, given that of the component along the field."""
+    return Word("way", {way: trend if way.startswith("positive") else _TURNED[trend] for way in _WAYS})
+
+
+CHANGING: dict[str, Word] = {
+    "direction": Word("way", {way: f"the {way} direction" for way in _WAYS}),
+    "line": Word("way", {way: f"the {way[-1]} axis" for way in _WAYS}),
+    "component": Word("way", {way: f"{way[-1]} component" for way in _WAYS}),
+    "growing": _by_way("increases"),
+    "fading": _by_way("decreases"),
+    "changes": Word("trend", {"increases": "{growing}", "decreases": "{fading}"}),
+}
+"""The words of a field with a `way` and a `trend` of its component in that direction: along which axis it has a
+component, and what that does, so that no text speaks of a component in a negative direction."""
 
 
 def along(way: str) -> Vector:

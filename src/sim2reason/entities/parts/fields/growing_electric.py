@@ -6,9 +6,10 @@ from annotated_types import Le
 
 from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
+    CHANGING,
     Direction,
+    ElectricAtFirst,
     ElectricField,
-    ElectricStrength,
     Trend,
     along,
     force_field,
@@ -19,18 +20,22 @@ Growth = Annotated[float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", call
 
 @force_field
 class GrowingElectric(ElectricField):
-    """The same everywhere, and a linear function of time."""
+    """The same everywhere, and a linear function of time.
 
-    strength: ElectricStrength
+    The `trend` is that of its component in the direction that it has at first.
+    """
+
+    strength: ElectricAtFirst
     way: Direction
     trend: Trend
     growth: Growth
 
+    words = CHANGING
     says = (
         either(
-            "a uniform electric field has magnitude {strength} at t = 0 and points in the {way} direction; its component in that direction, the only one, {trend} at a rate of {growth}.",
-            "at t = 0 a uniform electric field of magnitude {strength} points in the {way} direction; its component in that direction {trend} at a rate of {growth}, and it never has another.",
-            "there is a uniform electric field, which at t = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} at a rate of {growth}.",
+            "a uniform electric field is always parallel to {line}; at t = 0 it has magnitude {strength} and points in {direction}, and its {component} {changes} at a rate of {growth}.",
+            "there is a uniform electric field parallel to {line}, whose {component} {changes} at a constant rate of {growth}; at t = 0 the field has magnitude {strength} and points in {direction}.",
+            "a uniform electric field, always parallel to {line}, has magnitude {strength} and points in {direction} at t = 0; its {component} {changes} at a constant rate of {growth}.",
         ),
     )
 

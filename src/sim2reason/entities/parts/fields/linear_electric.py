@@ -11,9 +11,10 @@ from pydantic import model_validator
 from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
     AXES,
+    CHANGING,
     Direction,
+    ElectricAtFirst,
     ElectricField,
-    ElectricStrength,
     Trend,
     along,
     force_field,
@@ -24,19 +25,23 @@ Slope = Annotated[float, LEAST, Le(1e6), Measure("gradient", "N/(C m)", "k"), Ra
 
 @force_field
 class LinearElectric(ElectricField):
-    """One direction, and a strength that is a linear function of the coordinate along it, as charges can cause it."""
+    """One direction, and a strength that is a linear function of the coordinate along it, as charges can cause it.
 
-    strength: ElectricStrength
+    The `trend` is that of its component in the direction that it has at the origin.
+    """
+
+    strength: ElectricAtFirst
     way: Direction
     trend: Trend
     axis: Literal["x", "y"]
     slope: Slope
 
+    words = CHANGING
     says = (
         either(
-            "an electric field is parallel to the {axis} axis; at {axis} = 0 it has magnitude {strength} and points in the {way} direction, and its component in that direction {trend} with {axis} at a rate of {slope}.",
-            "at {axis} = 0 an electric field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field, which at {axis} = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
+            "an electric field is everywhere parallel to {line}; at {axis} = 0 it has magnitude {strength} and points in {direction}, and its {component} {changes} with {axis} at a rate of {slope}.",
+            "there is an electric field parallel to {line}, whose {component} {changes} with {axis} at a rate of {slope}; at {axis} = 0 the field has magnitude {strength} and points in {direction}.",
+            "the lines of an electric field are parallel to {line}; at {axis} = 0 the field points in {direction} and has magnitude {strength}, and its {component} {changes} with {axis} at a rate of {slope}.",
         ),
     )
 

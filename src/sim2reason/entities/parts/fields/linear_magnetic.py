@@ -7,8 +7,9 @@ from annotated_types import Le
 from sim2reason.authoring import LEAST, Law, Magnetic, Measure, Profile, Range, either
 from sim2reason.entities.parts.fields import (
     AXES,
+    CHANGING,
+    MagneticAtFirst,
     MagneticField,
-    MagneticStrength,
     Trend,
     along,
     force_field,
@@ -19,19 +20,23 @@ Slope = Annotated[float, LEAST, Le(1e6), Measure("gradient", "T/m", r"\beta"), R
 
 @force_field
 class LinearMagnetic(MagneticField):
-    """Square to the plane, and as strong as a linear function of x or of y says."""
+    """Square to the plane, and as strong as a linear function of x or of y says.
 
-    strength: MagneticStrength
+    The `trend` is that of its component in the direction that it has at the origin.
+    """
+
+    strength: MagneticAtFirst
     way: Literal["positive z", "negative z"]
     trend: Trend
     axis: Literal["x", "y"]
     slope: Slope
 
+    words = CHANGING
     says = (
         either(
-            "a magnetic field has magnitude {strength} at {axis} = 0 and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
-            "at {axis} = 0 a magnetic field of magnitude {strength} points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
-            "there is a magnetic field, which at {axis} = 0 has magnitude {strength} and points in the {way} direction; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
+            "a magnetic field is everywhere parallel to {line}; at {axis} = 0 it has magnitude {strength} and points in {direction}, and its {component} {changes} with {axis} at a rate of {slope}.",
+            "there is a magnetic field parallel to {line}, whose {component} {changes} with {axis} at a rate of {slope}; at {axis} = 0 the field has magnitude {strength} and points in {direction}.",
+            "the lines of a magnetic field are parallel to {line}; at {axis} = 0 the field points in {direction} and has magnitude {strength}, and its {component} {changes} with {axis} at a rate of {slope}.",
         ),
     )
 

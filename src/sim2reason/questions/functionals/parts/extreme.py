@@ -15,7 +15,7 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import IMPACTS, Trace
 
 ROUNDS, PIECES = 3, 64  # of closing in on a top between neighbours, each time on two of so many pieces
 FLAT = 1e-9  # of the value: what differs by less is a plateau, which has no top
@@ -27,18 +27,21 @@ class Extreme(Functional):
     """The greatest value of a function of the state, which is the answer itself, positive.
 
     It is refused where the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
-    top within the stretch is one, so that no one asks on which side of a jump it is, nor reads it off the text.
+    top within the stretch is one, so that no one asks on which side of a jump it is, nor reads it off the text. A force
+    or an acceleration has no greatest value in a stretch with an impact.
 
     Class data:
         quantity: whose greatest or least value it is; the size of a vector, and of what has a sign its size, too.
         sense: along which the component of a vector is taken; None for its size.
         sign: 1 for the greatest, −1 for the least.
+        impulsive: whether an impact makes it infinite.
     """
 
     kind = "extremum"
     quantity: ClassVar[type[Quantity]]
     sense: ClassVar[Sense | None] = None
     sign: ClassVar[float] = 1.0
+    impulsive: ClassVar[bool] = False
 
     def __init_subclass__(cls) -> None:
         """Take from the quantity what is the same."""
@@ -70,6 +73,8 @@ class Extreme(Functional):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """The size of the highest of all tops, if nothing in the stretch is higher."""
+        if self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events):
+            return None
         times, heights = self._sampled(trace, name, end)
         if not np.isfinite(heights).all():
             return None

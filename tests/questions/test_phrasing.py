@@ -1,0 +1,61 @@
+"""For what a pronoun may stand in the words for a moment."""
+
+import pytest
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.spring import NailedSpring
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.spring_block import SpringBlock
+from sim2reason.prose.description import describe
+from sim2reason.questions import Words
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds.parts.stretch_kind import nouns
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.phrasing import again
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
+
+BEFORE = "from t = 0 until {} first "
+
+
+def damped() -> Words:
+    """A block on two springs, each with a dashpot."""
+    springs = (
+        NailedSpring(stiffness=60.0, length=0.5, x=-0.6, y=0.0),
+        NailedSpring(stiffness=80.0, length=0.4, x=0.5, y=0.3),
+    )
+    entity = SpringBlock(block=Block(mass=2.0), springs=springs, damping=3.0, x=0.1, y=0.0)
+    return words_of(describe(Scene(entities=(Named(name="it", entity=entity),))))
+
+
+@pytest.mark.parametrize(
+    ("functional", "pronoun"), [("energy dissipated by a dashpot", False), ("greatest extension", True)]
+)
+def test_no_pronoun_could_be_the_dashpot_beside_a_spring(functional: str, pronoun: bool) -> None:
+    """*The energy that the dashpot beside spring 2 dissipates until it …* would be until the dashpot does that."""
+    words, moment = damped(), MostCompressed("it.springs.1")
+    noun, spring = nouns(FUNCTIONALS[functional], words)["it.springs.1"], moment.subject(words)
+    for when in moment.stretches(words):
+        said = again(moment, noun.phrase, when, words)
+        assert ("it first" in said) is pronoun
+        assert (spring in said) is not pronoun
+
+
+def test_a_pronoun_stands_for_what_a_phrase_is_about_alone() -> None:
+    words = damped()
+    block, moment = words.mentions["it.block"], Stopped("it.block")
+    when = f"when {block} first comes to rest"
+    short = "when it first comes to rest"
+    for phrase in (f"the speed of {block}", f"the energy that {block} loses", f"the distance by which {block} moves"):
+        assert again(moment, phrase, when, words) == short
+    for phrase in (
+        f"the work that the tension in the string does on {block}",
+        f"the energy that friction between {block} and the plane dissipates",
+        f"the normal force exerted on {block} by the plane",
+        "the tension in the string",
+    ):
+        assert again(moment, phrase, when, words) == when
+    speeds = [noun.phrase for target, noun in targets(words).items() if target.quantity == "velocity"]
+    assert any(block in phrase for phrase in speeds)

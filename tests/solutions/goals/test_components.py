@@ -1,0 +1,22 @@
+"""Components of vectors: each is positive in the direction that its name was introduced for."""
+
+from worked import solution_text
+
+
+def test_a_velocity_is_told_in_the_direction_in_which_it_counts_as_positive() -> None:
+    """The box moves to the left and B down, but both are counted the other way."""
+    text = solution_text("box-medium-reverse-301919-4")
+    assert "displacement of the box to the right and $x_B$ be the displacement of block B upward" in text
+    assert "relative to the ground has the components $v_M$ to the right and $v_B$ upward." in text
+
+
+def test_a_string_under_a_pulley_is_not_tied_to_it() -> None:
+    text = solution_text("hybrid-medium-numeric-disc-pulley")
+    assert "in the part of the string between pulley P and its fixed end" in text
+    assert "tied to pulley P" not in text
+
+
+def test_a_string_that_passes_a_pulley_is_tied_to_the_body_at_its_end() -> None:
+    text = solution_text("pulley-medium-choice-4711-0")
+    assert "$T_2$ in the string tied to crate A" in text
+    assert "moving pulley P changes both parts of it equally" in text
