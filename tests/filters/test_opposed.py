@@ -32,7 +32,7 @@ scene:
 
 
 def candidate(scene: Scene, subject: str, time: float = 0.3) -> Candidate:
-    study = Study(scene, simulate(scene, duration=time + 1.0))
+    study = Study(scene, simulate(scene, duration=time + 0.5))
     question = Question("numeric", Query("state", Target("velocity", subject), AtTime(time)), "?", 1.0, "m/s")
     return Candidate(study, question, "a b c")
 

@@ -162,14 +162,15 @@ class SoftMotion:
             change = self.detector.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
             ends = self.detector.finish(self.q, self.v, a).used_up()
             finish, left = float(ends.min(initial=inf)), self.duration - self.now
-            if min(finish, left) <= change + TIE and finish <= left and finish <= SHORT:
+            ending = finish <= left + TOGETHER
+            if min(finish, left) <= change + TIE and ending and finish <= SHORT:
                 return self._finish(ends)
             if left <= TIE:
                 self.now = self.duration
                 return False
             if change <= TIE:
                 return True
-            room = finish - 0.5 * SHORT if finish <= left else inf  # what ends after the duration needs no care
+            room = finish - 0.5 * SHORT if ending else inf  # what ends well after the duration needs no care
             self._step(min(change, room, left, STEP))
             a = self.model.a
             self._note_step(settled, a)
