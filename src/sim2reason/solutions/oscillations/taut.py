@@ -16,11 +16,20 @@ def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
     """Write, in the end, that no body that hangs on a string ever falls freely; nothing where numbers do not tell."""
     if book.in_symbols or not isinstance(held.motion, LinearMotion):
         return
+    held = max(_with_earlier(held), key=lambda swing: swing.size)
     gravity = setting.lexicon.of(lambda m: -m.gravity[2]).expression()
     for k, line in _hanging(held.motion):
         ratio = abs(held.motion.ratio(k, held.motion.free[0]))
         if 0.0 < ratio * held.numbers[0] ** 2 * held.size < book.value(gravity):
             book.afterwards.append(lambda k=k, line=line, r=ratio: _write(setting, book, held, gravity, k, line, r))
+
+
+def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
+    """Yield half an oscillation and those before it, which friction makes wider than the later ones."""
+    earlier: Harmonic | None = held
+    while earlier is not None:
+        yield earlier
+        earlier = earlier.like
 
 
 def _hanging(motion: LinearMotion) -> Iterator[tuple[int, int]]:
