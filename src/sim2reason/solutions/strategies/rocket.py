@@ -243,7 +243,7 @@ class _Burning(Burning):
         """Write the distance covered under power in a time of rising; return its symbol."""
         path, x = self._path(self.dry if self.out else self.left, risen), self.book.fresh("x").latex()
         left = (self.full - self.rate_of_burning * self.since).latex()
-        primitive = rf"$\int \ln {x}\,d{x} = {x} \ln {x} - {x}$"
+        primitive = rf"${x} \ln {x} - {x}$ as the antiderivative of $\ln {x}$"
         said = f"{self.course}. With ${x}$ for ${left}$ and {primitive}, the distance covered,"
         said = f"{said} which is the integral of this velocity from 0 to ${risen.latex()}$, is"
         return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
