@@ -22,7 +22,7 @@ from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 VELOCITY = re.compile(r"the velocity of the probe with the engine on is \$([^$]*)\$ at the time \$\\tau\$ after")
-UPPER = re.compile(r"integrated from 0 to \$([^$]*)\$, \$(s(?:_\{\\text\{out\}\})?) = ")
+UPPER = re.compile(r"integral of this velocity from 0 to \$([^$]*)\$, is \$(s(?:_\{\\text\{out\}\})?) = ")
 HEAVY, LIGHT = 20.0, 9.0  # kg/s: of these rates of burning the first lifts the rocket at once
 
 

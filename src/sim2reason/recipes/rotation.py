@@ -88,14 +88,17 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
     while len(found) < count:
         kind = BallPiece if found and rng.random() < SMALL else list(SOLID)[int(rng.choice(len(SOLID), p=shares))]
         piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
-        if kind is not BallPiece and not _is_large([piece]):
-            continue
-        if not holds_axle(piece) and all(is_clear(piece, other) for other in found):
-            found.append(piece)
         tries += 1
-        if tries == TRIES:  # the first ones have taken all the room
+        if not holds_axle(piece) and all(is_clear(piece, other) for other in found) and _is_worth(piece, found):
+            found.append(piece)
+        elif tries == TRIES:  # the first ones have taken all the room
             found, tries = [], 0
     return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+
+
+def _is_worth(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
+    """Return whether a piece keeps all of them large, and is large itself unless it is a small ball."""
+    return (isinstance(piece, BallPiece) or _is_large([piece])) and _is_large([*others, piece])
 
 
 def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
@@ -105,9 +108,7 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
 
 
 def _bears(arm: WeldedArm) -> bool:
-    """Whether sizes count, of all pieces together and one by one; the mass of a lone piece cancels."""
-    if not _is_large(arm.pieces):
-        return False
+    """Whether sizes count one by one; the mass of a lone piece cancels."""
     unmoved = [*islice((path for path in idle(arm, _responses) if path.startswith("pieces.")), TOO_MANY)]
     return len(unmoved) <= (len(arm.pieces) >= MANY) or unmoved == ["pieces.0.body.mass"]
 

@@ -100,7 +100,7 @@ def test_the_sign_of_a_charge_is_said_once() -> None:
 
 
 FIELDS = [
-    (GROWING, "$E$ is the electric field at the start;"),
+    (GROWING, "$E$ is the magnitude of the electric field at the start;"),
     (OSCILLATING, "$E$ is the amplitude of the electric field;"),
     (LinearElectric(strength=1.1, way="positive x", trend="increases", axis="x", slope=0.4), "at the origin;"),
 ]

@@ -19,4 +19,15 @@ def test_a_string_under_a_pulley_is_not_tied_to_it() -> None:
 def test_a_string_that_passes_a_pulley_is_tied_to_the_body_at_its_end() -> None:
     text = solution_text("pulley-medium-choice-4711-0")
     assert "$T_2$ in the string tied to crate A" in text
-    assert "moving pulley P changes both parts of it equally" in text
+    assert "moving pulley P changes the two parts beside it equally" in text
+
+
+def test_the_angular_velocity_counts_in_the_sense_in_which_the_angular_acceleration_does() -> None:
+    text = solution_text("rolling-easy-reverse-301921-0")
+    assert "its radius times its angular acceleration is $a$, too" in text
+    assert "As its radius times its angular velocity is $v_1$, the energy of rotation" in text
+
+
+def test_the_energy_that_friction_on_a_rolling_body_dissipates_takes_the_slip_of_its_point_of_contact() -> None:
+    text = solution_text("rolling-hard-numeric-301921-2")
+    assert "dissipates, which is the friction times the distance that the point of contact slips, is $Q = " in text

@@ -23,7 +23,7 @@ SUM = re.compile(r"\((\d)\) \+ ([\d.]+)·\((\d)\): \((\d)\) \$([\d.]+)\\,a_A = (
 
 def test_a_string_is_said_to_change_on_both_sides_of_a_pulley_that_moves() -> None:
     text = solve_prompt(PULLEYS)[0].text
-    said = "does not stretch, and moving pulley P changes both parts of it equally: "
+    said = "does not stretch, and moving pulley P changes the two parts beside it equally: "
     assert said + r"$a_B = 2\,a_A - a_C$." in text
 
 

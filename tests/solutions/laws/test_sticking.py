@@ -14,7 +14,7 @@ from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import faults
-from worked import asked
+from worked import asked, solution_text
 
 ANGLE, DISTANCE, SPIN, RADIUS, MASS = 42.0, 3.4, 16.0, 0.1, 2.0
 LIMIT = 0.45020  # tan 42°/2: with less friction no pipe rolls down this slope
@@ -57,3 +57,10 @@ def test_what_cannot_roll_has_a_point_of_contact_at_rest_for_an_instant() -> Non
 @pytest.mark.parametrize(("friction", "rolls"), [(LIMIT - 0.001, False), (LIMIT + 0.001, True)])
 def test_it_begins_to_roll_only_with_the_friction_for_it(friction: float, rolls: bool) -> None:
     assert ("begins to roll without slipping" in pipe_that_spins(friction).text) == rolls
+
+
+def test_a_body_that_slips_later_does_not_slip_in_the_first_phase_only() -> None:
+    text = solution_text("incline-hard-choice-301922-0")
+    assert "In this phase plank B does not slip: the friction required, $f_B = " in text
+    assert "Plank B then has the acceleration $a_B = " in text
+    assert r"1.3954\ \text{m/s}^2$ down the slope. Even against friction" in text

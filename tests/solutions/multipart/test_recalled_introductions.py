@@ -6,7 +6,7 @@ from sim2reason.questions.moments.halted import Halted
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
-from worked import derived
+from worked import derived, solution_text
 
 
 def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
@@ -22,3 +22,12 @@ def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
     assert "Let $x$ be the displacement" not in told.text
     assert "next comes to rest at" not in told.text
     assert "half oscillations take the same time" in told.text
+
+
+def test_a_symbol_is_introduced_only_for_what_a_part_uses() -> None:
+    """The acceleration a of slab B is that of part (a), while part (c) is about a_1, which it introduces itself."""
+    text = solution_text("incline-hard-multipart-301921-3")
+    last = text[text.index("(c) Given") :]
+    assert "Let $a_1$ be the acceleration of slab A" in last
+    assert "Let $a$ be" not in last
+    assert "A number in a subscript" not in text

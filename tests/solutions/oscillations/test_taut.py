@@ -36,3 +36,8 @@ def test_the_greatest_tension_is_at_an_end_of_the_motion_with_the_reason() -> No
         "When Newton's second laws of the bodies, each in its direction of motion, are added up, tensions cancel:"
         in text
     )
+
+
+def test_the_greatest_acceleration_is_that_of_the_first_half_oscillation_where_friction_takes_energy() -> None:
+    text = solution_text("mixed-hard-numeric-301921-2")
+    assert r"is at most $a_{\text{max}} = \omega^{2} x_0 = 6.3632\ \text{m/s}^2$, less than $g$" in text

@@ -181,7 +181,8 @@ class Fields:
         where, there = ("at the origin", "there") if profile.steady else ("at the start", "then")
         if given is not None and profile.frequency:
             return f"${given.symbol}$ is the amplitude of the electric field; at the start "
-        return f"${given.symbol}$ is the electric field {where}; {there} " if given is not None else f"{where}, "
+        strength = f"${given.symbol}$ is the magnitude of the electric field " if given is not None else ""
+        return f"{strength}{where}; {there} " if strength else f"{where}, "
 
     def _part(self, number: int, field: str, axis: int) -> Expression:
         """A number of the profile of a push, signed along an axis."""

@@ -131,8 +131,10 @@ class HeatGoal(SumGoal):
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of what slips."""
-        return f"the energy that friction on {setting.called(target.subject)} dissipates"
+        """Of what slips; where that rolls, the point of contact slips, and not the centre alone."""
+        rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
+        how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
+        return f"the energy that friction on {setting.called(target.subject)} dissipates{how}"
 
 
 class HandWork(SumGoal):

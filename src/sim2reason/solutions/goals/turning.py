@@ -107,7 +107,8 @@ class EnergyOfRim(KineticShare, AboutAxis):
     def why(self, body: str, known: Known) -> str:
         """Return a clause that relates the rim's speed to the angular velocity."""
         rim = known.rim("v", body).expression()
-        return f"as its radius times its angular velocity is ${rim.latex()}$, "
+        along = -rim if rim.negative else rim  # in the sense in which it rolls
+        return f"as its radius times its angular velocity is ${along.latex()}$, "
 
     def energy(self, body: str, known: Known) -> Expression:
         """Half of I/R² times the square."""

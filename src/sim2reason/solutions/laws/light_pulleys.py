@@ -44,4 +44,4 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
         return ""
-    return f", and moving {dynamics.setting.listed(pulleys)} changes both parts of it equally"
+    return f", and moving {dynamics.setting.listed(pulleys)} changes the two parts beside it equally"

@@ -9,8 +9,9 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, tell_not_held
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
 
 SLOW = 1e-9  # m/s: nothing slips at the beginning
@@ -94,6 +95,7 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
         return
     bodies = [dynamics.mechanism.faces[face].subject for face in faces]
     step, under = book.open("verify"), carriers(dynamics, bodies[0])
+    _tell_carriers(dynamics, step, faces[0])
     exceeds(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
         told = f"the acceleration ${relative.latex()}$"
@@ -124,8 +126,16 @@ def way_of_slip(dynamics: Dynamics, face: int, sense: float) -> str:
 
 def _relative(dynamics: Dynamics, face: int) -> Expression | None:
     """Return the acceleration with which surfaces begin to slip, in the sense in which they do; None if not known."""
-    rows = _laws(dynamics)
+    parts = _parts(dynamics, face)
     whole: Expression = ZERO
+    for _, factor, found in parts or []:
+        whole = added(whole, multiplied(factor.expression(), found) if factor.number != 1.0 else found)
+    return whole if parts is not None else None
+
+
+def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
+    """Return the accelerations of coordinates that make surfaces slip, each after its factor; None if not known."""
+    rows, parts = _laws(dynamics), list[tuple[int, Polynomial, Expression]]()
     for k, part in dynamics.newton.slip(face).items():
         terms = [(k, 1.0)]
         if k in dynamics.carried:
@@ -137,9 +147,23 @@ def _relative(dynamics: Dynamics, face: int) -> Expression | None:
             found = found_alone(dynamics, rows, f"q{n}")
             if found is None:
                 return None
-            scaled = part.scaled(factor * dynamics.newton.rough[face])
-            whole = added(whole, multiplied(scaled.expression(), found) if scaled.number != 1.0 else found)
-    return whole
+            parts.append((n, part.scaled(factor * dynamics.newton.rough[face]), found))
+    return parts
+
+
+def _tell_carriers(dynamics: Dynamics, step: Writing, face: int) -> None:
+    """Write the acceleration of what carries a body, if it has no name yet."""
+    book, parts = dynamics.book, _parts(dynamics, face) or []
+    own = dynamics.mechanism.faces[face].subject
+    for n, _, found in parts if len(parts) > 1 else []:
+        body = dynamics.mechanism.coordinates[n].body
+        if body == own or not book.value(found) or isinstance(-found if found.negative else found, Symbol):
+            continue
+        sense = 1 if book.value(found) > 0.0 else -1
+        name = book.fresh("a", dynamics.setting.mark(body))
+        told = step.verified(name, found if sense > 0 else -found, ACCELERATION)
+        step.say(f"{capital(dynamics.setting.called(body))} then has the acceleration {told}")
+        step.say(f"{dynamics.moving(n, sense)}.")
 
 
 def _laws(dynamics: Dynamics) -> list[Row]:

@@ -49,10 +49,11 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     step = book.open("verify")
     named = dynamics.names.get(f"f{number}", NIL).names() - book.values.keys()
     said = told_friction(book, step, dynamics.setting.mark(body), friction, most, *map(Symbol, named))
-    who = capital(dynamics.setting.called(body))
-    step.say(
-        f"{who} does not slip: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
-    )
+    who = f"{dynamics.setting.called(body)} does not slip"
+    starts = [segment.start for segment in dynamics.setting.motion.segments]
+    if any(dynamics.segment.start < start < dynamics.setting.time for start in starts):
+        who = f"in this phase {who}"
+    step.say(f"{capital(who)}: the friction required, {said[0]}, is within the limit of static friction, {said[1]}.")
     step.close()
 
 

@@ -46,7 +46,7 @@ class _Told:
         steps = [labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
-        used = with_bases(names_of(kept))
+        used = with_bases(names_of(kept), part)
         for step in kept:
             said = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
             self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}

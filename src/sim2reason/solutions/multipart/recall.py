@@ -125,20 +125,24 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
     """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
-    symbols = with_bases(name for step in kept for name in step.symbols())
+    symbols = with_bases((name for step in kept for name in step.symbols()), solution)
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
 
 
-def with_bases(names: Iterable[str]) -> set[str]:
-    """Return names, and what they are without their subscripts: x_1 is a value of the x that a text introduces."""
+def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
+    """Return names, and those without their subscripts that a solution does not introduce by themselves.
+
+    x_1 is a value of the x that a text introduces; but where a text introduces a_1, it is another acceleration than a.
+    """
     found = {*names}
-    return found | {name.partition("_")[0] for name in found}
+    own = {name for step in solution.steps if step.kind == "names" for name in introduced(step.text)}
+    return found | {name.partition("_")[0] for name in found - own}
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
     """Yield the texts of steps, of introductions only those of names in use."""
-    used = with_bases(names_of(solution.steps))
+    used = with_bases(names_of(solution.steps), solution)
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 

@@ -14,6 +14,7 @@ from sim2reason.solutions.oscillations.greatest_value import greatest_target
 from sim2reason.solutions.setting import LEVEL, Setting
 from sim2reason.solutions.swings.angle import Way
 from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import METRES
 
@@ -74,8 +75,11 @@ class LoneSpring:
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
         """Write the answer, unless it has a name; `turned` gives its formula the sign or the component asked for."""
         method, said = way
-        formula = turned(getattr(self, method)())
+        along: Expression = getattr(self, method)()
+        formula, quantity = turned(along), quantity_of(self.setting)
         if isinstance(formula, Symbol):
             return formula
-        name = self.book.fresh(LETTERS[quantity_of(self.setting)])
+        if formula == -along:
+            said = of_magnitude(said, quantity)
+        name = self.book.fresh(LETTERS[quantity])
         return self.book.told("answer", said, name, formula, self.setting.unit)

@@ -14,13 +14,23 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
     """Write, in the end, that no body that hangs on a string ever falls freely; nothing where numbers do not tell."""
-    if book.in_symbols or not isinstance(held.motion, LinearMotion):
+    held = max(_with_earlier(held), key=lambda swing: swing.size)
+    motion = held.motion
+    if book.in_symbols or not isinstance(motion, LinearMotion):
         return
     gravity = setting.lexicon.of(lambda m: -m.gravity[2]).expression()
-    for k, line in _hanging(held.motion):
-        ratio = abs(held.motion.ratio(k, held.motion.free[0]))
+    for k, line in _hanging(motion):
+        ratio = abs(motion.ratio(k, motion.free[0]))
         if 0.0 < ratio * held.numbers[0] ** 2 * held.size < book.value(gravity):
             book.afterwards.append(lambda k=k, line=line, r=ratio: _write(setting, book, held, gravity, k, line, r))
+
+
+def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
+    """Yield half an oscillation and those before it, which friction makes wider than the later ones."""
+    earlier: Harmonic | None = held
+    while earlier is not None:
+        yield earlier
+        earlier = earlier.like
 
 
 def _hanging(motion: LinearMotion) -> Iterator[tuple[int, int]]:

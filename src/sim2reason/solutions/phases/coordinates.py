@@ -29,6 +29,10 @@ DEFLECTION = r"\varphi"  # begins the symbols of angles with the downward vertic
 AXES = {0: "x", 1: "y", 2: "z"}
 SLIDE_UNITS = METRES, SPEED, ACCELERATION
 HINGE_UNITS = RADIANS, ANGULAR_SPEED, ANGULAR_ACCELERATION
+COUNTED = (
+    "A number in a subscript is that of the phase in which an acceleration or a force acts, or at whose end another "
+    "value holds."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +73,9 @@ class ChosenCoordinates:
             after = _dotted(v) if rated else _dotted(q, r"\ddot")
             derived += [f"${a.name} = {after}$"] if a.name in stems else []
         followed = f", and let {joined(derived)}" if derived else ""
-        counted = (
-            "A number in a subscript is that of the phase in which an acceleration or a force acts, or at whose end"
-        )
-        return f"Let {joined(said)}{followed}. {counted} another value holds."
+        let = f"Let {joined(said)}{followed}."
+        phases = {number for name in names if (number := split(name)[1].rpartition(",")[2]).isdigit()}
+        return f"{let} {COUNTED}" if len(phases) > 1 else let
 
 
 def choose(setting: Setting, book: Book) -> ChosenCoordinates:

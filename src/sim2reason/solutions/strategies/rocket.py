@@ -243,9 +243,9 @@ class _Burning(Burning):
         """Write the distance covered under power in a time of rising; return its symbol."""
         path, x = self._path(self.dry if self.out else self.left, risen), self.book.fresh("x").latex()
         left = (self.full - self.rate_of_burning * self.since).latex()
-        primitive = rf"the antiderivative ${x} \ln {x} - {x}$ of $\ln {x}$"
-        said = f"{self.course}; with ${x}$ for ${left}$ and {primitive},"
-        said = f"{said} integrated from 0 to ${risen.latex()}$,"
+        primitive = rf"${x} \ln {x} - {x}$ as the antiderivative of $\ln {x}$"
+        said = f"{self.course}. With ${x}$ for ${left}$ and {primitive}, the distance covered,"
+        said = f"{said} which is the integral of this velocity from 0 to ${risen.latex()}$, is"
         return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
 
     @cached_property
@@ -275,7 +275,8 @@ class _Burning(Burning):
         if isinstance(self.query.moment, Stopped) or isinstance(self.query, StretchQuery):
             said, fall = f"With its engine off {self.name} rises on to", 2.0 * self.gravity.expression()
             if isinstance(self.query.moment, Stopped):
-                said = f"While the engine is on after lift-off, the thrust exceeds the weight, so it speeds up. {said}"
+                powered = "While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and"
+                said = f"{powered} {self.name} can come to rest only after burnout. {said}"
             return self.book.told("distance", said, name, high + Power(fast, 2) / fall, METRES)
         said = f"The distance of {self.name} from its starting point is then"
         return self.book.told("distance", said, name, self._thrown(self.coast), METRES)

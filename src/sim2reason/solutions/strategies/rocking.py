@@ -174,9 +174,8 @@ class _Rocking:
         if quantity in ("angular acceleration", "torque"):
             size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
             if quantity == "torque":
-                return self.book.told(
-                    "answer", "The torque about the centre is", self.book.fresh("M"), self.own * size, TORQUE
-                )
+                said = "The magnitude of the torque about the centre of mass is"
+                return self.book.told("answer", said, self.book.fresh("M"), self.own * size, TORQUE)
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
@@ -197,7 +196,10 @@ class _Rocking:
             return self.book.told(
                 "answer", "By Newton's second law,", self.book.fresh("F"), self.mass * formula, NEWTONS
             )
-        return formula if isinstance(formula, Symbol) else self._sized(formula, "a", ACCELERATION)
+        if isinstance(formula, Symbol):
+            return formula
+        said = "The component asked for is" if way is not None else "Its magnitude is"
+        return self.book.told("answer", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def _contact(self, quantity: str) -> Symbol:
         """Friction along the plane or the normal force: what is left of mass times acceleration without the weight."""

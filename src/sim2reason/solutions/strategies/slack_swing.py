@@ -22,6 +22,7 @@ from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
 from sim2reason.solutions.swings.where_extreme import where_extreme
 from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
@@ -181,7 +182,7 @@ class _Slack:
         way, why = self.WAYS[self.quantity]
         formula: Expression = getattr(self, way)()
         if sense is None and self.book.value(formula) < 0.0:
-            formula = -formula
+            formula, why = -formula, of_magnitude(why, self.quantity)
         if isinstance(formula, Symbol):
             return formula
         return self.book.told("answer", why, self.book.fresh(LETTERS[self.quantity]), formula, self.setting.unit)

@@ -21,6 +21,7 @@ from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, DEGREES, INERTIA, SECONDS
 
@@ -243,7 +244,7 @@ class _Tumbling:
         held: Expression | Callable[[], Expression] = getattr(self, way)
         formula = held() if callable(held) else held
         if self.book.value(formula) < 0.0:
-            formula = -formula
+            formula, said = -formula, of_magnitude(said, quantity)
         if isinstance(formula, Symbol):
             return formula
         if quantity in BOTH:

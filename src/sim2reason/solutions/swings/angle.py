@@ -26,6 +26,7 @@ from sim2reason.solutions.swings.components import BOTH, of_components
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.swings.where_extreme import Ends, tell_other_end, where_extreme
 from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
@@ -233,12 +234,14 @@ class SwingAngle(ABC):
         unit = self.setting.unit
         self._tell_where(quantity)
         formula: Expression = getattr(self, self.WAYS[quantity][0])()
-        if sense is None and self.book.value(formula) < 0.0:
-            formula = -formula
+        turned = sense is None and self.book.value(formula) < 0.0
+        formula = -formula if turned else formula
         self._compare_ends(quantity, formula)
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        return self.book.told("answer", self.said(quantity) or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
+        said = self.said(quantity) or "So"
+        said = of_magnitude(said, quantity) if turned else said
+        return self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, unit)
 
     @property
     def components(self) -> tuple[Expression, Expression] | None:

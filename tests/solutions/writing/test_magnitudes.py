@@ -1,0 +1,33 @@
+"""A sign is dropped only of what a sentence calls a magnitude."""
+
+import pytest
+
+from sim2reason.solutions.writing.magnitudes import of_magnitude
+from worked import solution_text
+
+
+@pytest.mark.parametrize(
+    ("said", "quantity", "expected"),
+    [
+        ("The momentum is", "momentum", "The magnitude of the momentum is"),
+        (
+            "Relative to the ground, the velocity is",
+            "velocity",
+            "Relative to the ground, the magnitude of the velocity is",
+        ),
+        ("By Newton's second law,", "net force", "The magnitude of the net force is"),
+        ("The kinetic energy is", "kinetic energy", "The kinetic energy is"),
+    ],
+)
+def test_a_vector_is_called_by_its_magnitude(said: str, quantity: str, expected: str) -> None:
+    assert of_magnitude(said, quantity) == expected
+
+
+def test_an_acceleration_whose_sign_is_dropped_is_a_magnitude() -> None:
+    text = solution_text("pendulum-hard-multipart-301922-0")
+    assert r"Relative to the ground, the magnitude of the acceleration is $a = -a_{\text{c}}" in text
+
+
+def test_the_torque_on_a_cylinder_with_a_hole_is_about_its_centre_of_mass() -> None:
+    text = solution_text("rolling-medium-reverse-301922-1")
+    assert r"The magnitude of the torque about the centre of mass is $M = -I_0\,\alpha$." in text
