@@ -240,9 +240,8 @@ class _Tumbling:
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")
-        way, said = self.WAYS[quantity]
-        held: Expression | Callable[[], Expression] = getattr(self, way)
-        formula = held() if callable(held) else held
+        held: Expression | Callable[[], Expression] = getattr(self, self.WAYS[quantity][0])
+        formula, said = held() if callable(held) else held, self.WAYS[quantity][1]
         if self.book.value(formula) < 0.0:
             formula, said = -formula, of_magnitude(said, quantity)
         if isinstance(formula, Symbol):

@@ -187,8 +187,7 @@ class SwingAngle(ABC):
             return ONE
         if isinstance(self.angle, Number):
             return Number(-1.0)
-        plain = -self.angle if self.angle.negative else self.angle
-        return Call("cos", plain)
+        return Call("cos", -self.angle if self.angle.negative else self.angle)
 
     @property
     def sine(self) -> Expression:
