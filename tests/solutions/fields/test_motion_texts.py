@@ -48,8 +48,8 @@ def solved(quantity: str, moment: Moment, sign: str = "positive", speed: float =
 
 LAWS = [
     ({"electric": UNIFORM}, r"$\dot{v}_x = \Omega v_y$ and $\dot{v}_y = a_{\text{E}} - \Omega v_x$"),
-    ({"electric": GROWING}, r"$\dot{v}_y = a_{\text{E}} + j t - \Omega v_x$"),
-    ({"electric": OSCILLATING}, r"$\dot{v}_y = a_{\text{E}} \cos\left(\omega t\right) - \Omega v_x$"),
+    ({"electric": GROWING}, r"$\dot{v}_y = a_{\text{E}} + j \tau - \Omega v_x$"),
+    ({"electric": OSCILLATING}, r"$\dot{v}_y = a_{\text{E}} \cos\left(\omega \tau\right) - \Omega v_x$"),
     ({"electric": UNIFORM, "medium": DRAG}, r"$\dot{v}_y = a_{\text{E}} - \Omega v_x - \gamma v_y$"),
     ({"medium": DRAG}, r"$\dot{v}_x = \Omega v_y - \gamma v_x$ and $\dot{v}_y = -\Omega v_x - \gamma v_y$"),
 ]
@@ -74,8 +74,8 @@ def test_the_equations_of_motion_come_before_what_solves_them(
 DRIFTS = [
     ({"electric": UNIFORM}, [r"$a_{\text{E}} - \Omega u_x = 0$"]),
     ({"electric": UNIFORM, "medium": DRAG}, [r"$\Omega u_y - \gamma u_x = 0$"]),
-    ({"electric": GROWING}, [r"$u_x + \frac{j}{\Omega} t$ along x", r"$a_{\text{E}} - \Omega u_x = 0$"]),
-    ({"electric": OSCILLATING}, [r"$u_x \cos\left(\omega t\right)$ along x", r"$-\omega u_x = \Omega u_y$"]),
+    ({"electric": GROWING}, [r"$u_x + \frac{j}{\Omega} \tau$ along x", r"$a_{\text{E}} - \Omega u_x = 0$"]),
+    ({"electric": OSCILLATING}, [r"$u_x \cos\left(\omega \tau\right)$ along x", r"$-\omega u_x = \Omega u_y$"]),
 ]
 
 

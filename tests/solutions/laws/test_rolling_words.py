@@ -105,7 +105,7 @@ def test_instants_have_their_names() -> None:
     """The rim begins with R ω₀ and loses µ g t until it has the speed of the centre."""
     scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
     found = turned(scene, "angle rolled", 0.8)
-    assert "The net angle of rotation of the" in found.text
+    assert "The magnitude of the net angle of rotation of the" in found.text
     assert "At that time" not in found.text
     assert "In the same time" not in found.text
 
@@ -136,7 +136,7 @@ def test_senses_of_turning_are_stated_and_what_is_turned_back() -> None:
     assert "counted as positive in the sense of rolling up the slope" in found.text
     assert "first turns through the arc" in found.text
     assert "in the sense of rolling up the slope, then back through" in found.text
-    assert "The net angle of rotation" in found.text
+    assert "The magnitude of the net angle of rotation" in found.text
     assert "same time" not in found.text
 
 

@@ -34,7 +34,7 @@ from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
-from worked import asked
+from worked import asked, solution_text
 
 G, STIFFNESS, MASS = 9.8, 50.0, 2.0
 
@@ -283,3 +283,7 @@ def test_what_two_carts_gain_as_their_spring_relaxes_is_told_with_their_names() 
     assert "Momentum along the track is conserved; with the velocity $v_A$ of" in found.text
     assert "when the spring has its natural length: " in found.text
     assert r"\left(x - d\right)" not in found.text
+
+
+def test_the_law_from_the_power_is_said_of_small_velocities_in_the_direction_of_friction_that_was_assumed() -> None:
+    assert "As this holds however small the velocity is, $m a = " in solution_text("springs-medium-reverse-301923-2")

@@ -27,7 +27,7 @@ def test_the_thrust_of_a_rod_is_no_greater_than_its_tension() -> None:
 def test_where_a_string_goes_slack_its_angle_is_defined_and_the_speed_is_found_once() -> None:
     text = solution_text("pendulum-hard-symbolic-301914-0")
     assert r"Let $\phi$ be the angle of the string with the downward vertical" in text
-    assert "the component of the weight along the string alone is the centripetal force" in text
+    assert "the component of gravity along the string alone is the centripetal" in text
     assert r"make the angle $\phi$, so by the law of cosines" in text
     assert "v_1" not in text
 
@@ -55,3 +55,8 @@ def test_a_limit_says_how_the_energy_changes_with_the_number_that_is_limited() -
     text = solution_text("rotation-hard-reverse-301914-1")
     assert r"Near the limiting case $K$ increases when $\theta$ increases." in text
     assert "By conservation of energy, the kinetic energy at the highest point" in text
+
+
+def test_the_velocity_at_the_top_of_a_flight_is_the_horizontal_one_of_its_beginning() -> None:
+    text = solution_text("pendulum-hard-choice-301923-0")
+    assert "the horizontal velocity stays $v_x$, and the vertical one is zero at the highest point." in text

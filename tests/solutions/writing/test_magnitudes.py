@@ -31,3 +31,8 @@ def test_an_acceleration_whose_sign_is_dropped_is_a_magnitude() -> None:
 def test_the_torque_on_a_cylinder_with_a_hole_is_about_its_centre_of_mass() -> None:
     text = solution_text("rolling-medium-reverse-301922-1")
     assert r"The magnitude of the torque about the centre of mass is $M = -I_0\,\alpha$." in text
+
+
+def test_a_momentum_that_an_unknown_makes_positive_is_a_magnitude() -> None:
+    text = solution_text("collision-medium-reverse-301923-2")
+    assert "The magnitude of the momentum of cart A is $p_A = -m_A v'_A$." in text

@@ -67,7 +67,8 @@ def _part_in_line(held: Sequence[Excluded]) -> str:
 
 def _slide_off(held: Sequence[Excluded]) -> str:
     """Return the clause about discs that touch after an inelastic collision, with no relative velocity to the other."""
-    return f"{_pairs(held)} touch, but keep no relative velocity along their line of centres and do not collide again"
+    apart = "keep no relative velocity along their line of centres and do not collide again before one of them collides"
+    return f"{_pairs(held)} touch, but {apart} with another body"
 
 
 def _leave_walls(held: Sequence[Excluded]) -> str:

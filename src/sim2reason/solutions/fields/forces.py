@@ -84,7 +84,12 @@ class Fields:
 
     @cached_property
     def clock(self) -> Symbol:
-        """The time since the start."""
+        """The time since the start, which runs."""
+        return self.book.fresh(r"\tau")
+
+    @cached_property
+    def instant(self) -> Symbol:
+        """The time of the moment that is asked about."""
         return self.book.fresh("t")
 
     @cached_property

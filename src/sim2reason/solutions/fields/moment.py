@@ -37,7 +37,7 @@ class FieldMoment:
     @cached_property
     def time(self) -> Symbol:
         """When the moment is."""
-        moment, name = self.setting.query.moment, self.fields.clock
+        moment, name = self.setting.query.moment, self.fields.instant
         if isinstance(moment, AtTime):
             self.book.say_given(name.name, moment.after, SECONDS)
             return name
@@ -182,7 +182,7 @@ class FieldMoment:
 
     def _farthest(self) -> Symbol:
         """Where the displacement is square to the velocity."""
-        time = self.fields.clock
+        time = self.fields.instant
         parts = [self.motion.moved(axis, time) for axis in (0, 1)]
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
@@ -194,7 +194,7 @@ class FieldMoment:
 
     def _fastest(self, sign: float) -> Symbol:
         """Where the forces that do work do none: the magnetic one never does."""
-        time, drive = self.fields.clock, self.fields.drive
+        time, drive = self.fields.instant, self.fields.drive
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         near = self._sampled(time, rates, sign)
         if drive is None:
@@ -248,7 +248,7 @@ class FieldMoment:
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
     ) -> None:
         """When something vanishes, near where a vector is longest or shortest; with `moved`, that is a displacement."""
-        time = self.fields.clock
+        time = self.fields.instant
         start = self._sampled(time, parts, sign)
         near = NumericRoot(residual, time.name, start).value(self.book.values).real
         step = self.book.open("extremum")

@@ -33,7 +33,7 @@ class MassTimes(Goal):
             what = along_sense(whose, target.sense)
         else:
             formula = magnitude(known.vector(self.of.base, body), known, self.of, body)
-            what = f"the {whose}"
+            what = f"the magnitude of the {whose}"
         return finish(known, multiplied(mass, formula), self.noun, mark, what)
 
 

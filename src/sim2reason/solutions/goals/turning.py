@@ -36,7 +36,7 @@ class AngularGoal(AboutAxis):
         """As in: the angular velocity is v/R."""
         body = target.subject
         formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        what = f"the magnitude of the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, formula, self.noun, known.setting.mark(body), what)
 
 
@@ -69,7 +69,8 @@ class InertiaTimes(AboutAxis):
         held = known.rim_inertia(body) * known.radius(body)
         rim = known.rim(self.of, body) if self.of else known.radius(body)
         other = modulus(rim.expression(), known.book)
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        size = "magnitude of the " if self.of else ""
+        what = f"the {size}{self.noun.said} of {known.setting.called(body)}"
         return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
 
 

@@ -100,7 +100,8 @@ def law_words(
     changes = f"the kinetic energy ${energy}$ changes at the rate ${power}$;"
     return (
         f"With the acceleration ${acceleration.name}$ {along}, {changes}",
-        f"this is the power of the forces, ${rate.name}$ times the net force {along}. At any velocity, then,",
+        f"this is the power of the forces, ${rate.name}$ times the net force {along}. As this holds however small the "
+        "velocity is,",
     )
 
 

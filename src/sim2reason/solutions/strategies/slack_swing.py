@@ -17,7 +17,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import UP
 from sim2reason.solutions.swings.asked import EXTREMES, quantity_of
-from sim2reason.solutions.swings.change_of_velocity import change, size_of, tell_velocities
+from sim2reason.solutions.swings.change_of_velocity import change, size_of, tell_flight, tell_velocities
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
 from sim2reason.solutions.swings.where_extreme import where_extreme
@@ -216,9 +216,11 @@ class _Slack:
         """Whether the greatest value is asked for."""
         return isinstance(self.setting.query, StretchQuery) and self.setting.query.functional in EXTREMES
 
-    @property
+    @cached_property
     def square(self) -> Expression:
         """The square of the speed."""
+        if self.flies and not self.extreme and self.there.vy == ZERO:
+            tell_flight(self.book, self.there)
         return self.fastest if self.extreme else self.chain.squared(self.there)
 
     @property

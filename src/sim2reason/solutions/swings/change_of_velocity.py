@@ -23,7 +23,14 @@ def tell_velocities(book: Book, there: Instant, start: Instant, *, flies: bool) 
     step = book.open("extreme")
     first = [f"${v.latex()}$ along {axis}" for v, axis in ((start.vx, "x"), (start.vy, "y")) if v != ZERO]
     step.say(f"The initial velocity is {joined(first)}." if first else "")
+    step.close()
     if flies:
-        at = ", and the vertical one is zero at the highest point" if there.vy == ZERO else ""
-        step.say(f"In free flight the horizontal velocity stays ${there.vx.latex()}${at}.")
+        tell_flight(book, there)
+
+
+def tell_flight(book: Book, there: Instant) -> None:
+    """Write what remains of the velocity in free flight, at its highest point or at another one."""
+    step = book.open("extreme")
+    at = ", and the vertical one is zero at the highest point" if there.vy == ZERO else ""
+    step.say(f"In free flight the horizontal velocity stays ${there.vx.latex()}${at}.")
     step.close()

@@ -113,7 +113,7 @@ class SlackChain:
         law = step.law(Power(v, 2) / ell, g * y / ell)
         energy = step.law(Power(v, 2), square - TWO * g * (y - start.y))
         step.say(f"The string goes slack at the height ${y.latex()}$ above the fixed point, where the tension is zero")
-        step.say(f"and the component of the weight along the string alone is the centripetal force: {law}.")
+        step.say(f"and the component of gravity along the string alone is the centripetal acceleration: {law}.")
         step.say(f"Conservation of energy: {energy}.")
         height = ratio(square + TWO * g * start.y, THREE * g)
         step.say(f"Together, {step.result(y, height, METRES)} and {step.result(v, Root(g * y), SPEED)}.")
