@@ -96,13 +96,11 @@ def law_words(
             "When Newton's second laws of the bodies, each in its direction of motion, are added up, tensions cancel:"
         )
         return f"Let ${acceleration.name}$ be the acceleration {along}.", said
-    energy, power = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
-    changes = f"the kinetic energy ${energy}$ changes at the rate ${power}$;"
-    return (
-        f"With the acceleration ${acceleration.name}$ {along}, {changes}",
-        f"this is the power of the forces, ${rate.name}$ times the net force {along}. As this holds however small the "
-        "velocity is,",
-    )
+    energy, growth = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
+    changes = f"the kinetic energy ${energy}$ changes at the rate ${growth}$;"
+    power = f"this is the power of the forces, ${rate.name}$ times the net force {along}."
+    said = f"With the acceleration ${acceleration.name}$ {along}, {changes}"
+    return said, f"{power} As this holds however small the velocity is,"
 
 
 def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
