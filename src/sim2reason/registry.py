@@ -12,6 +12,8 @@ from sim2reason.errors import UnknownNameError
 LONGEST = 80  # characters of a name, above which none is near to it
 AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
 FEW = 20  # names that a line can show
+LIBRARY = __name__.partition(".")[0]
+_further: dict[str, list[str]] = {}
 T = TypeVar("T")
 M = TypeVar("M")
 
@@ -41,6 +43,9 @@ class Registry(Mapping[str, T], Generic[T]):
         if self._check is not None:
             self._check(name, member)
         self._members = {**self._members, name: member}  # type: ignore[dict-item]
+        module = getattr(member, "__module__", None) or LIBRARY
+        if module.partition(".")[0] != LIBRARY:
+            _further.setdefault(module, []).append(name)
         self._ordered = False
         return member
 
@@ -101,6 +106,14 @@ class Registry(Mapping[str, T], Generic[T]):
     def __len__(self) -> int:
         """How many members there are."""
         return len(self._all())
+
+
+def further_members() -> dict[str, tuple[str, ...]]:
+    """The names of members that do not come with the library, by their module, in the order in which they were added.
+
+    Whoever works for a program in another process imports these modules first.
+    """
+    return {module: tuple(names) for module, names in _further.items()}
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
