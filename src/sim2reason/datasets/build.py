@@ -46,7 +46,7 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
         DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
             fewer items are to be had than it asks for: then those there are stand in `out`, a dataset as any other.
     """
-    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", _unseen)
+    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", unseen)
     with _workers(config, work) as run, locked(out := _folder(out, config)):
         manifest = _standing(out, config)
         if manifest is not None:
@@ -82,12 +82,12 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         mine.touch()
         numbers = range(number, journal.shards, parts)
         with locked(mine):
-            make_positions(journal, numbers, run, overlap, work.get("advance", _unseen))
+            make_positions(journal, numbers, run, overlap, work.get("advance", unseen))
             mine.unlink()
         return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
 
-def _unseen(done: int) -> None:
+def unseen(done: int) -> None:
     """Nobody looks on."""
     del done
 

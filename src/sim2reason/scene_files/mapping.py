@@ -46,7 +46,7 @@ def load(source: str | Path) -> Scene:
         SceneError: what is wrong, at which path in the file and in which line, and what to do about it.
         OSError: the file can't be read.
     """
-    return loads(_read(Path(source)) if isinstance(source, Path) or _PATH.fullmatch(source) else source)
+    return loads(source_text(source))
 
 
 def loads(text: str) -> Scene:
@@ -117,9 +117,11 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
     return found
 
 
-def _read(path: Path) -> str:
-    """The text of a file, no more of it than a scene may have."""
-    with path.open("rb") as file:
+def source_text(source: str | Path) -> str:
+    """The text that `load` reads of such a source, no more of it than a scene may have; OSError as there."""
+    if isinstance(source, str) and not _PATH.fullmatch(source):
+        return source
+    with Path(source).open("rb") as file:
         return decoded(file.read(MAX_BYTES + 1))
 
 
