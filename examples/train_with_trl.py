@@ -1,6 +1,6 @@
 """Three steps of GRPO by TRL, on a tiny model made here. A real run gives the path or name of a checkpoint instead.
 
-pip install sim2reason trl
+pip install . trl
 sim2reason generate problems --items 16
 sim2reason export problems --to hf --out problems-hf
 OMP_NUM_THREADS=1 python examples/train_with_trl.py problems-hf

@@ -26,7 +26,8 @@ class Export(ABC):
 
     The folder that is written holds a file of rows for each split, and all that stands in `files`: Python as it is,
     other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
-    all with their rows) and ``{source}`` filled in.
+    all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
+    ``{source}`` filled in.
 
     Class data:
         name: under which it is registered.
@@ -45,6 +46,10 @@ class Export(ABC):
     @abstractmethod
     def row(self, item: Item, place: Place) -> Row | None:
         """What a file says of an item; None to leave it out."""
+
+    def license(self, name: str) -> str:
+        """What the library calls a licence that the Hugging Face hub calls `name`."""
+        return name
 
     @property
     def folder(self) -> Path:

@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import answered, solution
+from sim2reason.rewards import answered, ground_truth
 
 
 @target
@@ -16,5 +16,5 @@ class VerifiersTaskset(Export):
     def row(self, item: Item, place: Place) -> Row:
         """The data of a task."""
         del place
-        told = {"answer": answered(item), "solution": solution(item), **facts(item)}
+        told = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "prompt": item.prompt, **told}

@@ -50,7 +50,7 @@ class Problems(ProceduralDataset):
 
     def score_answer(self, answer: str | None, entry: dict[str, Any]) -> float:
         """1 or 0, for an answer in a box or without one."""
-        return score(entry["metadata"]["solution"], boxed(answer or "")).reward
+        return score(entry["metadata"]["ground_truth"], boxed(answer or "")).reward
 
 
 register_dataset("sim2reason", Problems, ProblemsConfig)

@@ -14,7 +14,7 @@ class ProblemData(vf.TaskData):
     """A problem, an answer that passes, and what answers are graded by."""
 
     answer: str
-    solution: str
+    ground_truth: str
     mode: str
     kind: str
     recipe: str
@@ -32,12 +32,12 @@ class Problem(vf.Task[ProblemData]):
     @vf.reward(weight=1.0)
     async def accuracy(self, trace: vf.Trace) -> float:
         """1 for the right answer in a box, else 0."""
-        return score(self.data.solution, trace.last_reply).reward
+        return score(self.data.ground_truth, trace.last_reply).reward
 
     async def validate(self, runtime: vf.Runtime) -> bool:
         """Whether the right answer passes, which `vf-validate` asks."""
         del runtime
-        return score(self.data.solution, boxed(self.data.answer)).reward == 1.0
+        return score(self.data.ground_truth, boxed(self.data.answer)).reward == 1.0
 
 
 class Sim2ReasonConfig(vf.TasksetConfig):
