@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from sim2reason.dsl.scene import Scene
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.exports.parts.export import export
+    from sim2reason.exports.parts.fresh import iterable
     from sim2reason.figures.scenes import figure, plot
     from sim2reason.grading import Score
     from sim2reason.parsing import parse_scene
@@ -66,6 +67,7 @@ _HOMES = {
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
+    "iterable": "exports.parts.fresh",
     "list": "registries:members",
     "load": "scene_files",
     "open": "datasets.dataset:Dataset",
@@ -104,6 +106,7 @@ __all__ = [
     "generate",
     "grade",
     "item",
+    "iterable",
     "load",
     "parse_prompt",
     "parse_scene",

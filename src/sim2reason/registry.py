@@ -74,7 +74,10 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def _hint(self, name: object) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
-        near = nearest(name, self._members) if isinstance(name, str) else []
+        meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
+        names = [*self._members, *meant]
+        near = nearest(name.lower(), names) if isinstance(name, str) else []
+        near = list(dict.fromkeys(meant.get(found, found) for found in near))
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW

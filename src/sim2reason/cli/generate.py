@@ -14,6 +14,7 @@ from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
 from sim2reason.datasets.request import LARGEST
+from sim2reason.datasets.worker import Attempt
 
 EXAMPLE = """\b
 Example:
@@ -90,6 +91,7 @@ are to be had than are asked for.
     show_default=True,
     help="Problems in one file.",
 )
+@options.verbose()
 @options.to_json("Print the manifest for a program to read.")
 @click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
@@ -110,6 +112,8 @@ def command(
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", planned.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)
+        if console.verbose():
+            work["watch"] = _tell_attempt
         if part is not None:
             number, parts = _part(part)
             made = build_part(out, planned, (number, parts), **work)
@@ -126,6 +130,13 @@ def command(
     for line in (lines := list(manifest.empty_cells())):
         console.explain(f"an empty cell: {line}")
     return 1 if lines else 0
+
+
+def _tell_attempt(attempt: Attempt) -> None:
+    """Say what became of a position."""
+    draws = sum(attempt.rejected.values())
+    found = attempt.item.id if attempt.item is not None else f"no problem: {attempt.failure or 'no draw passed'}"
+    console.explain(f"position {attempt.position}: {found} ({attempt.seconds:.1f} s, {draws} draws refused)")
 
 
 def _given(order: Order) -> Order:

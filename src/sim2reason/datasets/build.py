@@ -15,6 +15,7 @@ from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
 from sim2reason.datasets.verify import verify
+from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
 
 Part = tuple[int, int]
@@ -32,6 +33,8 @@ class Work(TypedDict, total=False):
     """Seconds after which a batch counts as hung."""
     advance: Callable[[int], object]
     """Called with the number of positions that are done; with less than nothing where that many hold no item."""
+    watch: Callable[[Attempt], object]
+    """Called with what became of each position, in any order."""
     benchmarks: Benchmarks | None
     """The files that the configuration names, so that no problem shares a run of words with them."""
 
@@ -53,7 +56,7 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
             advance(manifest.rows)
         else:
             journal = Journal(out, config)
-            make_all(journal, run, overlap, advance)
+            make_all(journal, run, overlap, advance, work.get("watch", unwatched))
             manifest = finish(journal)
             journal.close()
     if manifest.rows < config.items:
@@ -82,7 +85,7 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         mine.touch()
         numbers = range(number, journal.shards, parts)
         with locked(mine):
-            make_positions(journal, numbers, run, overlap, work.get("advance", unseen))
+            make_positions(journal, numbers, run, overlap, work.get("advance", unseen), work.get("watch", unwatched))
             mine.unlink()
         return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
@@ -90,6 +93,11 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
 def unseen(done: int) -> None:
     """Nobody looks on."""
     del done
+
+
+def unwatched(attempt: Attempt) -> None:
+    """Nobody looks at it."""
+    del attempt
 
 
 def _standing(out: Path, config: Config) -> Manifest | None:

@@ -3,9 +3,10 @@
 import gc
 import os
 import signal
+import time
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 from multiprocessing.connection import Connection
 
@@ -31,6 +32,8 @@ class Attempt:
     rejected: dict[str, int]
     failure: str = ""
     wanted: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    """How long it took."""
 
 
 Message = list[Attempt] | DatasetError | None
@@ -83,6 +86,11 @@ def collect_seldom() -> None:
 
 def outcome(make: Maker, position: int, request: Request) -> Attempt:
     """Make one item; an error that is raised becomes a failure, so that one defect does not end a long run."""
+    begun = time.perf_counter()
+    return replace(_attempt(make, position, request), seconds=time.perf_counter() - begun)
+
+
+def _attempt(make: Maker, position: int, request: Request) -> Attempt:
     try:
         made: Made = make(request)
     except Exception as error:  # noqa: BLE001 - whatever it is, the manifest tells it with the seed that repeats it

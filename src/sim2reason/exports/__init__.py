@@ -1,7 +1,7 @@
 """Exports: a dataset as the libraries for training and evaluation read it, one file for each."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple, TypeVar
 
@@ -31,6 +31,7 @@ class Export(ABC):
 
     Class data:
         name: under which it is registered.
+        also: what else it may be looked for by.
         data: the name of a split's file; ``{split}`` stands for the split.
         columns: those of a Parquet file; empty for JSON lines.
         lacks: why `row` leaves an item out, in words; empty where it never does.
@@ -38,6 +39,7 @@ class Export(ABC):
     """
 
     name: ClassVar[str]
+    also: ClassVar[Sequence[str]] = ()
     data: ClassVar[str] = "data/{split}.jsonl"
     columns: ClassVar[Mapping[str, Column]] = {}
     lacks: ClassVar[str] = ""

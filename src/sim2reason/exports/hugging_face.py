@@ -14,6 +14,7 @@ class HuggingFace(Export):
     """Hugging Face datasets and TRL: prompts as messages; the reward is sim2reason.rewards.accuracy."""
 
     name = "hf"
+    also = ("huggingface", "hugging-face", "datasets", "trl")
     data = "data/{split}-00000-of-00001.parquet"  # as the Hub names a split of any name
     columns: ClassVar[Mapping[str, Column]] = {
         "prompt": [{"role": str, "content": str}],

@@ -11,6 +11,7 @@ class InspectTask(Export):
     """Inspect: a task with its samples and a scorer."""
 
     name = "inspect"
+    also = ("inspect-ai", "inspect_evals")
 
     def row(self, item: Item, place: Place) -> Row:
         """A sample; its target is for people, the scorer reads the ground truth."""

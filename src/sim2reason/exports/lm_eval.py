@@ -11,6 +11,7 @@ class HarnessTask(Export):
     """lm-eval: a task in YAML with its Python file."""
 
     name = "lm-eval"
+    also = ("lm_eval", "harness", "lm-evaluation-harness")
 
     def row(self, item: Item, place: Place) -> Row:
         """A document; the target is what a worked example shows, and `ground_truth` what is graded by."""

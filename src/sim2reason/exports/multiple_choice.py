@@ -14,6 +14,7 @@ class MultipleChoice(Export):
     """Multiple choice: up to five options, wrong ones with the slip behind each; for any library, and lm-eval."""
 
     name = "multiple-choice"
+    also = ("choice", "mcq")
     lacks = LACKS
 
     def row(self, item: Item, place: Place) -> Row | None:

@@ -20,6 +20,7 @@ class NemoGym(Export):
     """NeMo Gym: JSON lines and a resources server that verifies."""
 
     name = "nemo-gym"
+    also = ("nemo_gym", "nemo")
     data = "resources_servers/sim2reason/data/{split}.jsonl"
 
     def license(self, name: str) -> str:

@@ -11,6 +11,7 @@ class ReasoningGym(Export):
     """Reasoning Gym: a dataset that registers itself when its file is imported."""
 
     name = "reasoning-gym"
+    also = ("reasoning_gym",)
 
     def row(self, item: Item, place: Place) -> Row:
         """A question with an answer that passes, and what it is graded by."""

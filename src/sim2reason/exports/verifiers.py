@@ -11,6 +11,7 @@ class VerifiersTaskset(Export):
     """verifiers: a v1 taskset, as a package to be installed."""
 
     name = "verifiers"
+    also = ("prime-rl", "prime")
     data = "sim2reason_problems/data/{split}.jsonl"
 
     def row(self, item: Item, place: Place) -> Row:
