@@ -27,7 +27,7 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
     """
     known = registries()
     if kind is not None and kind not in known:
-        near = nearest(str(kind), known)
+        near = nearest(str(kind).lower(), known)
         hint = f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(known)}"
         raise UnknownNameError(f"no such kind: {kind!r}; {hint}")
     chosen = known if kind is None else {kind: known[kind]}
