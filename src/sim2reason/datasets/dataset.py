@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, overload
 
 from sim2reason.datasets import shard_files
+from sim2reason.datasets.hub import push
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_files import ItemFiles
 from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
@@ -95,8 +96,6 @@ class Dataset:
             DatasetError: a damaged dataset, or one that the hub does not take.
             MissingExtraError: huggingface_hub is not installed.
         """
-        from sim2reason.datasets.hub import push  # noqa: PLC0415 - it checks datasets, which imports this
-
         return push(self.path, repository, private=private, token=token, message=message)
 
     def items(self, split: str | None = None) -> Iterator[Item]:

@@ -7,8 +7,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from sim2reason.datasets.findings import found
 from sim2reason.datasets.journal import FOLDER
-from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError, MissingExtraError
 
 SHOWN = 300  # characters of what the hub's library says about an error
@@ -23,7 +23,7 @@ def push(path: Path, repository: str, *, private: bool, token: str | None, messa
         errors: Any = import_module("huggingface_hub.errors")
     except ImportError as error:
         raise MissingExtraError("huggingface_hub", "eval") from error
-    if faults := verify(path).faults:
+    if faults := found(path).faults:
         raise DatasetError(f"{path}: {faults[0]}; a damaged dataset is not uploaded: see sim2reason verify {path}")
     api = hub.HfApi(token=token)
     try:

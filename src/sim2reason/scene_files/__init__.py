@@ -1,8 +1,9 @@
 """Scenes as files: strict YAML in the paper's shape, its JSON schema, and the page that tells the format."""
 
 from sim2reason.scene_files.given import GivenScene, SceneLike, given_scene, scene_of
-from sim2reason.scene_files.mapping import decoded, dump, load, loads, told
+from sim2reason.scene_files.mapping import dump, load, loads, told
 from sim2reason.scene_files.question_parts import question_of
+from sim2reason.scene_files.source_text import decoded
 from sim2reason.scene_files.wording import Wording, wording_of
 
 __all__ = [

@@ -4,7 +4,8 @@ from pathlib import Path
 from typing import NamedTuple, Protocol, runtime_checkable
 
 from sim2reason.dsl.scene import Scene
-from sim2reason.scene_files.mapping import loads, source_text
+from sim2reason.scene_files.mapping import loads
+from sim2reason.scene_files.source_text import source_text
 
 __all__ = ["GivenScene", "SceneLike", "given_scene", "scene_of"]
 
