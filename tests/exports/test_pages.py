@@ -22,7 +22,8 @@ def test_the_example_of_a_further_export_works(tmp_path: Path, problems: Path) -
     import subprocess
     import sys
 
-    (block,) = re.findall(r"```python\n(.*?)```", (PAGES / "README.md").read_text(), re.DOTALL)
+    blocks = re.findall(r"```python\n(.*?)```", (PAGES / "README.md").read_text(), re.DOTALL)
+    (block,) = [block for block in blocks if "@target" in block]
     try_it = f"import sim2reason\nsim2reason.export({str(problems)!r}, 'out', to='plain')\n"
     (tmp_path / "plain.py").write_text(f"{block}\n{try_it}")
     done = subprocess.run(

@@ -6,10 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.datasets.atomic_files import LOCK, locked
+from sim2reason.datasets.atomic_files import FOLDER, LOCK, locked
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.finish import finish
-from sim2reason.datasets.journal import FOLDER, Journal, RunPlan
+from sim2reason.datasets.journal import Journal, RunPlan
 from sim2reason.datasets.manifest import MANIFEST, Manifest, load
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
 from sim2reason.datasets.plan import MAKER, Config

@@ -4,9 +4,8 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import checksum
+from sim2reason.datasets.atomic_files import FOLDER, checksum
 from sim2reason.datasets.item import Record
-from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
 from sim2reason.datasets.plan import DATA, file_name
 from sim2reason.errors import DatasetError

@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from sim2reason.datasets.findings import found
-from sim2reason.datasets.journal import FOLDER
 from sim2reason.errors import DatasetError, MissingExtraError
 
 SHOWN = 300  # characters of what the hub's library says about an error
-IGNORED = f"{FOLDER}/**", "**/.*", ".*"
+IGNORED = "**/.*", ".*"
 """What is of this machine alone."""
 
 
