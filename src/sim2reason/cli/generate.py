@@ -53,7 +53,9 @@ are to be had than are asked for.
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option("--unfiltered", is_flag=True, help="A control: keep any question that has an answer.")
 @click.option(
-    "--workers", type=click.IntRange(1), help="Processes, which never change the result; 1 is this one. [default: one per core]"
+    "--workers",
+    type=click.IntRange(1),
+    help="Processes, which never change the result; 1 is this one. [default: one per core]",
 )
 @click.option(
     "--on",
