@@ -13,7 +13,7 @@ from statistics import median
 from against import PHASE, fixed_loop
 
 from sim2reason.datasets.items import stream
-from sim2reason.rewards import accuracy, answered, boxed, solution
+from sim2reason.rewards import accuracy, answered, boxed, ground_truth
 
 RESPONSES = 16  # to each problem
 BOUND = 0.2  # seconds
@@ -25,7 +25,7 @@ def main(completions: int = 512, rounds: int = 7) -> int:
     """Print the seconds; exit code 1 if the bound is missed."""
     items = list(islice(stream(mode="all", seed=20_261_124), max(1, completions // RESPONSES)))
     rows = [item for item in items for _ in range(RESPONSES)]
-    right = [solution(item) for item in rows]
+    right = [ground_truth(item) for item in rows]
     answers = ["", *(boxed(text) for text in ("1.23", r"\frac{1}{2}"))]
     slowest = 0.0
     print(f"{len(rows)} completions of {len(items)} problems, seconds")
@@ -38,7 +38,7 @@ def main(completions: int = 512, rounds: int = 7) -> int:
         times = list[float]()
         for _ in range(rounds):
             begin = time.perf_counter()
-            paid = accuracy(said, said, solution=right)
+            paid = accuracy(said, said, ground_truth=right)
             times.append(time.perf_counter() - begin)
             assert sum(reward == 1.0 for reward in paid) >= len(rows) // 2
         slowest = max(slowest, median(times))

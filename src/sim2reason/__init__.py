@@ -1,7 +1,9 @@
 """Physics simulators turned into verified problems for language models.
 
 The public names below are loaded when they are first used, so that the import itself costs next to nothing. Each
-command of the command line has a function of its name here, with underscores for dashes.
+command of the command line has a function of its name here, with underscores for dashes. Those of them that Python has
+functions of, too (``open``, ``list`` and ``eval``), are reached by the module's name alone: ``import *`` leaves them
+out.
 """
 
 from collections.abc import Iterable
@@ -9,9 +11,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    __version__: str
     from sim2reason.datasets.ask import ask
     from sim2reason.datasets.dataset import Dataset
-    from sim2reason.datasets.dataset import Dataset as open  # noqa: A004, N813 - as gzip.open
     from sim2reason.datasets.explain import explain
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
@@ -25,13 +27,14 @@ if TYPE_CHECKING:
     from sim2reason.dsl.scene import Scene
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.exports.parts.export import export
+    from sim2reason.exports.parts.fresh import iterable
     from sim2reason.figures.scenes import figure, plot
     from sim2reason.grading import Score
     from sim2reason.parsing import parse_scene
     from sim2reason.prose import describe
     from sim2reason.questions.parse_prompt import parse_prompt
-    from sim2reason.registries import members as list  # noqa: A004 - named as the command
-    from sim2reason.reports.evaluation import evaluate as eval  # noqa: A004 - named as the command
+    from sim2reason.registries import members
+    from sim2reason.reports.evaluation import evaluate
     from sim2reason.scene_files import dump, load
     from sim2reason.scene_files.schema import schema
     from sim2reason.simulation.certify import Certificate
@@ -39,6 +42,10 @@ if TYPE_CHECKING:
     from sim2reason.simulation.trace import Trace
     from sim2reason.training.sample_solutions import sample_solutions
     from sim2reason.training.train import train
+
+    open = Dataset  # noqa: A001 - as gzip.open
+    list = members  # noqa: A001 - named as the command
+    eval = evaluate  # noqa: A001 - named as the command
 
 _HOMES = {
     "Certificate": "simulation.certify",
@@ -60,6 +67,7 @@ _HOMES = {
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
+    "iterable": "exports.parts.fresh",
     "list": "registries:members",
     "load": "scene_files",
     "open": "datasets.dataset:Dataset",
@@ -92,16 +100,14 @@ __all__ = [
     "certify",
     "describe",
     "dump",
-    "eval",
     "explain",
     "export",
     "figure",
     "generate",
     "grade",
     "item",
-    "list",
+    "iterable",
     "load",
-    "open",
     "parse_prompt",
     "parse_scene",
     "plot",
@@ -120,6 +126,8 @@ __all__ = [
 
 def __getattr__(name: str) -> object:
     """Import the home of a public name at its first use."""
+    if name == "__version__":
+        return import_module("importlib.metadata").version(__name__)
     if name not in _HOMES:
         raise AttributeError(f"module 'sim2reason' has no attribute {name!r}")
     module, _, called = _HOMES[name].partition(":")
@@ -128,4 +136,4 @@ def __getattr__(name: str) -> object:
 
 def __dir__() -> Iterable[str]:
     """The public names."""
-    return sorted(__all__)
+    return sorted([*_HOMES, "__version__"])

@@ -20,6 +20,9 @@ Two warnings, which are no errors: a `FigureWarning` says that a figure can only
 A message names the place and the remedy in one line; the command line prints it and exits with 2.
 """
 
+import re
+from shlex import quote
+
 
 class Sim2ReasonError(Exception):
     """The base of all; catch this to catch everything that the library raises on purpose."""
@@ -94,9 +97,25 @@ class UnknownNameError(Sim2ReasonError, KeyError):
 class MissingExtraError(Sim2ReasonError):
     """An optional package is missing; the message says what to install."""
 
-    def __init__(self, package: str, extra: str) -> None:
-        """Name the missing `package` and the `extra` that brings it."""
-        super().__init__(f"{package} is not installed; install it with: pip install 'sim2reason[{extra}]'")
+    def __init__(self, package: str, extra: str = "") -> None:
+        """Name the missing `package` and the `extra` that brings it, if one does."""
+        super().__init__(f"{package} is not installed; install it with: {installing(package, extra)}")
+
+
+def installing(package: str, extra: str = "") -> str:
+    """Return the command that installs a package, or all of an extra that it belongs to.
+
+    They stand there under their own names: sim2reason itself is on no index, so that its name there may be anyone's.
+    """
+    from importlib.metadata import PackageNotFoundError, requires  # noqa: PLC0415 - it takes as long as all else
+
+    mark = re.compile(rf"""\bextra\s*==\s*["']{re.escape(extra)}["']""")
+    try:
+        needed = [each.partition(";") for each in requires("sim2reason") or ()]
+    except PackageNotFoundError:  # it runs from its source
+        needed = []
+    names = [name.strip() for name, _, condition in needed if extra and mark.search(condition)]
+    return f"pip install {' '.join(map(quote, names or [package]))}"
 
 
 class ConformanceError(Sim2ReasonError, AssertionError):

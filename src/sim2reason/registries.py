@@ -8,7 +8,7 @@ from pkgutil import walk_packages
 from typing import NamedTuple
 
 from sim2reason.errors import UnknownNameError
-from sim2reason.registry import Registry
+from sim2reason.registry import Registry, nearest
 
 HERE = Path(__file__).parent
 
@@ -27,7 +27,9 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
     """
     known = registries()
     if kind is not None and kind not in known:
-        raise UnknownNameError(f"no such kind: {kind!r}; there are: {', '.join(known)}")
+        near = nearest(str(kind).lower(), known)
+        hint = f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(known)}"
+        raise UnknownNameError(f"no such kind: {kind!r}; {hint}")
     chosen = known if kind is None else {kind: known[kind]}
     return {name: [Member(n, _summary(held)) for n, held in found.items()] for name, found in chosen.items()}
 

@@ -12,6 +12,8 @@ from sim2reason.errors import UnknownNameError
 LONGEST = 80  # characters of a name, above which none is near to it
 AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
 FEW = 20  # names that a line can show
+LIBRARY = __name__.partition(".")[0]
+_further: dict[str, list[str]] = {}
 T = TypeVar("T")
 M = TypeVar("M")
 
@@ -41,6 +43,9 @@ class Registry(Mapping[str, T], Generic[T]):
         if self._check is not None:
             self._check(name, member)
         self._members = {**self._members, name: member}  # type: ignore[dict-item]
+        module = getattr(member, "__module__", None) or LIBRARY
+        if module.partition(".")[0] != LIBRARY:
+            _further.setdefault(module, []).append(name)
         self._ordered = False
         return member
 
@@ -69,7 +74,10 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def _hint(self, name: object) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
-        near = nearest(name, self._members) if isinstance(name, str) else []
+        meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
+        names = [*self._members, *meant]
+        near = nearest(name.lower(), names) if isinstance(name, str) else []
+        near = list(dict.fromkeys(meant.get(found, found) for found in near))
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW
@@ -101,6 +109,14 @@ class Registry(Mapping[str, T], Generic[T]):
     def __len__(self) -> int:
         """How many members there are."""
         return len(self._all())
+
+
+def further_members() -> dict[str, tuple[str, ...]]:
+    """The names of members that do not come with the library, by their module, in the order in which they were added.
+
+    Whoever works for a program in another process imports these modules first.
+    """
+    return {module: tuple(names) for module, names in _further.items()}
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:

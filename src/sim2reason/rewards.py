@@ -1,7 +1,8 @@
 """Rewards as trainers and benchmarks call them; one grader stands behind all of them.
 
-What is right travels with each row of an export as one JSON text, its *solution*: the answer of an item, or the
-letter of a multiple choice. The functions here read it, and are pure: any thread or process may call them.
+What is right travels with each row of an export as one JSON text, its *ground truth*: the answer of an item, or the
+letter of a multiple choice. The functions here read it, and are pure: any thread or process may call them. A *solution*
+is always a worked one, which no reward reads.
 """
 
 import json
@@ -26,13 +27,13 @@ __all__ = [
     "answered",
     "boxed",
     "compute_score",
+    "ground_truth",
     "partial_accuracy",
     "score",
-    "solution",
 ]
 
 EXTRA = "parts", "letter", "options"  # of an answer, which most do not have
-SHOWN = 80  # characters of a text that is no solution
+SHOWN = 80  # characters of a text that is no ground truth
 
 
 class Letter(Record):
@@ -42,10 +43,10 @@ class Letter(Record):
     letters: str
 
 
-_SOLUTION: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
+_GROUND_TRUTH: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
 
 
-def solution(right: Item | Answer | Letter) -> str:
+def ground_truth(right: Item | Answer | Letter) -> str:
     """What a grader must know, as one line of JSON."""
     held = right.answer if isinstance(right, Item) else right
     given = held.model_dump(mode="json", exclude_none=True)
@@ -73,16 +74,16 @@ def boxed(answer: str) -> str:
     return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"
 
 
-def score(solution: str, response: object, *, partial: bool = False, thinking_opened: bool = False) -> Score:
-    """The grade of a response, which is a text or messages, by a row's solution.
+def score(ground_truth: str, response: object, *, partial: bool = False, thinking_opened: bool = False) -> Score:
+    """The grade of a response, which is a text or messages, by a row's ground truth.
 
     With `partial`, a response to a problem of several parts is paid the share of the parts that are right. Where the
     prompt ended within the thinking, as by a chat template, `thinking_opened` says so.
 
     Raises:
-        DatasetError: the solution is none of ours.
+        DatasetError: the ground truth is none of ours.
     """
-    return _scored(_read(solution), response, partial=partial, thinking_opened=thinking_opened)
+    return _scored(_read(ground_truth), response, partial=partial, thinking_opened=thinking_opened)
 
 
 def _scored(right: Answer | Letter, response: object, *, partial: bool, thinking_opened: bool) -> Score:
@@ -100,31 +101,31 @@ def accuracy(
     prompts: Sequence[object],
     completions: Sequence[object],
     *,
-    solution: Columns = None,
+    ground_truth: Columns = None,
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
     """Return a reward of 1 or 0 for each completion, a text or a list of messages, as TRL expects.
 
-    What is right stands in the column `solution` of an export, or in `answer` of a dataset as `generate` writes it. A
-    row that has neither, as those of another dataset in a mixture, gets None, which TRL leaves out; where no row of a
-    batch has one, a warning says so.
+    What is right stands in the column `ground_truth` of an export, or in `answer` of a dataset as `generate` writes it.
+    A row that has neither, as those of another dataset in a mixture, gets None, which TRL leaves out; where no row of
+    a batch has one, a warning says so.
     """
     del prompts, columns
-    return _rewards(completions, solution, answer, partial=False, thinking_opened=False)
+    return _rewards(completions, ground_truth, answer, partial=False, thinking_opened=False)
 
 
 def partial_accuracy(
     prompts: Sequence[object],
     completions: Sequence[object],
     *,
-    solution: Columns = None,
+    ground_truth: Columns = None,
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
     """Return rewards as `accuracy` does, but for a problem of several parts the share of parts that are right."""
     del prompts, columns
-    return _rewards(completions, solution, answer, partial=True, thinking_opened=False)
+    return _rewards(completions, ground_truth, answer, partial=True, thinking_opened=False)
 
 
 def accuracy_with(*, partial: bool = False, thinking_opened: bool = False) -> Reward:
@@ -132,21 +133,21 @@ def accuracy_with(*, partial: bool = False, thinking_opened: bool = False) -> Re
 
     def accuracy(prompts: Sequence[object], completions: Sequence[object], **columns: Columns) -> list[float | None]:
         del prompts
-        rights = columns.get("solution"), columns.get("answer")
+        rights = columns.get("ground_truth"), columns.get("answer")
         return _rewards(completions, *rights, partial=partial, thinking_opened=thinking_opened)
 
     return accuracy
 
 
 def _rewards(
-    completions: Sequence[object], solution: Columns, answer: Columns, *, partial: bool, thinking_opened: bool
+    completions: Sequence[object], ground_truth: Columns, answer: Columns, *, partial: bool, thinking_opened: bool
 ) -> list[float | None]:
     none: list[object] = [None] * len(completions)
-    columns = zip(none if solution is None else solution, none if answer is None else answer, strict=True)
+    columns = zip(none if ground_truth is None else ground_truth, none if answer is None else answer, strict=True)
     rights = [_right(*row) for row in columns]
     if completions and not any(rights):
         warn(
-            "no row of this batch says what is right: give the column solution of sim2reason export, "
+            "no row of this batch says what is right: give the column ground_truth of sim2reason export, "
             "or the column answer of a dataset of sim2reason generate",
             stacklevel=3,
         )
@@ -188,10 +189,10 @@ def compute_score(
 
 
 @lru_cache(maxsize=1024)
-def _read(solution: str) -> Answer | Letter:
-    """A solution once for all completions of one prompt."""
+def _read(ground_truth: str) -> Answer | Letter:
+    """A ground truth once for all completions of one prompt."""
     try:
-        return _SOLUTION.validate_json(solution)
+        return _GROUND_TRUTH.validate_json(ground_truth)
     except ValidationError:
-        why = "is no solution of sim2reason; give the column that sim2reason export has written"
-        raise DatasetError(f"{str(solution)[:SHOWN]!r} {why}") from None
+        why = "is no ground truth of sim2reason; give the column that sim2reason export has written"
+        raise DatasetError(f"{str(ground_truth)[:SHOWN]!r} {why}") from None

@@ -351,3 +351,37 @@ def test_verify_and_show_take_what_generate_gave(tmp_path: Path) -> None:
     assert [item.id for item in sim2reason.open(made.path)] == [item.id for item in made]
     assert len(list(sim2reason.show(made, items=6))) == len(made) == sim2reason.stats(made).items
     assert sim2reason.show(made, id="pulley-easy-numeric-0-1").__next__().recipe == "pulley"
+
+
+def test_generate_takes_its_options_from_a_file_and_those_given_come_first(tmp_path: Path) -> None:
+    config = tmp_path / "problems.yaml"
+    config.write_text("items: 20\nrecipe: [pulley]\ndifficulty: easy\nseed: 3\nsplit: {train: 0.5, test: 0.5}\n")
+    maker = "--maker", "fake_makers:steady", "--workers", "1"
+    assert call("generate", tmp_path / "file", "--config", config, "--items", "7", *maker).exit_code == 0
+    said = "--recipe", "pulley", "--difficulty", "easy", "--seed", "3", "--split", "train=0.5,test=0.5"
+    assert call("generate", tmp_path / "said", "--items", "7", *said, *maker).exit_code == 0
+    files = [[path.read_bytes() for path in sorted((tmp_path / n).rglob("*.parquet"))] for n in ("file", "said")]
+    assert files[0] == files[1]
+    assert len(Dataset(tmp_path / "file")) == 7
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("recpie: pulley\n", "problems.yaml: recpie: there is no such option; did you mean: recipe"),
+        ("maker: os:system\n", "problems.yaml: maker: there is no such option; there are: items, recipe,"),
+        ("workers: 2\n", "problems.yaml: workers: there is no such option"),
+        ("items: many\n", "items: 'many' is no whole number"),
+        ("recipe: 5\n", "recipe: 5 is no name"),
+        ("solutions: 3\n", "solutions: "),
+        ("- items\n", "problems.yaml: holds no settings"),
+        ("items: &a [*a]\n", "problems.yaml: this is not YAML that we read"),
+    ],
+)
+def test_a_file_of_options_that_makes_no_sense_is_told(tmp_path: Path, text: str, told: str) -> None:
+    (tmp_path / "problems.yaml").write_text(text)
+    result = call("generate", tmp_path / "new", "--config", tmp_path / "problems.yaml")
+    assert result.exit_code == 2
+    assert told in result.stderr
+    assert result.stderr.count("\n") == 1
+    assert not (tmp_path / "new").exists()

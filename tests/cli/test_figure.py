@@ -72,7 +72,7 @@ def test_a_missing_extra_is_said_with_the_remedy(scene: Path, tmp_path: Path, mo
         code, said = run(name, scene, "-o", tmp_path / "scene.svg")
         assert (code, said) == (
             2,
-            "sim2reason: matplotlib is not installed; install it with: pip install 'sim2reason[figures]'\n",
+            "sim2reason: matplotlib is not installed; install it with: pip install 'matplotlib>=3.9'\n",
         )
 
 

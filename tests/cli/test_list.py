@@ -67,3 +67,20 @@ def test_each_line_says_something_of_its_own() -> None:
     for kind in ("engines", "recipes", "modes", "filters"):
         said = [member["summary"] for member in value[kind]]
         assert len(set(said)) == len(said), kind
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (["list", "recipe"], "no such kind: 'recipe'; did you mean: recipes"),
+        (["list", "Entity"], "no such kind: 'Entity'; did you mean: entities"),
+        (["exprt"], "No such command 'exprt'. Did you mean: export?"),
+        (["export", "data", "--to", "huggingface", "-o", "new"], "among exports: 'huggingface'; did you mean: hf"),
+        (["export", "data", "--to", "trl", "-o", "new"], "among exports: 'trl'; did you mean: hf"),
+        (["export", "data", "--to", "reasoning_gym", "-o", "new"], "did you mean: reasoning-gym"),
+    ],
+)
+def test_a_wrong_name_is_told_with_what_was_meant(command: list[str], told: str) -> None:
+    result = CliRunner().invoke(main, command)
+    assert result.exit_code == 2
+    assert told in result.stderr

@@ -122,7 +122,7 @@ def test_without_the_extra_it_is_one_line(tmp_path: Path, monkeypatch: pytest.Mo
     path.write_text(json.dumps(settings(tmp_path / "run")))
     found = run("train", "rl", path)
     assert found.exit_code == 2, found.output
-    assert "install it with: pip install 'sim2reason[train]'" in found.stderr
+    assert "transformers is not installed; install it with: pip install 'accelerate>=" in found.stderr
     assert found.stderr.count("\n") == 1
 
 

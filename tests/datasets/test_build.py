@@ -5,10 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.datasets.atomic_files import locked
+from sim2reason.datasets.atomic_files import FOLDER, locked
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refused
 from sim2reason.datasets.places.here import cores
 from sim2reason.datasets.plan import Config

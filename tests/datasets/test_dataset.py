@@ -1,12 +1,17 @@
 """A dataset that is opened, on the fake maker's items."""
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.plan import Config
-from sim2reason.errors import DatasetError
+from sim2reason.errors import DatasetError, MissingExtraError
+
+Make = Callable[..., Manifest]
 
 
 def test_it_knows_how_many_it_holds_and_gives_them_in_order(data: Path, config: Config) -> None:
@@ -60,3 +65,46 @@ def test_there_must_be_a_dataset_and_a_split(data: Path, tmp_path: Path) -> None
         Dataset(tmp_path)
     with pytest.raises(DatasetError, match="has no split 'test'; there is train"):
         Dataset(data).items("test")
+
+
+@pytest.fixture
+def halves(make: Make, tmp_path: Path) -> Dataset:
+    """Two splits in files of several shards."""
+    make("halves", split={"train": 0.5, "test": 0.5})
+    return Dataset(tmp_path / "halves")
+
+
+def test_items_are_found_by_place_slice_and_split(halves: Dataset) -> None:
+    """As in a list, and as Hugging Face's datasets are used."""
+    items = list(halves)
+    assert [halves[number] for number in range(len(halves))] == items
+    assert halves[-1] == items[-1]
+    assert halves[3:40:7] == items[3:40:7]
+    assert halves[:0] == []
+    for split in ("train", "test"):
+        part = halves[split]
+        assert list(part) == [part[number] for number in range(len(part))] == list(halves.items(split))
+        assert part[-2:] == list(part)[-2:]
+        assert repr(part) == f"<{len(part)} items of {str(halves.path)!r}, split {split}>"
+    assert len(halves["train"]) + len(halves["test"]) == len(halves)
+
+
+def test_a_key_that_leads_nowhere_is_told(halves: Dataset) -> None:
+    for number in (len(halves), -len(halves) - 1):
+        with pytest.raises(IndexError, match=f"there is no place {number} among {len(halves)} items"):
+            halves[number]
+    with pytest.raises(DatasetError, match=r"has no split 'dev'; there is test, train; for an id: \.item\(ID\)"):
+        halves["dev"]
+    for key in (1.5, None, (1, 2)):
+        with pytest.raises(TypeError, match="is no place, slice or split of a dataset"):
+            halves[key]  # type: ignore[call-overload]
+
+
+def test_pandas_gets_a_row_for_each_item(halves: Dataset, monkeypatch: pytest.MonkeyPatch) -> None:
+    frame = halves.to_pandas()
+    assert list(frame["id"]) == [item.id for item in halves]
+    assert [row["value"] for row in frame["answer"]] == [item.answer.value for item in halves]
+    assert list(halves["test"].to_pandas()["id"]) == [item.id for item in halves.items("test")]
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(MissingExtraError, match="pandas is not installed; install it with: pip install pandas"):
+        halves.to_pandas()

@@ -93,7 +93,7 @@ def test_workers_die_with_a_killed_parent(tmp_path: Path, maker: str) -> None:
     mark = uuid.uuid4().hex
     run = start(tmp_path / "out", maker, 2, mark)
     end = time.monotonic() + 20
-    while len(alive(mark)) < 4 and time.monotonic() < end:  # parent, fork server, two workers
+    while len(alive(mark)) < 4 and time.monotonic() < end:  # parent, tracker of resources, two workers
         time.sleep(0.02)
     time.sleep(0.3)
     run.kill()

@@ -73,7 +73,7 @@ def test_they_travel_through_files_and_exports(tmp_path: Path) -> None:
         assert row is not None
         assert (row["answer"], row["prompt"][0]["content"]) == (told.answer.letter, told.prompt)
         assert [not reason for reason in row["reasons"]].index(True) == LETTERS.index(told.answer.letter)
-        assert rewards.score(rewards.solution(told), rewards.boxed(told.answer.letter)).reward == 1.0
+        assert rewards.score(rewards.ground_truth(told), rewards.boxed(told.answer.letter)).reward == 1.0
         assert join_unit(row["choices"][row["label"]].split()[0], told.answer.unit) == row["choices"][row["label"]]
 
 

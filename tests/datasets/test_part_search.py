@@ -117,7 +117,9 @@ def test_they_travel_through_files(tmp_path: Path) -> None:
     items = [made(*cell) for cell in CELLS]
     write(tmp_path / "shard.parquet", items)
     assert read(tmp_path / "shard.parquet") == items
-    assert all(rewards.score(rewards.solution(each), rewards.boxed(rewards.answered(each))).reward for each in items)
+    assert all(
+        rewards.score(rewards.ground_truth(each), rewards.boxed(rewards.answered(each))).reward for each in items
+    )
 
 
 @pytest.mark.parametrize("units", ["cgs", "mixed"])

@@ -12,6 +12,7 @@ from sim2reason.datasets.item import Item
 from sim2reason.errors import DatasetError, UnknownNameError
 from sim2reason.exports import EXPORTS, Export, Place
 from sim2reason.exports.parts.export import MARK, export
+from sim2reason.rewards import answered, boxed, score
 
 TARGETS = list(EXPORTS)
 
@@ -56,7 +57,7 @@ def test_the_folder_says_how_to_use_it_and_no_mark_is_left(problems: Path, tmp_p
     assert f"--to {to}`" in page
     for path, text in content(tmp_path / "out").items():
         if Path(path).suffix in {".md", ".yaml", ".toml", ".txt"}:
-            assert not any(mark in text.decode() for mark in ("{split}", "{splits}", "{source}")), path
+            assert not any(mark in text.decode() for mark in ("{split}", "{splits}", "{source}", "{license}")), path
 
 
 def test_splits_are_chosen_by_name_and_evaluation_is_on_the_test_split(problems: Path, tmp_path: Path) -> None:
@@ -183,3 +184,50 @@ def test_parquet_is_written_in_batches_of_a_declared_schema(problems: Path, tmp_
     assert schema.names == ["data_source", "prompt", "ability", "reward_model", "extra_info"]
     numbers = [row["extra_info"]["index"] for row in pq.read_table(tmp_path / "out/train.parquet").to_pylist()]
     assert numbers == list(range(len(numbers)))
+
+
+def test_rows_for_hugging_face_have_the_answer_the_worked_solution_and_the_licence(tmp_path: Path) -> None:
+    """`solution` means a worked one, in items and in exports; what a reward reads is the ground truth."""
+    order = {"items": 3, "recipe": "pulley", "difficulty": "easy", "mode": ("numeric", "multipart"), "solutions": True}
+    data = sim2reason.generate(tmp_path / "data", **order, license="cc-by-4.0", workers=1)
+    export(tmp_path / "data", tmp_path / "out", to="hf")
+    for item, row in zip(data, rows(tmp_path / "out", "hf"), strict=True):
+        assert row["answer"] == answered(item)
+        texts = [part.solution for part in item.parts] or [item.solution]
+        assert all(text is not None and text.text in str(row["solution"]) for text in texts)
+        assert score(str(row["ground_truth"]), boxed(str(row["answer"]))).reward == 1.0
+    card = (tmp_path / "out/README.md").read_text()
+    assert card.startswith("---\n")
+    assert "\nlicense: cc-by-4.0\n" in card.split("---")[1]
+
+
+def test_without_worked_solutions_that_column_is_empty(problems: Path, tmp_path: Path) -> None:
+    export(problems, tmp_path / "out", to="hf")
+    assert {row["solution"] for row in rows(tmp_path / "out", "hf")} == {None}
+
+
+@pytest.mark.parametrize(
+    ("origin", "line"),
+    [
+        ('{"url": "file:///a/b", "dir_info": {}}', "sim2reason @ file:///a/b"),
+        (
+            '{"url": "https://host/r.git", "vcs_info": {"vcs": "git", "commit_id": "0ab"}}',
+            "sim2reason @ git+https://host/r.git@0ab",
+        ),
+        (None, "# sim2reason: write here the path of a clone of its repository"),
+    ],
+)
+def test_a_server_installs_the_library_from_where_it_came(
+    problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, origin: str | None, line: str
+) -> None:
+    class Installed:
+        @staticmethod
+        def read_text(name: str) -> str | None:
+            assert name == "direct_url.json"
+            return origin
+
+    monkeypatch.setattr("sim2reason.exports.parts.origin.distribution", lambda _: Installed())
+    export(problems, tmp_path / "out", to="nemo-gym")
+    server = tmp_path / "out/resources_servers/sim2reason"
+    assert (server / "requirements.txt").read_text() == f"nemo-gym\n{line}\n"
+    assert "license: Apache 2.0\n" in (server / "configs/sim2reason.yaml").read_text()

@@ -47,7 +47,7 @@ def test_each_row_has_one_right_letter_and_its_reasons(problems: Path) -> None:
         assert LETTERS[row["label"]] == row["answer"]
         assert [not reason for reason in row["reasons"]] == [n == row["label"] for n in range(len(row["choices"]))]
         for letter in LETTERS[: len(row["choices"])]:
-            paid = rewards.score(row["solution"], rf"\boxed{{{letter}}}").reward
+            paid = rewards.score(row["ground_truth"], rf"\boxed{{{letter}}}").reward
             assert paid == (letter == row["answer"])
         (message,) = row["prompt"]
         assert message["content"].startswith(row["question"])

@@ -42,15 +42,15 @@ def test_the_reward_reads_the_rows_of_either_form(parted: Path, tmp_path: Path) 
     export(parted, tmp_path / "each", to="lm-eval", parts="separate")
     (whole,) = (row for row in rows(tmp_path / "one") if row["id"] == item.id)
     assert whole["prompt"] == item.prompt
-    assert rewards.score(whole["solution"], whole["target"]).reward == 1.0
+    assert rewards.score(whole["ground_truth"], whole["target"]).reward == 1.0
     half = whole["target"].replace("(b)", "(b) 7 ")
-    given = {"solution": [whole["solution"], None]}
+    given = {"ground_truth": [whole["ground_truth"], None]}
     assert rewards.accuracy([], [half, half], **given) == [0.0, None]
     assert rewards.partial_accuracy([], [half, half], **given) == [1.0 - 1.0 / len(item.parts), None]
     single = [row for row in rows(tmp_path / "each") if row["id"].startswith(f"{item.id}-")]
     assert len(single) == len(item.parts)
     for number, row in enumerate(single):
-        assert rewards.score(row["solution"], row["target"]).reward == 1.0
+        assert rewards.score(row["ground_truth"], row["target"]).reward == 1.0
         assert row["prompt"].count("Answer: ") == number
 
 

@@ -40,7 +40,7 @@ class Numbers:
         text = f"{number}" + "?" * (1 + number % 5)  # of several lengths
         row: dict[str, Any] = {"prompt": text, "number": number}
         if self.mixed:
-            row |= {"solution": "odd"} if number % 2 else {"other": "even"}
+            row |= {"ground_truth": "odd"} if number % 2 else {"other": "even"}
         return row
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:

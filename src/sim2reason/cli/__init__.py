@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 import click
 
 from sim2reason.cli import console, interrupts, streams
+from sim2reason.registry import nearest
 
 HERE = Path(__file__).parent
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
@@ -36,6 +37,14 @@ class Commands(click.Group):
         if path not in HERE.glob("[a-z]*.py") or _summary(path) is None:  # a path as the name leads nowhere else
             return None
         return import_module(f"{__name__}.{path.stem}").command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command that is named; for another name, the error says what is near to it."""
+        if args and self.get_command(ctx, args[0]) is None and (near := nearest(args[0], self.list_commands(ctx))):
+            ctx.fail(f"No such command {args[0]!r}. Did you mean: {', '.join(near)}?")
+        return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the commands by their files' first lines, importing none."""

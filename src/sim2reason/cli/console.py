@@ -2,10 +2,12 @@
 
 import json
 import sys
+import time
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from math import isfinite
 from pathlib import Path
+from threading import Event, Thread
 from typing import Any, Protocol, Self
 
 import click
@@ -17,6 +19,9 @@ RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
 """The file that a command writes; it may be there already, but not as a folder. A dash is standard output."""
 
 
+SELDOM, OFTEN = 15.0, 1.0  # s between lines about work where there is no terminal; the second with --verbose
+VERBOSE = "sim2reason.verbose"
+"""Where a context keeps whether all is to be told."""
 LONGEST_TIMER = 1e6  # s, some days: timers of systems go no further
 
 
@@ -101,9 +106,13 @@ def words(option: str) -> tuple[str, ...]:
 
 @contextmanager
 def progress(what: str, total: int) -> Generator[Progress, None, None]:
-    """Show a bar on stderr while the block runs, if a person looks at it; give the function that moves it."""
-    if not sys.stderr.isatty():
-        yield _ignore
+    """Show a bar on stderr while the block runs, or lines now and then where that is no terminal, or all is to be told.
+
+    Gives the function that moves it.
+    """
+    if not sys.stderr.isatty() or verbose():
+        with Lines(what, total) as lines:
+            yield lines.advance
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -112,6 +121,41 @@ def progress(what: str, total: int) -> Generator[Progress, None, None]:
     with Progress(*columns, console=Console(stderr=True)) as bars:
         task = bars.add_task(what, total=total)
         yield lambda steps=1: bars.advance(task, steps)
+
+
+def verbose() -> bool:
+    """Whether the option --verbose was given to the command that runs."""
+    context = click.get_current_context(silent=True)
+    return context is not None and bool(context.meta.get(VERBOSE))
+
+
+class Lines:
+    """Lines on stderr that tell how far some work is: every so many seconds, however long one of its steps takes."""
+
+    def __init__(self, what: str, total: int) -> None:
+        """Of what there will be so much."""
+        self._what, self._total, self._done = what, total, 0
+        self._ended = Event()
+        self._begun = time.monotonic()
+        self._thread = Thread(target=self._tell, args=(OFTEN if verbose() else SELDOM,), daemon=True)
+
+    def __enter__(self) -> Self:
+        """Itself; the first line comes after a while."""
+        self._thread.start()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        """Say no more."""
+        self._ended.set()
+        self._thread.join()
+
+    def advance(self, steps: int = 1) -> None:
+        """Count so many steps."""
+        self._done += steps
+
+    def _tell(self, every: float) -> None:
+        while not self._ended.wait(every):
+            explain(f"{self._what}: {self._done} of {self._total}, {time.monotonic() - self._begun:.0f} s")
 
 
 @contextmanager

@@ -59,6 +59,7 @@ def command() -> None:
 @command.command(RUN, epilog=EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@options.verbose()
 @click.option("--json", "to_json", is_flag=True, help="Print the report for a program to read.")
 def run(config: Path, out: Path | None, to_json: bool) -> int:
     """Run CONFIG; `eval CONFIG` is the same."""
@@ -129,6 +130,7 @@ def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: 
 @click.option("--between", default="0.1,0.9", show_default=True, help="The open interval of shares that are kept.")
 @options.seed("Of the tries: each has a seed of its own that follows from it.")
 @click.option("-o", "--out", type=FOLDER, required=True, help="The folder of the result.")
+@options.verbose()
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: int, out: Path, to_json: bool) -> None:
     """Keep the problems of DATASET that a policy solves sometimes, neither never nor always."""

@@ -39,6 +39,7 @@ Exit code 0: written; 2: wrong input, or a folder that is not empty.
     show_default=True,
     help="Of a problem with several parts: one row, or a row for each part with the answers to those before it.",
 )
+@options.verbose()
 @options.to_json("For a program to read: {folder, rows, left_out}.")
 def command(dataset: Path, to: str, out: Path, split: options.Names, parts: "Parts", to_json: bool) -> None:
     """Write the DATASET as another library reads it, into a folder of its own."""

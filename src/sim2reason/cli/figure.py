@@ -11,7 +11,7 @@ Example:
     sim2reason figure scene.yaml -o scene.svg
     sim2reason figure scene.yaml -o scene.png --numbers
 
-Angles are right; of machines of strings and planes lengths are not. Needs: pip install 'sim2reason[figures]'
+Angles are right; of machines of strings and planes lengths are not. Needs: pip install matplotlib
 """
 
 

@@ -1,24 +1,27 @@
 """Generate a dataset: problems with certified answers, in a folder."""
 
 from pathlib import Path
-from typing import Unpack
+from typing import Unpack, cast
 
 import click
+from click.core import ParameterSource
 
 from sim2reason.cli import console, options
 from sim2reason.datasets.build import Work, build, build_part
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.generate import ITEMS, Order, configured, files_to_avoid
+from sim2reason.datasets.generate import ITEMS, Order, configured, files_to_avoid, order_in
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
 from sim2reason.datasets.request import LARGEST
+from sim2reason.datasets.worker import Attempt
 
 EXAMPLE = """\b
 Example:
     sim2reason generate problems --items 1000 --recipe pulley,incline --seed 7
     sim2reason generate problems --items 1000 --split train=0.9,validation=0.05,test=0.05
     sim2reason generate problems --items 100000 --shard 3/8
+    sim2reason generate problems --config problems.yaml --items 50
 
 An interrupted run goes on when the same command is given again, and ends in the same bytes; with more --items it grows.
 Processes with --shard 1/8 to 8/8, at once or not, on any machines that share the folder, make its parts; the command
@@ -42,10 +45,17 @@ are to be had than are asked for.
 @options.units()
 @options.tolerance()
 @options.needs()
+@click.option(
+    "--config",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="A YAML file of options by their names in Python, as in recipe: [pulley]; options given here come first.",
+)
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option("--unfiltered", is_flag=True, help="A control: keep any question that has an answer.")
 @click.option(
-    "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
+    "--workers",
+    type=click.IntRange(1),
+    help="Processes, which never change the result; 1 is this one. [default: one per core]",
 )
 @click.option(
     "--on",
@@ -83,26 +93,38 @@ are to be had than are asked for.
     show_default=True,
     help="Problems in one file.",
 )
+@options.verbose()
 @options.to_json("Print the manifest for a program to read.")
 @click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
 def command(
-    out: Path, part: str | None, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
+    out: Path,
+    part: str | None,
+    workers: int | None,
+    on: str,
+    to_json: bool,
+    patience: float,
+    config: Path | None,
+    **order: Unpack[Order],
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
-    config, benchmarks = configured(**order), Benchmarks(files_to_avoid(order))
+    if config is not None:
+        order = order_in(config) | _given(order)
+    planned, benchmarks = configured(**order), Benchmarks(files_to_avoid(order))
     remedy = f"what is finished stays in {out}; give the same command again to go on"
-    with console.resumable(remedy), console.progress("problems", config.items) as advance:
+    with console.resumable(remedy), console.progress("problems", planned.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)
+        if console.verbose():
+            work["watch"] = _tell_attempt
         if part is not None:
             number, parts = _part(part)
-            made = build_part(out, config, (number, parts), **work)
-            shards = config.shards(config.items)
+            made = build_part(out, planned, (number, parts), **work)
+            shards = planned.shards(planned.items)
             mine = f"{len(range(number, shards, parts))} of {shards} shards"
             remedy = f"when all {parts} parts are made, the same command without --shard ends the work"
             click.echo(f"part {part}: {mine}, {made} problems in {out}; {remedy}", err=to_json)
             return 0
-        manifest = build(out, config, **work)
+        manifest = build(out, planned, **work)
     if to_json:
         console.as_json(manifest.model_dump(mode="json"))
     else:
@@ -110,6 +132,20 @@ def command(
     for line in (lines := list(manifest.empty_cells())):
         console.explain(f"an empty cell: {line}")
     return 1 if lines else 0
+
+
+def _tell_attempt(attempt: Attempt) -> None:
+    """Say what became of a position."""
+    draws = sum(attempt.rejected.values())
+    found = attempt.item.id if attempt.item is not None else f"no problem: {attempt.failure or 'no draw passed'}"
+    console.explain(f"position {attempt.position}: {found} ({attempt.seconds:.1f} s, {draws} draws refused)")
+
+
+def _given(order: Order) -> Order:
+    """Of the options of an order, those that stand on the command line."""
+    context = click.get_current_context()
+    given = {n: held for n, held in order.items() if context.get_parameter_source(n) is not ParameterSource.DEFAULT}
+    return cast("Order", given)
 
 
 def _part(text: str) -> tuple[int, int]:

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 import click
 
-from sim2reason.cli.console import RESULT, words
+from sim2reason.cli.console import RESULT, VERBOSE, words
 
 ALL = "all"
 LARGEST = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
@@ -89,7 +89,8 @@ def split() -> Callable[[F], F]:
 
 def one_recipe() -> Callable[[F], F]:
     """The recipe of one problem."""
-    return click.option("--recipe", required=True, help="Which kind of scene; see: sim2reason list recipes.")
+    text = "Which kind of scene; see: sim2reason list recipes."
+    return click.option("--recipe", default="pulley", show_default=True, help=text)
 
 
 def one_difficulty() -> Callable[[F], F]:
@@ -166,6 +167,17 @@ def out(text: str, *, required: bool = False, printing: bool = True) -> Callable
 def to_json(text: str = "For a program to read.") -> Callable[[F], F]:
     """Whether a program reads what is printed."""
     return click.option("--json", "to_json", is_flag=True, cls=Printing, help=text)
+
+
+def verbose() -> Callable[[F], F]:
+    """Whether a long command tells more of what it does."""
+
+    def kept(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+        del param
+        ctx.meta[VERBOSE] = value
+
+    text = "Tell more on stderr as it goes on, in lines."
+    return click.option("-v", "--verbose", is_flag=True, cls=Printing, callback=kept, expose_value=False, help=text)
 
 
 def figure(*, printing: bool = False) -> Callable[[F], F]:

@@ -11,7 +11,7 @@ Example:
     sim2reason plot scene.yaml -o traces.png
     sim2reason plot scene.yaml -o traces.svg --duration 1 --engine exact
 
-Events are marked, and what is cut off is shaded. Needs: pip install 'sim2reason[figures]'
+Events are marked, and what is cut off is shaded. Needs: pip install matplotlib
 """
 
 

@@ -25,6 +25,7 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 @options.split()
 @options.seed("Of the tries: each has a seed of its own that follows from it.")
 @click.option("-o", "--out", type=FOLDER, required=True, help="The folder of the result.")
+@options.verbose()
 @options.to_json("Print the result for a program to read.")
 def command(
     dataset: Path, policy: Path, k: int, keep: int, split: options.Names, seed: int, out: Path, to_json: bool

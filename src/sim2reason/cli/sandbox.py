@@ -1,12 +1,12 @@
 """Work on foreign input in a process of its own, which can be killed."""
 
 from collections.abc import Callable
-from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import ParamSpec, TypeVar
 
 from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.datasets.interrupts import deaf_children
+from sim2reason.datasets.processes import ALONE
 from sim2reason.errors import Sim2ReasonError, SimulationError
 
 P = ParamSpec("P")
@@ -20,8 +20,8 @@ def sandboxed(patience: float, function: Callable[P, R], *args: P.args, **kwargs
         SimulationError: it took longer, or crashed its process.
         Sim2ReasonError, OSError: what the function raises.
     """
-    ours, theirs = get_context("spawn").Pipe(duplex=False)
-    process = get_context("spawn").Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
+    ours, theirs = ALONE.Pipe(duplex=False)
+    process = ALONE.Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
     with deaf_children():
         process.start()
     theirs.close()  # now the worker alone holds it: its death closes the pipe

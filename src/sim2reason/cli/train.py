@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
     from sim2reason.training.rl.folder import Trained
@@ -77,6 +77,7 @@ def command() -> None:
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data"]), default=None, help=UNTIL_DATA)
+@options.verbose()
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool) -> None:
     """Fine-tune a model on prompts with completions, as the file CONFIG says; needs the extra [train]."""
@@ -109,6 +110,7 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
+@options.verbose()
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
@@ -152,6 +154,7 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the study. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
+@options.verbose()
 @click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
 def study_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""

@@ -17,6 +17,7 @@ from sim2reason.datasets.splits import problem
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import MODES
 from sim2reason.questions.following import eventful, motion_of
+from sim2reason.scene_files import SceneLike, scene_of
 from sim2reason.simulation.trace import ending
 
 QUESTIONS = 5
@@ -39,7 +40,7 @@ class AskedScene:
 
 
 def ask(
-    scene: Scene,
+    scene: SceneLike,
     *,
     mode: Names = "numeric",
     items: int = QUESTIONS,
@@ -52,10 +53,11 @@ def ask(
     they may be as easy, as odd or as little certain as they like.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         UnknownNameError: no such mode.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return [item for _, item in asked(scene, mode, items, seed, unfiltered=all).found.values()]
+    return [item for _, item in asked(scene_of(scene, "ask"), mode, items, seed, unfiltered=all).found.values()]
 
 
 def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:

@@ -11,6 +11,8 @@ from pathlib import Path
 from sim2reason.errors import DatasetError
 
 TEMPORARY, LOCK = ".tmp", ".lock"
+FOLDER = ".sim2reason"
+"""Where a folder that is being filled keeps what the next run needs to go on."""
 
 
 def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:

@@ -6,15 +6,16 @@ from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.datasets.atomic_files import LOCK, locked
+from sim2reason.datasets.atomic_files import FOLDER, LOCK, locked
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.finish import finish
-from sim2reason.datasets.journal import FOLDER, Journal, RunPlan
+from sim2reason.datasets.journal import Journal, RunPlan
 from sim2reason.datasets.manifest import MANIFEST, Manifest, load
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
 from sim2reason.datasets.verify import verify
+from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
 
 Part = tuple[int, int]
@@ -32,6 +33,8 @@ class Work(TypedDict, total=False):
     """Seconds after which a batch counts as hung."""
     advance: Callable[[int], object]
     """Called with the number of positions that are done; with less than nothing where that many hold no item."""
+    watch: Callable[[Attempt], object]
+    """Called with what became of each position, in any order."""
     benchmarks: Benchmarks | None
     """The files that the configuration names, so that no problem shares a run of words with them."""
 
@@ -46,14 +49,14 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
         DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
             fewer items are to be had than it asks for: then those there are stand in `out`, a dataset as any other.
     """
-    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", _unseen)
+    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", unseen)
     with _workers(config, work) as run, locked(out := _folder(out, config)):
         manifest = _standing(out, config)
         if manifest is not None:
             advance(manifest.rows)
         else:
             journal = Journal(out, config)
-            make_all(journal, run, overlap, advance)
+            make_all(journal, run, overlap, advance, work.get("watch", unwatched))
             manifest = finish(journal)
             journal.close()
     if manifest.rows < config.items:
@@ -82,14 +85,19 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         mine.touch()
         numbers = range(number, journal.shards, parts)
         with locked(mine):
-            make_positions(journal, numbers, run, overlap, work.get("advance", _unseen))
+            make_positions(journal, numbers, run, overlap, work.get("advance", unseen), work.get("watch", unwatched))
             mine.unlink()
         return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
 
-def _unseen(done: int) -> None:
+def unseen(done: int) -> None:
     """Nobody looks on."""
     del done
+
+
+def unwatched(attempt: Attempt) -> None:
+    """Nobody looks at it."""
+    del attempt
 
 
 def _standing(out: Path, config: Config) -> Manifest | None:

@@ -139,7 +139,7 @@ def _body(manifest: Manifest) -> Iterator[str]:
 
 def _shown(manifest: Manifest, pictures: Collection[str]) -> Iterator[str]:
     if not pictures:
-        yield from ("", "This card has no pictures: matplotlib was missing (pip install 'sim2reason[figures]').")
+        yield from ("", "This card has no pictures: matplotlib was missing (pip install matplotlib).")
     for name, shown in SHOWN.items():
         if of_histogram(name) in pictures:
             yield from (

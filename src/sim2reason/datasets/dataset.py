@@ -3,13 +3,17 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
+from typing import Any, overload
 
 from sim2reason.datasets import shard_files
+from sim2reason.datasets.hub import push
 from sim2reason.datasets.item import Item
+from sim2reason.datasets.item_files import ItemFiles
 from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
 from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
+from sim2reason.lazy import cached_property
 
 LONGEST_NAME = 80  # characters shown of an id that nobody knows
 STRIDE = 7919  # a prime, in step with no number of recipes and difficulties
@@ -40,6 +44,59 @@ class Dataset:
     def __iter__(self) -> Iterator[Item]:
         """All items, shard by shard."""
         return self.items()
+
+    @overload
+    def __getitem__(self, key: int) -> Item: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[Item]: ...
+    @overload
+    def __getitem__(self, key: str) -> ItemFiles: ...
+    def __getitem__(self, key: int | slice | str) -> Item | list[Item] | ItemFiles:
+        """The item at a place, those of a slice, or all of the split of a name, as a list has them.
+
+        Raises:
+            IndexError: there is no such place.
+            DatasetError: there is no such split; an item by its id is what `item` gives.
+            TypeError: any other key.
+        """
+        if isinstance(key, str):
+            if key not in self.splits():
+                held = ", ".join(self.splits())
+                raise DatasetError(f"{self.path}: has no split {shortened(key)}; there is {held}; for an id: .item(ID)")
+            return ItemFiles(self.path, tuple(self._files((key,))), key)
+        if isinstance(key, slice) or hasattr(key, "__index__"):
+            return self._all[key]
+        raise TypeError(f"{key!r} is no place, slice or split of a dataset")
+
+    def to_pandas(self) -> Any:  # noqa: ANN401 - pandas is no package that the library needs
+        """A DataFrame of pandas with a row for each item, and the columns of the files.
+
+        Raises:
+            MissingExtraError: pandas is not installed.
+        """
+        return self._all.to_pandas()
+
+    def push_to_hub(
+        self,
+        repository: str,
+        *,
+        private: bool = False,
+        token: str | None = None,
+        message: str = "Upload problems of sim2reason",
+    ) -> str:
+        """Upload the folder to the Hugging Face hub as a dataset, with its card, and give its address there.
+
+        Args:
+            repository: the name of the dataset, as in ``user/problems``; it is made if there is none.
+            private: whether a new one is seen by its owner alone.
+            token: that of the user; by default the one that ``hf auth login`` has kept.
+            message: of the commit.
+
+        Raises:
+            DatasetError: a damaged dataset, or one that the hub does not take.
+            MissingExtraError: huggingface_hub is not installed.
+        """
+        return push(self.path, repository, private=private, token=token, message=message)
 
     def items(self, split: str | None = None) -> Iterator[Item]:
         """All items, or those of one split, shard by shard; DatasetError if there is no such split."""
@@ -104,6 +161,10 @@ class Dataset:
 
     def _files(self, splits: Collection[str] | None = None) -> Iterator[ShardFile]:
         return (f for shard in shards(self.path) for f in shard.files if splits is None or f.split in splits)
+
+    @cached_property
+    def _all(self) -> ItemFiles:
+        return ItemFiles(self.path, tuple(self._files()))
 
     def _shard_of(self, name: str) -> int | None:
         """The shard in which the item of an id stands, if it is in the dataset; None if it can not be."""

@@ -1,74 +1,119 @@
 """Generate a dataset from Python, as the command of this name does."""
 
 from collections.abc import Callable, Mapping, Sequence
+from inspect import Parameter, signature
 from pathlib import Path
-from typing import TypedDict, Unpack
+from typing import Annotated, Any, TypedDict, TypeVar, Unpack, cast, get_args, get_type_hints
 
 from pydantic import ValidationError
 
 from sim2reason.datasets.benchmark_files import described
-from sim2reason.datasets.build import build
+from sim2reason.datasets.build import build, unseen
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, MAKER, Config, Names, numbers
+from sim2reason.datasets.plan import ALL, DISTANCE, LICENSE, MAKER, SHARD, Config, Names, numbers
 from sim2reason.datasets.request import SI, whole
-from sim2reason.errors import DatasetError, DrawError
+from sim2reason.errors import DatasetError, DrawError, EvaluationError
+from sim2reason.policies.parts.settings import settings_in
 from sim2reason.questions.spoken_units import system_named
+from sim2reason.questions.tolerance import TOLERANCE
+from sim2reason.registry import nearest
 
 ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license", "tolerance"
 NUMBERS = "items", "seed", "shard"
+F = TypeVar("F", bound=Callable[..., object])
 
 
 class Order(TypedDict, total=False):
-    """What a dataset shall hold; whatever is left out is as the command line has it."""
+    """What a dataset shall hold: each option with what it means; `DEFAULTS` has what holds where one is left out."""
 
-    items: int
-    recipe: Names
-    difficulty: Names
-    mode: Names
-    seed: int
-    weights: Mapping[str, float]
-    """How often kinds of question are asked: ``{"period": 2, "reverse.count": 0}``."""
-    units: str
-    """The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."""
-    tolerance: float
-    """The relative error that an answer may have, and by which filters judge: from 0.005 to 0.05."""
-    needs: Names
-    """What solutions may need: ``("arithmetic", "quadratic")``, or ``all``; by default few need a computer."""
-    solutions: bool
-    """Whether items come with worked solutions."""
-    unfiltered: bool
-    """A control: any question that has an answer is kept, whatever the filters say of it."""
-    split: Mapping[str, float]
-    """The shares of the splits: ``{"train": 0.9, "test": 0.1}``."""
-    distance: float
-    """How far apart, relatively, some number of two variants of a problem is at least."""
-    decontaminate: Path | str | Sequence[Path | str]
-    """Files of benchmarks with which no problem may share a run of words."""
-    license: str
-    """Of the data, as the Hugging Face hub calls it."""
-    shard: int
-    """How many problems stand in one file."""
-    maker: str
-    """The maker of items by its dotted path: one of one's own may know names that the library doesn't."""
+    items: Annotated[int, "How many problems."]
+    recipe: Annotated[Names, "Kinds of scenes: one name, several, or ``all``."]
+    difficulty: Annotated[Names, "``easy``, ``medium``, ``hard``, several, or ``all``."]
+    mode: Annotated[Names, "Modes of questions: one name, several, or ``all``."]
+    seed: Annotated[int, "Another seed, other problems."]
+    weights: Annotated[
+        Mapping[str, float] | None, 'How often kinds of question are asked: ``{"period": 2, "reverse.count": 0}``.'
+    ]
+    units: Annotated[str, "The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."]
+    tolerance: Annotated[
+        float, "The relative error that an answer may have, and by which filters judge: 0.005 to 0.05."
+    ]
+    needs: Annotated[
+        Names, 'What solutions may need: ``("arithmetic", "quadratic")``, or ``all``; by default few need a computer.'
+    ]
+    solutions: Annotated[bool, "Whether items come with worked solutions."]
+    unfiltered: Annotated[bool, "A control: any question that has an answer is kept, whatever the filters say of it."]
+    split: Annotated[Mapping[str, float] | None, 'The shares of the splits: ``{"train": 0.9, "test": 0.1}``.']
+    distance: Annotated[float, "How far apart, relatively, some number of two variants of a problem is at least."]
+    decontaminate: Annotated[
+        Path | str | Sequence[Path | str], "Files of benchmarks with which no problem may share a run of words."
+    ]
+    license: Annotated[str, "Of the data, as the Hugging Face hub calls it."]
+    shard: Annotated[int, "How many problems stand in one file."]
+    maker: Annotated[
+        str, "The maker of items by its dotted path; one of your own may know names that the library doesn't."
+    ]
 
 
+DEFAULTS: Order = {
+    "items": ITEMS,
+    "recipe": ALL,
+    "difficulty": ALL,
+    "mode": "numeric",
+    "seed": 0,
+    "weights": None,
+    "units": SI,
+    "tolerance": TOLERANCE,
+    "needs": (),
+    "solutions": False,
+    "unfiltered": False,
+    "split": None,
+    "distance": DISTANCE,
+    "decontaminate": (),
+    "license": LICENSE,
+    "shard": SHARD,
+    "maker": MAKER,
+}
+
+
+def _ordered(function: F) -> F:
+    """Show the options of an order in the signature and the documentation of a function that takes one by keywords."""
+    taken, told = signature(function), get_type_hints(Order, include_extras=True)
+    own = [each for each in taken.parameters.values() if each.kind is not Parameter.VAR_KEYWORD]
+    options = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=DEFAULTS.get(name), annotation=get_args(kind)[0])
+        for name, kind in told.items()
+    ]
+    function.__signature__ = taken.replace(parameters=own[:1] + options + own[1:])  # type: ignore[attr-defined]
+    lines = "\n".join(f"        {name}: {get_args(kind)[1]}" for name, kind in told.items())
+    function.__doc__ = (function.__doc__ or "").replace("        order: the options of `Order`.", lines)
+    return function
+
+
+@_ordered
 def generate(
     out: Path | str,
     *,
     workers: int | None = None,
-    advance: Callable[[int], object] = lambda _: None,
     on: str = HERE,
+    advance: Callable[[int], object] = unseen,
     **order: Unpack[Order],
 ) -> Dataset:
     """Fill the folder `out` with problems, or go on with what stands there, and open it.
 
-    The same order gives the same bytes, whatever the number of `workers` (default: one per core) and wherever they work
-    (`on`: ``here``, ``ray`` or ``ray://HOST:PORT``); with more `items` a dataset grows. `advance` is called with the
-    number of positions that are done.
+    The same order gives the same bytes, whatever the number of `workers` and wherever they work; with more `items` a
+    dataset grows. A program needs no guard by ``__name__``, since worker processes do not run it.
+
+    Args:
+        out: The folder.
+        order: the options of `Order`.
+        workers: How many processes; by default one for each core. One alone is the calling process.
+        on: Where they work: ``here``, ``ray`` or ``ray://HOST:PORT``.
+        advance: Called with the number of positions that are done.
 
     Raises:
         UnknownNameError: no such recipe, difficulty, mode, units or place.
@@ -87,16 +132,17 @@ def configured(**order: Unpack[Order]) -> Config:
     if unknown:  # as Python says of all other functions
         known = ", ".join(sorted(Order.__annotations__))
         raise TypeError(f"generate() got an unexpected keyword argument {unknown[0]!r}; an order has {known}")
-    ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
-    pairs = {name: numbers(name, order.get(name, {})) for name in ("weights", "split")}
+    held: dict[str, Any] = {**DEFAULTS, **order}
+    ours = held["maker"] == MAKER  # another may know names that the library doesn't
+    pairs = {name: numbers(name, {} if held[name] is None else held[name]) for name in ("weights", "split")}
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
-        "items": order.get("items", ITEMS),
-        "recipes": recipes_named(order.get("recipe", ALL), check=ours),
-        "difficulties": difficulties_named(order.get("difficulty", ALL)),
-        "modes": modes_named(order.get("mode", "numeric"), check=ours),
-        "units": system_named(order.get("units", SI)).name,
-        "needs": needs_named(order.get("needs", ())),
+        "items": held["items"],
+        "recipes": recipes_named(held["recipe"], check=ours),
+        "difficulties": difficulties_named(held["difficulty"]),
+        "modes": modes_named(held["mode"], check=ours),
+        "units": system_named(held["units"]).name,
+        "needs": needs_named(held["needs"]),
         "decontaminate": tuple(described(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
@@ -118,3 +164,23 @@ def files_to_avoid(order: Order) -> tuple[Path, ...]:
         return tuple(map(Path, (given,) if isinstance(given, str | Path) else given))
     except TypeError:
         raise DatasetError(f"decontaminate: {given!r} names no files; give a path, or several in a list") from None
+
+
+def order_in(path: Path) -> Order:
+    """Read an order from a YAML file.
+
+    Raises:
+        DatasetError: it is no such file, or has an option that there is not. A maker, which is code, is none here.
+        OSError: it can't be read.
+    """
+    try:
+        found = settings_in(path)
+    except EvaluationError as error:
+        raise DatasetError(str(error)) from None
+    options = [name for name in DEFAULTS if name != "maker"]
+    for name in found:
+        if name not in options:
+            near = nearest(name, options)
+            known = f"did you mean: {near[0]}" if near else f"there are: {', '.join(options)}"
+            raise DatasetError(f"{path}: {name}: there is no such option; {known}")
+    return cast("Order", found)

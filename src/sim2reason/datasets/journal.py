@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.datasets.atomic_files import TEMPORARY, canonical, checksum, put, put_text, sweep
+from sim2reason.datasets.atomic_files import FOLDER, TEMPORARY, canonical, checksum, put, put_text, sweep
 from sim2reason.datasets.distinct import Marks
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, ShardFile, load, shards
@@ -24,7 +24,7 @@ from sim2reason.datasets.pictures import remove_pictures
 from sim2reason.datasets.plan import DATA, Config, file_name, versions
 from sim2reason.errors import DatasetError
 
-FOLDER, PLAN = ".sim2reason", "plan.json"
+PLAN = "plan.json"
 R = TypeVar("R", bound=Record)
 
 

@@ -104,7 +104,9 @@ class Request:
 
     @classmethod
     def of(cls, item: Item) -> Self:
-        """The request that an item answers; DrawError for an item of some quantities alone, which no id names."""
+        """The request that an item answers; DrawError for one that no recipe has drawn, or of some quantities alone."""
+        if not item.recipe:
+            raise DrawError(f"{item.id}: it is asked about a scene; give that with a question instead of the item")
         solved = item.solution is not None or bool(item.unsolved)
         weights = tuple(sorted(item.provenance.weights.items()))
         return replace(cls.named(item.id, weights, item.answer.tolerance, item.provenance.needs), solutions=solved)

@@ -26,8 +26,11 @@ FindsOverlap = Callable[[str], Overlap | None]
 Advance = Callable[[int], object]
 """Is told how many more positions are done; less than none where that many hold no item, and others are to."""
 
+Watch = Callable[[Attempt], object]
+"""Is told what became of each position, before it is written; what crashes or hangs is tried again, or quarantined."""
 
-def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+
+def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch) -> None:
     """Make positions until as many items stand as are asked for, or nothing new is left to be had."""
     told = 0
 
@@ -48,13 +51,15 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
             numbers, standing = _lengthened(journal), _told_before
 
     queue = WorkQueue(journal.plan.config, rounds())
-    _work(journal, queue, run, overlap, tell)
+    _work(journal, queue, run, overlap, tell, watch)
 
 
-def make_positions(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+def make_positions(
+    journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch
+) -> None:
     """Make those positions of some shards that do not stand, and none in place of those that hold no item."""
     queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
-    _work(journal, queue, run, overlap, advance)
+    _work(journal, queue, run, overlap, advance, watch)
 
 
 def _told_before(done: int) -> None:
@@ -73,10 +78,12 @@ def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[ran
             yield range(begin, positions.stop)
 
 
-def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
+def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch) -> None:
     with closing(run(queue.next)) as replies:
         for batch, reply in replies:
             before = queue.done
+            for attempt in () if isinstance(reply, str) else reply:
+                watch(attempt)
             for positions, outcomes in queue.settle(batch, reply):
                 _write(journal, overlap, positions, outcomes)
             advance(queue.done - before)

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.question_search import QuestionSearch
@@ -18,6 +19,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.scene_files import SceneLike, given_scene, question_of
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
 
@@ -38,7 +40,7 @@ class SolvedProblem(NamedTuple):
 
 
 def solve(  # noqa: PLR0913 - the parts of a question, by name
-    scene: Scene | None = None,
+    scene: SceneLike | None = None,
     *,
     id: str | None = None,  # noqa: A002 - the column's name
     question: str | Mapping[str, object] | None = None,
@@ -51,12 +53,14 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     compare: str = "ratio",
     seed: int = 0,
 ) -> SolvedProblem:
-    """Solve the problem of an `id`, made again from its name, or a question about a scene, in steps.
+    """Solve the problem of an item or an `id`, made again from its name, or a question about a scene, in steps.
 
     A `question` is in the words of the library, or it has the parts of a `StructuredQuestion`, which may also be given
-    one by one: what to `find`, `of` what, and `when`. Without any, one is drawn. Another seed, other words.
+    one by one: what to `find`, `of` what, and `when`. Without any, that of the scene's file is taken, or one is drawn.
+    Another seed, other words.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
         TextError: a question that asks nothing known.
         DrawError: what is no id, or one of no problem.
@@ -68,15 +72,17 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     if said and question is not None:
         raise SceneError("question", "it is there twice, as a whole and in parts", "give one of the two")
     asked = {**said, "compare": compare} if said else question
-    if scene is not None:
-        return _of_structured(scene, asked, seed) if isinstance(asked, Mapping) else _of_scene(scene, asked, seed)
+    if scene is not None and not isinstance(scene, Item):
+        held, text = given_scene(scene, "solve")
+        asked = question_of(text) if asked is None and text else asked
+        return _of_structured(held, asked, seed) if isinstance(asked, Mapping) else _of_scene(held, asked, seed)
     if asked is not None:
-        raise SceneError("question", "the problem of an id has its own", "give a scene instead of the id")
-    return _of_item(str(id))
+        raise SceneError("question", "the problem of an item or id has its own", "give a scene instead")
+    return _of_request(Request.of(scene) if scene is not None else Request.named(str(id)))
 
 
-def _of_item(name: str) -> SolvedProblem:
-    request = Request.named(name)
+def _of_request(request: Request) -> SolvedProblem:
+    name = request.id
     system_named(request.units)
     found = ItemSearch(request).found()
     if found is None:

@@ -94,6 +94,7 @@ SCHEMA = pa.schema(
     }
 )
 """What has keys of its own, the certificate, the versions and the weights, is kept as JSON text."""
+COLUMNS: tuple[str, ...] = tuple(SCHEMA.names)
 OPEN = "versions", "weights"
 BATCH = 100  # rows that are plain values at a time
 Row = dict[str, Any]

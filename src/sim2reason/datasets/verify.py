@@ -1,24 +1,11 @@
 """Find what is wrong with a dataset on disk."""
 
-from collections.abc import Collection, Iterator
 from pathlib import Path
 
-from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import checksum
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Record
-from sim2reason.datasets.journal import FOLDER
-from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
-from sim2reason.datasets.plan import DATA, file_name
-from sim2reason.errors import DatasetError
+from sim2reason.datasets.findings import Findings, found
 
-
-class Findings(Record):
-    """What `verify` saw: rows and shards by the manifest, and a line for each thing that is wrong."""
-
-    rows: int
-    shards: int
-    faults: tuple[str, ...]
+__all__ = ["Findings", "verify"]
 
 
 def verify(dataset: Dataset | Path | str) -> Findings:
@@ -28,77 +15,4 @@ def verify(dataset: Dataset | Path | str) -> Findings:
     kind and recipe that was asked for, but of which none was kept.
     DatasetError if `dataset` is no finished dataset at all.
     """
-    out = dataset.path if isinstance(dataset, Dataset) else Path(dataset)
-    if not out.is_dir():
-        raise DatasetError(f"{out}: no such folder; give one that sim2reason generate has made")
-    if not (out / MANIFEST).is_file() and (out / FOLDER).is_dir():
-        raise DatasetError(f"{out}: not finished; run the same sim2reason generate again to go on")
-    if not (out / MANIFEST).is_file():
-        load(out)  # says that there is none
-    try:
-        manifest = load(out)
-    except DatasetError as error:
-        return Findings(rows=0, shards=0, faults=(str(error),))
-    faults = *_manifest(out, manifest), *_files(out, manifest), *_shards(out, manifest), *manifest.empty_cells()
-    return Findings(rows=manifest.rows, shards=manifest.shards, faults=faults)
-
-
-def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:
-    if manifest.text().encode() != (out / MANIFEST).read_bytes() or not manifest.is_whole:
-        yield f"{MANIFEST}: damaged, it is not as it was written"
-    if manifest.config.digest(manifest.versions) != manifest.config_hash:
-        yield f"{MANIFEST}: the configuration or the versions don't fit their hash"
-    if manifest.shards != manifest.config.shards(manifest.positions):
-        yield f"{MANIFEST}: the number of shards doesn't fit the configuration"
-
-
-def _files(out: Path, manifest: Manifest) -> Iterator[str]:
-    for name, sha256 in manifest.files.items():
-        if checksum(out / name) != sha256:
-            yield f"{name}: {'damaged' if (out / name).is_file() else 'missing'}"
-
-
-def _shards(out: Path, manifest: Manifest) -> Iterator[str]:
-    """What is wrong with the list of shards, their files, and others beside them."""
-    rows, numbers, known = 0, 0, set[str]()
-    try:
-        for shard in shards(out):
-            rows, numbers = rows + shard.rows, numbers + 1
-            known.update(file.name for file in shard.files)
-            splits = [split for split in manifest.config.split if any(file.split == split for file in shard.files)]
-            names = tuple(file_name(shard.number, manifest.shards, split) for split in splits)
-            if shard.number != numbers - 1 or tuple(file.name for file in shard.files) != names:
-                yield f"{SHARDS}: line {numbers} doesn't fit the configuration"
-            for file in shard.files:
-                yield from _file(out, file)
-    except DatasetError as error:
-        yield str(error)
-        return
-    if numbers != manifest.shards:
-        yield f"{SHARDS}: {numbers} shards instead of {manifest.shards}"
-    if manifest.rows != rows:
-        yield f"{MANIFEST}: the number of rows is not the sum over the shards"
-    yield from _strangers(out, known)
-
-
-def _file(out: Path, file: ShardFile) -> Iterator[str]:
-    path = out / file.name
-    if not path.is_file():
-        yield f"{file.name}: missing"
-        return
-    if checksum(path) != file.sha256:
-        yield f"{file.name}: damaged, its SHA-256 is not that of the list of shards"
-    try:
-        rows = store.count(path)
-    except (OSError, ValueError) as error:
-        yield f"{file.name}: not readable as Parquet ({' '.join(str(error).split())})"
-        return
-    if rows != file.rows:
-        yield f"{file.name}: {rows} rows instead of {file.rows}"
-
-
-def _strangers(out: Path, known: Collection[str]) -> Iterator[str]:
-    """Parquet files beside those of the dataset."""
-    for path in sorted((out / DATA).glob("*.parquet")):
-        if (name := f"{DATA}/{path.name}") not in known:
-            yield f"{name}: an extra file that the dataset does not know"
+    return found(dataset.path if isinstance(dataset, Dataset) else Path(dataset))

@@ -3,9 +3,11 @@
 import gc
 import os
 import signal
+import time
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from importlib import import_module
 from multiprocessing.connection import Connection
 
 from sim2reason.datasets.end_with_parent import end_with_parent
@@ -30,20 +32,27 @@ class Attempt:
     rejected: dict[str, int]
     failure: str = ""
     wanted: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    """How long it took."""
 
 
 Message = list[Attempt] | DatasetError | None
 """What a worker sends: first None, for "I begin", or an error that no other worker would escape; then outcomes."""
 
 
-def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
-    """Answer each batch that comes through `pipe`, until its other end is closed."""
+def serve(pipe: "Connection[Message, Batch]", maker: str, modules: Sequence[str] = ()) -> None:
+    """Answer each batch that comes through `pipe`, until its other end is closed.
+
+    `modules` are those outside the library whose members a maker may ask for.
+    """
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)  # the parent is interrupted, and decides
     end_with_parent()
     for library in ("OMP", "OPENBLAS", "MKL"):  # before the maker imports numpy: N workers use N cores, not N²
         os.environ[f"{library}_NUM_THREADS"] = "1"
     try:
+        for module in modules:
+            _import(module)
         make = load_maker(maker)
     except DatasetError as error:
         pipe.send(error)
@@ -53,6 +62,16 @@ def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
         pipe.send(None)
         while True:
             pipe.send([outcome(make, position, request) for position, request in pipe.recv()])
+
+
+def _import(module: str) -> None:
+    try:
+        import_module(module)
+    except ImportError as error:
+        raise DatasetError(
+            f"{module}: a worker process can't import this module, of which you use members ({error}); put it where "
+            "Python finds it, or give workers=1"
+        ) from error
 
 
 def collect_seldom() -> None:
@@ -67,6 +86,11 @@ def collect_seldom() -> None:
 
 def outcome(make: Maker, position: int, request: Request) -> Attempt:
     """Make one item; an error that is raised becomes a failure, so that one defect does not end a long run."""
+    begun = time.perf_counter()
+    return replace(_attempt(make, position, request), seconds=time.perf_counter() - begun)
+
+
+def _attempt(make: Maker, position: int, request: Request) -> Attempt:
     try:
         made: Made = make(request)
     except Exception as error:  # noqa: BLE001 - whatever it is, the manifest tells it with the seed that repeats it

@@ -1,7 +1,7 @@
 """Exports: a dataset as the libraries for training and evaluation read it, one file for each."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple, TypeVar
 
@@ -26,10 +26,12 @@ class Export(ABC):
 
     The folder that is written holds a file of rows for each split, and all that stands in `files`: Python as it is,
     other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
-    all with their rows) and ``{source}`` filled in.
+    all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
+    ``{source}`` filled in.
 
     Class data:
         name: under which it is registered.
+        also: what else it may be looked for by.
         data: the name of a split's file; ``{split}`` stands for the split.
         columns: those of a Parquet file; empty for JSON lines.
         lacks: why `row` leaves an item out, in words; empty where it never does.
@@ -37,6 +39,7 @@ class Export(ABC):
     """
 
     name: ClassVar[str]
+    also: ClassVar[Sequence[str]] = ()
     data: ClassVar[str] = "data/{split}.jsonl"
     columns: ClassVar[Mapping[str, Column]] = {}
     lacks: ClassVar[str] = ""
@@ -45,6 +48,10 @@ class Export(ABC):
     @abstractmethod
     def row(self, item: Item, place: Place) -> Row | None:
         """What a file says of an item; None to leave it out."""
+
+    def license(self, name: str) -> str:
+        """What the library calls a licence that the Hugging Face hub calls `name`."""
+        return name
 
     @property
     def folder(self) -> Path:

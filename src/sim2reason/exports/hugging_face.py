@@ -5,8 +5,8 @@ from typing import ClassVar
 
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Column, Export, Place, Row, target
-from sim2reason.exports.parts.messages import asked, facts
-from sim2reason.rewards import solution
+from sim2reason.exports.parts.messages import asked, facts, worked
+from sim2reason.rewards import answered, ground_truth
 
 
 @target
@@ -14,9 +14,12 @@ class HuggingFace(Export):
     """Hugging Face datasets and TRL: prompts as messages; the reward is sim2reason.rewards.accuracy."""
 
     name = "hf"
+    also = ("huggingface", "hugging-face", "datasets", "trl")
     data = "data/{split}-00000-of-00001.parquet"  # as the Hub names a split of any name
     columns: ClassVar[Mapping[str, Column]] = {
         "prompt": [{"role": str, "content": str}],
+        "ground_truth": str,
+        "answer": str,
         "solution": str,
         "id": str,
         "mode": str,
@@ -26,6 +29,7 @@ class HuggingFace(Export):
     }
 
     def row(self, item: Item, place: Place) -> Row:
-        """What TRL hands to a reward by name, and what curves are drawn by."""
+        """What TRL hands to a reward by name, what people read, and what curves are drawn by."""
         del place
-        return {"prompt": asked(item.prompt), "solution": solution(item), "id": item.id, **facts(item)}
+        told = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": worked(item)}
+        return {"prompt": asked(item.prompt), **told, "id": item.id, **facts(item)}

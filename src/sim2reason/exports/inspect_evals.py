@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import solution
+from sim2reason.rewards import ground_truth
 
 
 @target
@@ -11,9 +11,10 @@ class InspectTask(Export):
     """Inspect: a task with its samples and a scorer."""
 
     name = "inspect"
+    also = ("inspect-ai", "inspect_evals")
 
     def row(self, item: Item, place: Place) -> Row:
-        """A sample; its target is for people, the scorer reads the solution."""
+        """A sample; its target is for people, the scorer reads the ground truth."""
         del place
-        told = {"solution": solution(item), **facts(item)}
+        told = {"ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "input": item.prompt, "target": item.answer.told, "metadata": told}

@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import answered, boxed, solution
+from sim2reason.rewards import answered, boxed, ground_truth
 
 
 @target
@@ -11,9 +11,16 @@ class HarnessTask(Export):
     """lm-eval: a task in YAML with its Python file."""
 
     name = "lm-eval"
+    also = ("lm_eval", "harness", "lm-evaluation-harness")
 
     def row(self, item: Item, place: Place) -> Row:
-        """A document; the target is what a worked example shows, and `solution` what is graded by."""
+        """A document; the target is what a worked example shows, and `ground_truth` what is graded by."""
         del place
         shown = boxed(answered(item))
-        return {"id": item.id, "prompt": item.prompt, "target": shown, "solution": solution(item), **facts(item)}
+        return {
+            "id": item.id,
+            "prompt": item.prompt,
+            "target": shown,
+            "ground_truth": ground_truth(item),
+            **facts(item),
+        }

@@ -6,7 +6,7 @@ from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import asked, facts
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
 from sim2reason.questions.parse_prompt import without_form
-from sim2reason.rewards import Letter, solution
+from sim2reason.rewards import Letter, ground_truth
 
 
 @target
@@ -14,6 +14,7 @@ class MultipleChoice(Export):
     """Multiple choice: up to five options, wrong ones with the slip behind each; for any library, and lm-eval."""
 
     name = "multiple-choice"
+    also = ("choice", "mcq")
     lacks = LACKS
 
     def row(self, item: Item, place: Place) -> Row | None:
@@ -33,7 +34,7 @@ class MultipleChoice(Export):
             "label": label,
             "slips": ["" if wrong is None else wrong.simplification for wrong in chosen],
             "reasons": ["" if wrong is None else wrong.reason for wrong in chosen],
-            "solution": solution(Letter(letter=letters[label], letters=letters)),
+            "ground_truth": ground_truth(Letter(letter=letters[label], letters=letters)),
             **facts(item),
         }
 

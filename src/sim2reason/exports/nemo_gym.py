@@ -3,7 +3,16 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import asked, facts
-from sim2reason.rewards import solution
+from sim2reason.rewards import ground_truth
+
+LICENSES = {
+    "apache-2.0": "Apache 2.0",
+    "mit": "MIT",
+    "cc-by-4.0": "Creative Commons Attribution 4.0 International",
+    "cc-by-sa-4.0": "Creative Commons Attribution-ShareAlike 4.0 International",
+    "gpl-3.0": "GNU General Public License v3.0",
+}
+"""What NeMo Gym calls licences, by their names on the Hugging Face hub."""
 
 
 @target
@@ -11,7 +20,12 @@ class NemoGym(Export):
     """NeMo Gym: JSON lines and a resources server that verifies."""
 
     name = "nemo-gym"
+    also = ("nemo_gym", "nemo")
     data = "resources_servers/sim2reason/data/{split}.jsonl"
+
+    def license(self, name: str) -> str:
+        """As its configuration may say it; of any other it says that it is still to be stated."""
+        return LICENSES.get(name, "TBD")
 
     def row(self, item: Item, place: Place) -> Row:
         """What a model is asked, and beside it what the server is handed to verify by."""
@@ -19,6 +33,6 @@ class NemoGym(Export):
         return {
             "responses_create_params": {"input": asked(item.prompt)},
             "id": item.id,
-            "solution": solution(item),
+            "ground_truth": ground_truth(item),
             **facts(item),
         }

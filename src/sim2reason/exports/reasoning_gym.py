@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import answered, solution
+from sim2reason.rewards import answered, ground_truth
 
 
 @target
@@ -11,9 +11,10 @@ class ReasoningGym(Export):
     """Reasoning Gym: a dataset that registers itself when its file is imported."""
 
     name = "reasoning-gym"
+    also = ("reasoning_gym",)
 
     def row(self, item: Item, place: Place) -> Row:
         """A question with an answer that passes, and what it is graded by."""
         del place
-        told = {"id": item.id, "solution": solution(item), **facts(item)}
+        told = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}
         return {"question": item.prompt, "answer": answered(item), "metadata": told}

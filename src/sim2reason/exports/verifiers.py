@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import answered, solution
+from sim2reason.rewards import answered, ground_truth
 
 
 @target
@@ -11,10 +11,11 @@ class VerifiersTaskset(Export):
     """verifiers: a v1 taskset, as a package to be installed."""
 
     name = "verifiers"
+    also = ("prime-rl", "prime")
     data = "sim2reason_problems/data/{split}.jsonl"
 
     def row(self, item: Item, place: Place) -> Row:
         """The data of a task."""
         del place
-        told = {"answer": answered(item), "solution": solution(item), **facts(item)}
+        told = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "prompt": item.prompt, **told}

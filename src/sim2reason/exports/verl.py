@@ -6,7 +6,7 @@ from typing import ClassVar
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Column, Export, Place, Row, target
 from sim2reason.exports.parts.messages import asked, facts
-from sim2reason.rewards import solution
+from sim2reason.rewards import ground_truth
 
 
 @target
@@ -37,6 +37,6 @@ class Verl(Export):
             "data_source": "sim2reason",
             "prompt": asked(item.prompt),
             "ability": "physics",
-            "reward_model": {"style": "rule", "ground_truth": solution(item)},
+            "reward_model": {"style": "rule", "ground_truth": ground_truth(item)},
             "extra_info": {"split": place.split, "index": place.number, "id": item.id, **facts(item)},
         }

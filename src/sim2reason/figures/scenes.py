@@ -7,12 +7,12 @@ from sim2reason.figures.canvas import check, draw, matplotlib
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
 from sim2reason.prose.description import Description, describe
-from sim2reason.scene_files import Wording
+from sim2reason.scene_files import SceneLike, Wording, given_scene, wording_of
 from sim2reason.simulation.scenes import BOTH, whole
 
 
 def figure(
-    scene: Scene,
+    scene: SceneLike,
     out: Path | str,
     *,
     numbers: bool = False,
@@ -21,20 +21,23 @@ def figure(
 ) -> None:
     """Draw the initial state of a scene into a .svg, .png or .pdf file, labelled as its text names things.
 
-    That is the text of a `seed`, by default that of the `wording` which the scene's file states (`wording_of`), or 0;
+    That is the text of a `seed`, by default that of the `wording` which the scene's file states (`wording_of`, which
+    is called where a file, its text or an item is given), or 0;
     for numbers that the wording says as symbols, symbols are shown. `numbers` writes masses, too. A FigureWarning says
     what can only be hinted at.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         MissingExtraError: matplotlib is not installed.
         UnsupportedError: `out` ends otherwise.
     """
     check(Path(out))
+    scene, wording = _given(scene, wording, "figure")
     draw(drawing(scene, _described(scene, seed, wording), numbers=numbers), Path(out))
 
 
 def plot(
-    scene: Scene,
+    scene: SceneLike,
     out: Path | str,
     *,
     duration: float | None = None,
@@ -52,8 +55,15 @@ def plot(
         SceneError, SimulationError, UnknownNameError: as `simulate`.
     """
     check(Path(out))
+    scene, wording = _given(scene, wording, "plot")
     matplotlib()
     plotted(whole(scene, duration, engine), _described(scene, seed, wording), Path(out))
+
+
+def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:
+    """The scene, and how its problem words it: as is said, or else as its file does."""
+    held, text = given_scene(scene, function)
+    return held, wording or (wording_of(text) if text else None)
 
 
 def _described(scene: Scene, seed: int | None, wording: Wording | None) -> Description:

@@ -1,4 +1,4 @@
-"""A model of the transformers library, in this process. Needs: pip install 'sim2reason[train]'."""
+"""A model of the transformers library, in this process. Needs the packages of the extra ``train``."""
 
 # transformers and torch are an extra, and are spoken to in this module alone:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false

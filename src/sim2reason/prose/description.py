@@ -13,6 +13,7 @@ from sim2reason.prose.naming import Names, letters
 from sim2reason.prose.phrases import paragraphs
 from sim2reason.prose.voices import Voice, VoiceName, numeric, voice_of
 from sim2reason.prose.writer import Writer
+from sim2reason.scene_files import SceneLike, scene_of
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,10 @@ class Description:
         said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
         return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
 
+    def __str__(self) -> str:
+        """Return the text, as it is printed."""
+        return self.text
+
     def role(self, sentence: str) -> Role:
         """What one of the sentences does in the text."""
         return self.roles.get(sentence, "fact")
@@ -68,7 +73,7 @@ class Description:
 
 
 def describe(
-    scene: Scene,
+    scene: SceneLike,
     seed: int = 0,
     voice: Voice | VoiceName = numeric,
     without: Collection[Topic] = (),
@@ -82,8 +87,10 @@ def describe(
     to leave out.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         SceneError: an address to hide at which no number is told.
     """
+    scene = scene_of(scene, "describe")
     return written(draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)
 
 

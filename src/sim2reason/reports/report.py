@@ -15,7 +15,7 @@ from sim2reason.reports.results import Result, RunReport, result
 __all__ = ["write_report"]
 
 JSON, PAGE, SCORES, ANSWERS = "report.json", "report.md", "scores.jsonl", "answers.html"
-NO_PICTURES = "There are no pictures, since matplotlib is not installed: pip install 'sim2reason[figures]'"
+NO_PICTURES = "There are no pictures, since matplotlib is not installed: pip install matplotlib"
 
 
 def write_report(folder: RunFolder) -> RunReport:

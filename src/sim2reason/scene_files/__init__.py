@@ -1,7 +1,22 @@
 """Scenes as files: strict YAML in the paper's shape, its JSON schema, and the page that tells the format."""
 
-from sim2reason.scene_files.mapping import decoded, dump, load, loads, told
+from sim2reason.scene_files.given import GivenScene, SceneLike, given_scene, scene_of
+from sim2reason.scene_files.mapping import dump, load, loads, told
 from sim2reason.scene_files.question_parts import question_of
+from sim2reason.scene_files.source_text import decoded
 from sim2reason.scene_files.wording import Wording, wording_of
 
-__all__ = ["Wording", "decoded", "dump", "load", "loads", "question_of", "told", "wording_of"]
+__all__ = [
+    "GivenScene",
+    "SceneLike",
+    "Wording",
+    "decoded",
+    "dump",
+    "given_scene",
+    "load",
+    "loads",
+    "question_of",
+    "scene_of",
+    "told",
+    "wording_of",
+]

@@ -10,7 +10,6 @@
 A file is foreign text. Whatever is wrong with it is one SceneError with the path in the file, the line and the remedy.
 """
 
-import re
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -26,13 +25,13 @@ from sim2reason.registry import nearest
 from sim2reason.scene_files.mistakes import explained
 from sim2reason.scene_files.question_parts import parts_from
 from sim2reason.scene_files.schema import is_many, snake
+from sim2reason.scene_files.source_text import source_text
 from sim2reason.scene_files.spellings import check_position, plain_name, respelled
 from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
 from sim2reason.scene_files.wording import Wording, wording_from
-from sim2reason.scene_files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
+from sim2reason.scene_files.yaml_text import Lines, Plain, parse, shown, write
 
 M = TypeVar("M", bound=Model)
-_PATH = re.compile(r"[^\n\0{\[]*\.(?:yaml|yml|json)")
 SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
 ENTITY_KEYS = ("name", "type", "position", "parameters")
 
@@ -46,7 +45,7 @@ def load(source: str | Path) -> Scene:
         SceneError: what is wrong, at which path in the file and in which line, and what to do about it.
         OSError: the file can't be read.
     """
-    return loads(_read(Path(source)) if isinstance(source, Path) or _PATH.fullmatch(source) else source)
+    return loads(source_text(source))
 
 
 def loads(text: str) -> Scene:
@@ -115,23 +114,6 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
         many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
         found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
     return found
-
-
-def _read(path: Path) -> str:
-    """The text of a file, no more of it than a scene may have."""
-    with path.open("rb") as file:
-        return decoded(file.read(MAX_BYTES + 1))
-
-
-def decoded(data: bytes) -> str:
-    """The text of a file's bytes; SceneError if they are too many or not UTF-8."""
-    if len(data) > MAX_BYTES:
-        raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise SceneError(f"line {line}", "the file is not UTF-8", "save it as UTF-8") from None
 
 
 def _with_line(place: str, text: str) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import MotionEndsWarning, SceneError
+from sim2reason.scene_files import SceneLike, scene_of
 from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
 from sim2reason.simulation.trace import ENGINES, Trace, ending
@@ -18,17 +19,19 @@ BOTH = "both"
 """In place of an engine's name: one checked by the other."""
 
 
-def certify(scene: Scene, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
+def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
     """Simulate a scene for `duration`, by default its horizon, by both engines: the exact trace and its certificate.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
+    scene = scene_of(scene, "certify")
     return certify_mechanism(scene.mechanism, _times(scene, duration, samples))
 
 
 def simulate(
-    scene: Scene,
+    scene: SceneLike,
     duration: float | None = None,
     engine: str = RECORDED,
     samples: int = SAMPLES,
@@ -42,9 +45,11 @@ def simulate(
     is before a `duration` that was asked for, a MotionEndsWarning says so, and why.
 
     Raises:
+        TypeError: neither a scene nor the path of its file, its text or an item.
         UnknownNameError: no such engine.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
+    scene = scene_of(scene, "simulate")
     trace = whole(scene, duration, engine, samples)
     trace = truncated(trace) if truncate else trace
     if duration is not None and trace.stable_until < duration:

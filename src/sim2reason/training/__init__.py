@@ -2,6 +2,6 @@
 
 ProblemSource (settings) ↦ Problem ── PromptStream ── trainer ── Reward ↦ checkpoints, log, report
 
-The libraries of deep learning, pip install 'sim2reason[train]', are loaded when a model is loaded or trained, never
+The libraries of deep learning, those of the extra ``train``, are loaded when a model is loaded or trained, never
 when this package is imported.
 """

@@ -6,9 +6,9 @@ from collections.abc import Generator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from multiprocessing import get_context
 
 from sim2reason.datasets.end_with_parent import end_with_parent
+from sim2reason.datasets.processes import ALONE
 from sim2reason.training.problem import Problem
 from sim2reason.training.sources import ProblemSource
 
@@ -71,7 +71,7 @@ def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
     if not workers:
         yield Prefetcher(None, depth)
         return
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=begin_worker)
+    pool = ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker)
     try:
         yield Prefetcher(pool, depth)
     finally:

@@ -14,6 +14,7 @@ from multiprocessing.connection import wait
 from typing import TypeAlias, TypeVar
 
 from sim2reason.datasets.end_with_parent import end_with_parent
+from sim2reason.datasets.processes import ALONE
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import External, library
 
@@ -40,11 +41,11 @@ def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Adv
         Sim2ReasonError: what it raises in the first process.
         TrainingError: a process ended before its work was done.
     """
-    context = library("torch.multiprocessing").get_context("spawn")
-    ours, theirs = context.Pipe(duplex=False)
+    library("torch.multiprocessing")  # it teaches pickles of processes about tensors
+    ours, theirs = ALONE.Pipe(duplex=False)
     port = _free_port()
     ranks = [
-        context.Process(target=_rank, args=(rank, count, port, theirs if rank == 0 else None, work, given))
+        ALONE.Process(target=_rank, args=(rank, count, port, theirs if rank == 0 else None, work, given))
         for rank in range(count)
     ]
     with closing(ours):

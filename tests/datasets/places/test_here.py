@@ -57,26 +57,77 @@ def test_to_start_may_take_longer_than_a_batch() -> None:
     assert [len(reply) for reply in replies if not isinstance(reply, str)] == [4, 4]
 
 
-def test_a_script_without_a_guard_is_told_so(tmp_path: Path) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(
-        "from sim2reason.datasets.build import build\nfrom sim2reason.datasets.plan import Config\n"
-        f"build({str(tmp_path / 'out')!r}, Config(items=1, recipes=('a',), maker='fake_makers:steady'), workers=1)\n"
-    )
-    result = subprocess.run([sys.executable, script], capture_output=True, text=True, check=False)
-    assert result.returncode == 1
-    assert "put the call under: if __name__ == '__main__'" in result.stderr.splitlines()[-1]
+ORDER = "items=12, recipe='pulley', maker='fake_makers:steady'"
 
 
-def test_a_program_on_standard_input_is_told_so_and_a_short_one_works(tmp_path: Path) -> None:
-    program = f"import sim2reason; sim2reason.generate({str(tmp_path / 'out')!r}, items=1, maker='fake_makers:steady')"
+def ran(program: str, *arguments: str, folder: Path) -> "subprocess.CompletedProcess[str]":
+    """A program from a file, or from standard input where it is named by a dash."""
     paths = os.pathsep.join([str(SUPPORT), os.environ.get("PYTHONPATH", "")])
-    env = os.environ | {"PYTHONPATH": paths}
-    result = subprocess.run([sys.executable, "-"], input=program, capture_output=True, text=True, check=False, env=env)
-    last = result.stderr.splitlines()[-1]
-    assert (result.returncode, result.stderr.count("Traceback")) == (1, 1)  # ours, and none of a worker
-    assert "there is no such file; put it into one, or give it to python -c" in last
-    assert subprocess.run([sys.executable, "-c", program], check=False, env=env).returncode == 0
+    script = folder / "script.py"
+    script.write_text(program)
+    return subprocess.run(
+        [sys.executable, *(arguments or [str(script)])],
+        input=program,
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": paths},
+    )
+
+
+@pytest.mark.parametrize("how", [(), ("-",)], ids=["file", "standard input"])
+@pytest.mark.parametrize("workers", [None, 1, 3])
+def test_a_plain_script_runs_once_with_any_number_of_workers(
+    tmp_path: Path, workers: int | None, how: tuple[str, ...]
+) -> None:
+    """It has no guard by __name__, and an error would not stop it."""
+    program = (
+        "import sim2reason\nprint('my own line')\n"
+        f"try:\n    print(len(sim2reason.generate('out', {ORDER}, workers={workers})))\n"
+        "except Exception:\n    print('failed')\n"
+    )
+    done = ran(program, *how, folder=tmp_path)
+    assert (done.stdout, done.stderr, done.returncode) == ("my own line\n12\n", "", 0)
+
+
+def test_other_processes_of_a_script_are_as_ever(tmp_path: Path) -> None:
+    """Only our own processes do without its program."""
+    program = (
+        "import multiprocessing, sim2reason\n\ndef double(x):\n    return 2 * x\n\n"
+        f"if __name__ == '__main__':\n    sim2reason.generate('out', {ORDER}, workers=2)\n"
+        "    with multiprocessing.get_context('spawn').Pool(1) as pool:\n        print(pool.map(double, [21]))\n"
+    )
+    assert ran(program, folder=tmp_path).stdout == "[42]\n"
+
+
+OWN = """
+from sim2reason.filters import FILTERS
+
+@FILTERS.register("own")
+def own(candidate):
+    return ""
+"""
+
+
+def test_what_a_script_imports_is_known_to_workers(tmp_path: Path) -> None:
+    (tmp_path / "own_members.py").write_text(OWN)
+    (tmp_path / "own_maker.py").write_text(
+        "from fake_makers import steady\nfrom sim2reason.filters import FILTERS\n\n"
+        "def make(request):\n    FILTERS['own']\n    return steady(request)\n"
+    )
+    order = ORDER.replace("fake_makers:steady", "own_maker:make")
+    program = f"import own_members, sim2reason\nprint(len(sim2reason.generate('out', {order}, workers=2)))\n"
+    assert ran(program, folder=tmp_path).stdout == "12\n"
+
+
+def test_what_a_script_defines_itself_is_known_to_one_worker(tmp_path: Path) -> None:
+    call = "import sim2reason\nprint(len(sim2reason.generate('out', {}, workers={})))\n"
+    for workers in (None, 1):
+        assert ran(OWN + call.format(ORDER, workers), folder=tmp_path).stdout == "12\n"
+    done = ran(OWN + call.format(ORDER, 2), folder=tmp_path)
+    told = "workers: 2 worker processes do not run your program, which defines own; move that to a module and import it"
+    assert told in done.stderr.splitlines()[-1]
 
 
 def test_an_outcome_tells_an_error_in_one_line() -> None:

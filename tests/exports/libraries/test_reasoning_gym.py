@@ -48,5 +48,22 @@ def test_it_is_created_sampled_and_scored(
         assert mixed.score_answer(entry["answer"], entry) == 1.0
 
 
+def test_fresh_problems_are_drawn_sampled_and_scored(
+    exported: Callable[[str], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(exported("reasoning-gym"))
+    importlib.import_module("sim2reason_problems")
+    easy = {"recipe": "pulley", "difficulty": "easy"}
+    data = reasoning_gym.create_dataset("sim2reason_fresh", seed=1, size=5, **easy)
+    assert [data.score_answer(entry["answer"], entry) for entry in data] == [1.0] * 5
+    assert [data.score_answer("1e9", entry) for entry in data] == [0.0] * 5
+    assert data[3] == list(data)[3], "a place has one problem"
+    ids = {entry["metadata"]["id"] for entry in data}
+    other = reasoning_gym.create_dataset("sim2reason_fresh", seed=2, size=5, **easy)
+    assert len(ids | {entry["metadata"]["id"] for entry in other}) == 10
+    with pytest.raises(ValueError, match="size must be positive"):
+        reasoning_gym.create_dataset("sim2reason_fresh", size=0)
+
+
 def test_the_page_is_true(follow: Callable[[str], None]) -> None:
     follow("reasoning-gym")

@@ -1,5 +1,9 @@
 """Hugging Face datasets load what was written, its reward grades them; TRL's trainer takes both, as the page shows."""
 
+import ast
+import os
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -31,6 +35,18 @@ def test_datasets_load_it_and_the_reward_grades(
             1.0,
             *[0.0] * (len(said) - 1),
         ]
+
+
+def test_a_trainer_takes_fresh_problems(tmp_path: Path) -> None:
+    """Its rewards are those of a model that guesses: neither all nothing nor all right."""
+    pytest.importorskip("trl", reason="make test-exports")
+    environ = os.environ | {"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1"}
+    command = [sys.executable, str(Path(__file__).parents[3] / "examples/train_with_trl.py")]
+    done = subprocess.run(command, cwd=tmp_path, env=environ, capture_output=True, text=True, check=False, timeout=900)
+    assert done.returncode == 0, done.stderr[-2000:]
+    rewards = ast.literal_eval(done.stdout.rpartition("mean rewards: ")[2].strip())
+    assert len(rewards) == 6
+    assert 0.0 < sum(rewards) / 6 < 0.6
 
 
 @pytest.mark.parametrize("page", ["hf", "trl"])

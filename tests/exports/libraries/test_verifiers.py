@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.datasets.item import Item
+from sim2reason.rewards import boxed
 
 vf = pytest.importorskip("verifiers.v1", reason="make test-exports")
 
@@ -50,6 +51,23 @@ def test_tasks_are_loaded_and_scored(
     assert seen == set(items)
     shuffled = load_taskset(config).shuffle(seed=1).take(5)
     assert len({task.key for task in shuffled}) == 5
+
+
+def test_fresh_tasks_are_drawn_without_end(exported: Callable[[str], Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    from verifiers.v1.utils.loaders import load_taskset, taskset_config_type
+
+    monkeypatch.syspath_prepend(exported("verifiers"))
+    easy = {"recipe": "pulley", "difficulty": "easy"}
+    config = taskset_config_type("sim2reason-problems")(id="sim2reason-problems", fresh=True, seed=1, **easy)
+    taskset = load_taskset(config)
+    assert not taskset.bounded
+    tasks = list(taskset.take(5))
+    assert [reward(task, boxed(task.data.answer)) for task in tasks] == [1.0] * 5
+    assert [reward(task, boxed("1e9")) for task in tasks] == [0.0] * 5
+    assert [task.key for task in taskset.take(5)] == [task.key for task in tasks]
+    assert len({task.key for task in tasks}) == 5
+    with pytest.raises(ValueError, match="is infinite"):
+        taskset.shuffle(seed=1)
 
 
 def test_its_own_validation_passes(exported: Callable[[str], Path], tmp_path: Path) -> None:

@@ -34,7 +34,7 @@ def test_the_end_of_a_stream_is_told() -> None:
 
 def test_all_rows_get_all_columns() -> None:
     drawn = draw(Numbers(mixed=True), 2, lambda _: True)
-    assert [(row["solution"], row["other"]) for row in drawn.rows] == [(None, "even"), ("odd", None)]
+    assert [(row["ground_truth"], row["other"]) for row in drawn.rows] == [(None, "even"), ("odd", None)]
 
 
 def test_a_stream_none_of_whose_prompts_fit_is_an_error() -> None:

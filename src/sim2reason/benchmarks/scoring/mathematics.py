@@ -28,7 +28,7 @@ _UNSOLVED: Final = re.compile(r"[^=]*(?:[0-9+*/^]|\\(?:d?frac|sqrt)(?![A-Za-z])|
 
 
 class MathVerify(Scoring):
-    """By value where our grammar reads both answers, else by math-verify. Needs: pip install 'sim2reason[eval]'."""
+    """By value where our grammar reads both answers, else by math-verify. Needs: pip install math-verify."""
 
     needs = ("math_verify",)
 

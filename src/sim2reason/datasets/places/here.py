@@ -1,27 +1,28 @@
 """On this machine: worker processes that can be killed one by one.
 
 One pipe per worker and no lock between them: a worker that crashes, hangs or is killed takes only its own
-batch with it. (`concurrent.futures` loses the whole pool to one crash.)
+batch with it. (`concurrent.futures` loses the whole pool to one crash.) One worker alone is this process itself.
 """
 
 import os
-import sys
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
-from multiprocessing import get_context
+from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
-from pathlib import Path
 
 from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
-from sim2reason.datasets.worker import Batch, Message, serve
+from sim2reason.datasets.plan import load_maker
+from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.worker import Batch, Message, outcome, serve
 from sim2reason.errors import DatasetError
+from sim2reason.registry import further_members
 
-_SPAWN = get_context("forkserver")  # a fork of a process with threads may deadlock
+PROGRAM = "__main__"
 STARTING = 60.0  # s: a worker may take so long to begin on a busy machine, whatever a batch may take
 
 
@@ -36,9 +37,8 @@ class _Worker:
 
     @classmethod
     def start(cls, maker: str, patience: float) -> "_Worker":
-        _check_program()
-        ours, theirs = _SPAWN.Pipe()
-        process = _SPAWN.Process(target=serve, args=(theirs, maker), daemon=True)
+        ours, theirs = Pipe()
+        process = ALONE.Process(target=serve, args=(theirs, maker, tuple(further_members())), daemon=True)
         with deaf_children():
             process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
@@ -72,10 +72,7 @@ class _Worker:
 
     def _lost(self, why: str) -> str:
         if not self.began:
-            raise DatasetError(
-                f"a worker process ended or hung before it began ({why}); if a script of yours calls build, "
-                "put the call under: if __name__ == '__main__'"
-            )
+            raise DatasetError(f"a worker process ended or hung before it began ({why}); try workers=1")
         return why
 
     def stop(self) -> None:
@@ -87,21 +84,34 @@ class _Worker:
 @PLACES.register(HERE)
 @contextmanager
 def here(crew: Crew) -> Generator[Run, None, None]:
-    """This machine; DatasetError for an address, for it has none."""
+    """This machine; DatasetError for an address, for it has none, or for workers that can't know what they need."""
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
-    yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
+    if _workers(crew) == 1:
+        yield partial(alone, maker=crew.maker)
+    else:
+        yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
 
 
-def _check_program() -> None:
-    """DatasetError for a program that a worker, which reads it too, can't find: one on standard input."""
-    program = sys.modules["__main__"]
-    path = getattr(program, "__file__", None)
-    if path is not None and getattr(program, "__spec__", None) is None and not Path(path).is_file():
+def _workers(crew: Crew) -> int | None:
+    """How many are asked for; one where only this process knows what it takes, and nobody asks for more."""
+    own = further_members().get(PROGRAM, ())
+    if own and (crew.workers or 1) > 1:
         raise DatasetError(
-            f"{path}: worker processes read the program that starts them, and there is no such file; put it into one, "
-            "or give it to python -c, with the call under: if __name__ == '__main__'"
+            f"workers: {crew.workers} worker processes do not run your program, which defines {', '.join(own)}; "
+            "move that to a module and import it, or give workers=1"
         )
+    return 1 if own else crew.workers
+
+
+def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
+    """Work on what `source` gives in this process, batch after batch: what crashes or hangs, takes it along.
+
+    DatasetError if the maker can't be imported.
+    """
+    make = load_maker(maker)
+    while (batch := source()) is not None:
+        yield batch, [outcome(make, position, request) for position, request in batch]
 
 
 def cores() -> int:

@@ -14,6 +14,7 @@ from sim2reason.datasets.separate import separated
 from sim2reason.errors import DatasetError
 from sim2reason.exports import EXPORTS, Export, Place, Row
 from sim2reason.exports.parts import row_files
+from sim2reason.exports.parts.origin import requirement
 
 EVALUATED = "test", "validation"
 """The splits to evaluate on, the best first; without them, the last one."""
@@ -122,6 +123,8 @@ def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -
         "{split}": next((name for name in EVALUATED if name in rows), list(rows)[-1]),
         "{training}": "train" if "train" in rows else next(iter(rows)),
         "{splits}": counts,
+        "{license}": export.license(dataset.manifest.config.license),
+        "{repository}": requirement(),
         "{source}": f"configuration {dataset.manifest.config_hash[:12]}",
     }
     for source in sorted(path for path in export.folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):

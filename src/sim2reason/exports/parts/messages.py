@@ -3,6 +3,7 @@
 from typing import TypedDict
 
 from sim2reason.datasets.item import Item
+from sim2reason.grading.parts import LABELS
 
 FACTS = "mode", "kind", "recipe", "difficulty"
 
@@ -22,3 +23,12 @@ def asked(prompt: str) -> list[Message]:
 def facts(item: Item) -> dict[str, str]:
     """What results are grouped by."""
     return {name: getattr(item, name) for name in FACTS}
+
+
+def worked(item: Item) -> str | None:
+    """The worked solution, or those of all parts with their labels; None where the dataset has none."""
+    if not item.parts:
+        return item.solution.text if item.solution is not None else None
+    pairs = zip(LABELS, item.parts, strict=False)
+    texts = [f"({label}) {part.solution.text}" for label, part in pairs if part.solution is not None]
+    return "\n\n".join(texts) if len(texts) == len(item.parts) else None

@@ -1,11 +1,12 @@
 """A process for calls that may hang or crash: it is killed after a while, and another one takes its place."""
 
 from collections.abc import Callable
-from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from threading import Lock
 from typing import Generic, TypeVar
+
+from sim2reason.datasets.processes import ALONE
 
 __all__ = ["Killable"]
 
@@ -40,9 +41,8 @@ class Killable(Generic[R]):
 
     def _started(self) -> "Connection[tuple[str, ...], R | None] | None":
         if self._pipe is None:
-            context = get_context("spawn")
-            self._pipe, theirs = context.Pipe()
-            self._process = context.Process(target=_serve, args=(theirs, self._function), daemon=True)
+            self._pipe, theirs = ALONE.Pipe()
+            self._process = ALONE.Process(target=_serve, args=(theirs, self._function), daemon=True)
             self._process.start()
             theirs.close()  # now the process alone holds it: its death closes the pipe
             try:

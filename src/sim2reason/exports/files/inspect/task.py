@@ -24,7 +24,7 @@ def physics() -> Scorer:
 
     async def graded(state: TaskState, target: Target) -> Score:
         del target
-        grade = score(state.metadata["solution"], state.output.completion)
+        grade = score(state.metadata["ground_truth"], state.output.completion)
         value = CORRECT if grade.reward else INCORRECT
         return Score(value=value, answer=str(grade.parsed), explanation=grade.why, metadata={"outcome": grade.outcome})
 

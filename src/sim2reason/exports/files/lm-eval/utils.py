@@ -18,4 +18,4 @@ def problems(**settings: object) -> datasets.DatasetDict:
 
 def process_results(doc: dict[str, str], results: list[str]) -> dict[str, float]:
     """One response to one problem."""
-    return {"accuracy": score(doc["solution"], results[0]).reward}
+    return {"accuracy": score(doc["ground_truth"], results[0]).reward}

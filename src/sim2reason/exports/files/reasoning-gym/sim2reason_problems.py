@@ -1,4 +1,7 @@
-"""Physics problems as a dataset of Reasoning Gym, registered as ``sim2reason`` when this file is imported."""
+"""Physics problems as two datasets of Reasoning Gym, which are registered when this file is imported.
+
+``sim2reason`` has the problems beside this file, ``sim2reason_fresh`` draws others when they are asked for.
+"""
 
 import json
 from dataclasses import dataclass
@@ -8,6 +11,7 @@ from typing import Any
 
 from reasoning_gym.factory import ProceduralDataset, register_dataset
 
+from sim2reason import iterable
 from sim2reason.rewards import boxed, score
 
 DATA = Path(__file__).resolve().parent / "data"
@@ -34,7 +38,35 @@ class ProblemsConfig:
             raise ValueError("size must be positive")
 
 
-class Problems(ProceduralDataset):
+@dataclass
+class FreshConfig:
+    """Which problems are drawn; another seed, other problems."""
+
+    seed: int = 0
+    size: int = 500
+    recipe: str = "all"
+    difficulty: str = "all"
+    mode: str = "numeric"
+
+    def validate(self) -> None:
+        """Refuse what can't be; names are looked at where problems are drawn."""
+        if self.size < 1:
+            raise ValueError("size must be positive")
+
+
+class Graded(ProceduralDataset):
+    """What rows of ours have in common."""
+
+    def score_answer(self, answer: str | None, entry: dict[str, Any]) -> float:
+        """1 or 0, for an answer in a box or without one."""
+        return score(entry["metadata"]["ground_truth"], boxed(answer or "")).reward
+
+    def told(self, row: dict[str, Any], idx: int) -> dict[str, Any]:
+        """A row with where it stands."""
+        return row | {"metadata": {"source_dataset": "sim2reason", "source_index": idx, **row["metadata"]}}
+
+
+class Problems(Graded):
     """Problems in an order that the seed draws."""
 
     def __init__(self, config: ProblemsConfig) -> None:
@@ -45,12 +77,22 @@ class Problems(ProceduralDataset):
 
     def __getitem__(self, idx: int) -> dict[str, Any]:
         """A problem with its answer and what it is graded by."""
-        row = self.rows[idx % len(self.rows)]
-        return row | {"metadata": {"source_dataset": "sim2reason", "source_index": idx, **row["metadata"]}}
+        return self.told(self.rows[idx % len(self.rows)], idx)
 
-    def score_answer(self, answer: str | None, entry: dict[str, Any]) -> float:
-        """1 or 0, for an answer in a box or without one."""
-        return score(entry["metadata"]["solution"], boxed(answer or "")).reward
+
+class FreshProblems(Graded):
+    """Problems that are drawn when they are asked for; the same seed and place give the same one."""
+
+    def __init__(self, config: FreshConfig) -> None:
+        """Draw nothing yet."""
+        super().__init__(config=config, seed=config.seed, size=config.size)
+        order = {"recipe": config.recipe, "difficulty": config.difficulty, "mode": config.mode, "seed": config.seed}
+        self.rows = iterable("reasoning-gym", **order)
+
+    def __getitem__(self, idx: int) -> dict[str, Any]:
+        """A problem with its answer and what it is graded by."""
+        return self.told(self.rows[idx], idx)
 
 
 register_dataset("sim2reason", Problems, ProblemsConfig)
+register_dataset("sim2reason_fresh", FreshProblems, FreshConfig)

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from itertools import count
 from math import ceil
-from multiprocessing import get_context
 
+from sim2reason.datasets.processes import ALONE
 from sim2reason.datasets.request import Request
 from sim2reason.training.corpora import Row
 from sim2reason.training.prefetch import begin_worker
@@ -28,7 +28,7 @@ def drawn_rows(
     Where problems are so rare that they are given up, there are fewer.
     """
     found, size = 0, min(TOGETHER, items)
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=begin_worker) as pool:
+    with ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker) as pool:
         ahead = [pool.submit(_stretch, problems, rows_of, number, size) for number in range(2 * workers)]
         for number in count(len(ahead)):
             for rows in ahead.pop(0).result():

@@ -1,10 +1,13 @@
-"""The problems beside this file, and their reward."""
+"""The problems beside this file, or fresh ones without end, and their reward."""
 
-from collections.abc import Iterator
+import json
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import verifiers.v1 as vf
 
+from sim2reason import iterable
 from sim2reason.rewards import boxed, score
 
 DATA = Path(__file__).resolve().parent / "data"
@@ -14,7 +17,7 @@ class ProblemData(vf.TaskData):
     """A problem, an answer that passes, and what answers are graded by."""
 
     answer: str
-    solution: str
+    ground_truth: str
     mode: str
     kind: str
     recipe: str
@@ -32,25 +35,41 @@ class Problem(vf.Task[ProblemData]):
     @vf.reward(weight=1.0)
     async def accuracy(self, trace: vf.Trace) -> float:
         """1 for the right answer in a box, else 0."""
-        return score(self.data.solution, trace.last_reply).reward
+        return score(self.data.ground_truth, trace.last_reply).reward
 
     async def validate(self, runtime: vf.Runtime) -> bool:
         """Whether the right answer passes, which `vf-validate` asks."""
         del runtime
-        return score(self.data.solution, boxed(self.data.answer)).reward == 1.0
+        return score(self.data.ground_truth, boxed(self.data.answer)).reward == 1.0
 
 
 class Sim2ReasonConfig(vf.TasksetConfig):
-    """Which problems."""
+    """Which problems: those of a split, or `fresh` ones, which are drawn; the other settings are for these."""
 
     split: str = "train"
+    fresh: bool = False
+    seed: int = 0
+    recipe: str = "all"
+    difficulty: str = "all"
+    mode: str = "numeric"
 
 
 class Sim2ReasonTaskset(vf.Taskset[Problem, Sim2ReasonConfig]):
-    """All problems of a split."""
+    """All problems of a split, or fresh ones without end."""
+
+    def __init__(self, config: Sim2ReasonConfig) -> None:
+        """Say whether there is an end."""
+        super().__init__(config)
+        self.INFINITE = config.fresh
 
     def load(self) -> Iterator[Problem]:
-        """One task a line."""
-        with (DATA / f"{self.config.split}.jsonl").open(encoding="utf-8") as lines:
-            for line in lines:
-                yield Problem(ProblemData.model_validate_json(line), self.config.task)
+        """One task for each row."""
+        return (Problem(ProblemData.model_validate(row), self.config.task) for row in self._rows())
+
+    def _rows(self) -> Iterable[dict[str, Any]]:
+        which = self.config
+        if which.fresh:
+            order = {"recipe": which.recipe, "difficulty": which.difficulty, "mode": which.mode, "seed": which.seed}
+            return iterable("verifiers", **order)
+        lines = (DATA / f"{which.split}.jsonl").read_text(encoding="utf-8").splitlines()
+        return map(json.loads, lines)

@@ -13,7 +13,7 @@ from sim2reason.rewards import score
 class ProblemRequest(BaseVerifyRequest):
     """A response, and what it is graded by."""
 
-    solution: str
+    ground_truth: str
 
 
 class ProblemResponse(BaseVerifyResponse):
@@ -30,7 +30,7 @@ class Sim2ReasonResourcesServer(SimpleResourcesServer):
 
     async def verify(self, body: ProblemRequest) -> ProblemResponse:
         """Grade the text of a response."""
-        grade = score(body.solution, body.response.output_text)
+        grade = score(body.ground_truth, body.response.output_text)
         return ProblemResponse(**body.model_dump(), reward=grade.reward, outcome=grade.outcome, why=grade.why)
 
 
