@@ -51,6 +51,7 @@ STATED: Mapping[tuple[str, str], Span] = {
     ("angular velocity", "rad/s"): (0.2, 60.0),
     ("angular frequency", "rad/s"): (0.2, 60.0),
     ("friction", ""): (0.03, 1.2),
+    ("static friction", ""): (0.03, 1.5),
     ("restitution", ""): (0.1, 1.0),
     ("force", "N"): (0.1, 1000.0),
     ("stiffness", "N/m"): (5.0, 5000.0),

@@ -6,7 +6,7 @@ One line declares a number; validation, sampling, prose, symbols and the schema 
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import floor, isfinite, log10
 from typing import Annotated, Any
@@ -52,6 +52,13 @@ class Chance:
 
 
 @dataclass(frozen=True, slots=True)
+class Usually:
+    """Marks something optional that is always drawn, or never, where no recipe says so: no random number decides."""
+
+    present: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Sized:
     """Marks a variable-length part that has as many members as the fields before it demand."""
 
@@ -66,8 +73,24 @@ class Member:
 
 
 @dataclass(frozen=True, slots=True)
+class Above:
+    """Marks a number that is greater than that of a field beside it, which is not zero."""
+
+    field: str
+
+
+@dataclass(frozen=True, slots=True)
 class Hidden:
     """Marks a number that must not matter to any answer, such as where a scene stands; it is never said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """What a number is, more narrowly, where an optional field beside it is there, as µ is µ_k beside µ_s."""
+
+    field: str
+    symbol: str
+    called: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +99,8 @@ class Measure:
 
     `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
     `decimals` places, though not with more than three significant digits, or, where that is None, with two.
-    `called` is what a question that asks for it calls it, where that is not its name.
+    `called` is what a question that asks for it calls it, where that is not its name, and `beside` what becomes of
+    both beside another number.
     """
 
     name: str
@@ -84,6 +108,7 @@ class Measure:
     symbol: str
     decimals: int | None = None
     called: str = ""
+    beside: Beside | None = None
 
     def __post_init__(self) -> None:
         """Refuse a unit outside the table (UnitError)."""
@@ -93,6 +118,13 @@ class Measure:
     def noun(self) -> str:
         """What a question calls it; whatever is counted in degrees is an angle."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
+
+    def of(self, owner: object) -> "Measure":
+        """What it means of an owner, by what else that has."""
+        beside = self.beside
+        if beside is None or getattr(owner, beside.field, None) is None:
+            return self
+        return replace(self, symbol=beside.symbol, called=beside.called, beside=None)
 
     def places(self, value: float) -> int:
         """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
@@ -135,8 +167,22 @@ def join_unit(number: str, unit: str) -> str:
 LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
 Mass = Annotated[float, LEAST, Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
+KINETIC = Beside("static_friction", r"\mu_k", "coefficient of kinetic friction")
 Friction = Annotated[
-    float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction"), Range(0.1, 0.7)
+    float,
+    Ge(0),
+    Le(2),
+    Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction", beside=KINETIC),
+    Range(0.1, 0.7),
+]
+StaticFriction = Annotated[
+    float,
+    LEAST,
+    Le(2),
+    Above("friction"),
+    Measure("static friction", "", r"\mu_s", decimals=2, called="coefficient of static friction"),
+    Range(0.2, 0.9),
+    Usually(present=False),
 ]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
 Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]

@@ -24,11 +24,10 @@ from sim2reason.dsl.template import (
     role_of,
     slots,
     topic_of,
-    wordings,
 )
 from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.naming import Names
-from sim2reason.prose.phrases import BODIES, alike, canonical, resolved
+from sim2reason.prose.phrases import BODIES, alike, canonical, resolved, spoken
 from sim2reason.prose.tables import table
 from sim2reason.prose.terms import Terms
 from sim2reason.prose.voices import Voice
@@ -114,7 +113,7 @@ class Writer(Terms):
         if isinstance(saying, PartLines):
             inner = parts_at(part, saying.field).items()
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
-        template = self.choose(wordings(saying))
+        template = self.choose(spoken(saying, part))
         if not isinstance(saying, Each):
             topic = topic_of(saying)
             if not self.says_line(saying, template, part):

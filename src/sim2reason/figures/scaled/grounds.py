@@ -28,7 +28,7 @@ class Surface:
     owner: str | None
     normal: complex
     touched: tuple[complex, ...]
-    friction: float = 0.0
+    face: Face | None = None  # with what friction something lies on it
 
     @property
     def along(self) -> complex:
@@ -60,7 +60,7 @@ def surfaces(setting: Setting) -> list[Surface]:
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
         for end in (at - half, at + half, *walls(setting, at, normal * 1j)):
-            _touch(found, parent, normal, end - below * normal, face.friction)
+            _touch(found, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
         at, normal = setting.site(foot.site), unit(setting.view.way(foot.normal))
         if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
@@ -88,11 +88,11 @@ def _touch(
     owner: str | None,
     normal: complex,
     point: complex,
-    friction: float = 0.0,
+    face: Face | None = None,
 ) -> None:
     key = (owner, round(normal.real, 6), round(normal.imag, 6), round(dot(point, normal), 2))
     before = found[key].touched if key in found else ()
-    found[key] = Surface(owner, normal, (*before, point), friction)
+    found[key] = Surface(owner, normal, (*before, point), face)
 
 
 def grounds(setting: Setting) -> Sketch:
@@ -139,14 +139,14 @@ def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
 
 def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
     """Dots under a face with friction, and its coefficient if the text states it."""
-    if surface.friction == 0.0:
+    face = surface.face
+    if face is None or face.friction == 0.0:
         return
     a, b = surface.ends
     found.shapes.append(rough(a, b, surface.normal))
-    values = (text for owner in setting.owners if (text := setting.stated(owner, "", surface.friction)))
-    if (value := next(values, "")) != "":
+    told = (said for owner in setting.owners if (said := setting.plan.rubbing(owner, face)))
+    if text := next(told, ""):
         left, low, right, _ = box((a, b))
-        text = setting.plan.equated("µ", value)
         wide = 0.5 * width(text, SMALL)
         spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
         inside = complex(right - wide - 0.2, low + 0.3)

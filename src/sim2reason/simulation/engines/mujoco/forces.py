@@ -77,7 +77,7 @@ def _decide(
     if not resting.any() and np.array_equal(pulling, demand.strings):
         return demand, first
     normal, a = first.forces[model.presses], first.a[model.rubs]
-    at_limit = np.abs(first.forces[model.grips]) >= model.friction * normal - faint
+    at_limit = np.abs(first.forces[model.grips]) >= model.static_friction * normal - faint
     started = resting & at_limit & (np.abs(a) > start)
     sliding = np.where(started, np.sign(a), demand.sliding)
     last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
