@@ -165,7 +165,8 @@ def join_unit(number: str, unit: str) -> str:
 
 
 LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
-Mass = Annotated[float, LEAST, Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
+FASTEST = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
+Mass = Annotated[float, LEAST, Le(1e9), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
 KINETIC = Beside("static_friction", r"\mu_k", "coefficient of kinetic friction")
 Friction = Annotated[
@@ -185,7 +186,7 @@ StaticFriction = Annotated[
     Usually(present=False),
 ]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
-Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+Speed = Annotated[float, LEAST, Le(FASTEST), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
 AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]

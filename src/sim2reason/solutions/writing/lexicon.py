@@ -130,7 +130,7 @@ class Lexicon:
             values = {
                 path: given.parameter.value * (1.0 + side * rng.uniform(0.2, 1.0))
                 for path, given in self.givens.items()
-                if given.parameter.value
+                if given.parameter.value and not (given.angle and _is_word(self.scene, given.parameter))
             }
             try:
                 twin = self.scene.having_all(values).mechanism
@@ -244,6 +244,13 @@ class Lexicon:
 def _counted(parameter: Parameter, value: float) -> float:
     """In the mechanism's own count: that of the text, but for degrees, kilometres and other such parts."""
     return value * factor(parameter.measure.unit)
+
+
+def _is_word(scene: Scene, parameter: Parameter) -> bool:
+    """Whether a word tells a number, as *straight up* tells an angle of 90°: then it could be no other."""
+    owner, _, name = parameter.path.rpartition(".")
+    words = getattr(type(scene.value(owner)), "words", {})
+    return any(word.parameter == name and parameter.value in word.special for word in words.values())
 
 
 def _factor(number: Both, atom: Both) -> float | None:
