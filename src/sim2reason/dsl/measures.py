@@ -7,6 +7,7 @@ One line declares a number; validation, sampling, prose, symbols and the schema 
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from functools import cache
 from math import floor, isfinite, log10
 from typing import Annotated, Any
@@ -14,7 +15,7 @@ from typing import Annotated, Any
 import numpy as np
 from annotated_types import Ge, Le, Lt
 
-from sim2reason.dsl.units import parse_unit
+from sim2reason.dsl.units import coherent, parse_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,11 +146,25 @@ class Measure:
             return join_unit("0", self.unit)
         rounded = round(value, self.places(value))
         text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
+        if "e" in text or not FAINT <= abs(value) < VAST:
+            return in_powers(value, self.unit)
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
     def draw(self, rng: np.random.Generator, low: float, high: float) -> float:
         """A number in [low, high], uniform and rounded as it will be spoken."""
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
+
+
+FAINT, VAST = 1e-5, 1e7  # what is smaller, or at least as large, is told with a power of ten
+
+
+def in_powers(value: float, unit: str) -> str:
+    """A number that is not zero with a power of ten, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
+    bare, size = coherent(unit)
+    sign, digits, _ = (told := (Decimal(repr(value)) * size).normalize()).as_tuple()
+    first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
+    text = f"{'-' * sign}{first}.{rest} \N{MULTIPLICATION SIGN} 10^{told.adjusted()}"
+    return join_unit(text.replace("-", "\N{MINUS SIGN}"), bare)
 
 
 @cache

@@ -13,7 +13,7 @@ from sim2reason.entities.parts.fields import (
     force_field,
 )
 
-Frequency = Annotated[float, LEAST, Le(1e4), Measure("angular frequency", "rad/s", r"\omega"), Range(0.5, 4.0)]
+Frequency = Annotated[float, LEAST, Le(1e12), Measure("angular frequency", "rad/s", r"\omega"), Range(0.5, 4.0)]
 
 
 @force_field
