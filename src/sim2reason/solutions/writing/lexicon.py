@@ -11,6 +11,7 @@ from functools import reduce
 from itertools import combinations_with_replacement
 from math import comb
 from operator import mul
+from typing import cast
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from sim2reason.dsl.measures import FAINT, VAST
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Word
 from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
 from sim2reason.prose.formula_numbers import factor
@@ -258,7 +260,7 @@ def _counted(parameter: Parameter, value: float) -> float:
 def _is_word(scene: Scene, parameter: Parameter) -> bool:
     """Whether a word tells a number, as *straight up* tells an angle of 90°: then it could be no other."""
     owner, _, name = parameter.path.rpartition(".")
-    words = getattr(type(scene.value(owner)), "words", {})
+    words = cast("Mapping[str, Word]", getattr(cast("object", scene.value(owner)), "words", {}))
     return any(word.parameter == name and parameter.value in word.special for word in words.values())
 
 
