@@ -1,8 +1,7 @@
 """A ball that is thrown, and bounces on level ground."""
 
-from collections.abc import Mapping
 from math import cos, radians, sin, sqrt
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, cast
 
 from annotated_types import Ge, Le
 from pydantic import model_validator
@@ -90,8 +89,9 @@ class Projectile(Entity):
     @classmethod
     def _released(cls, given: Any) -> Any:  # noqa: ANN401 - whatever a file or a program gives
         """A speed of zero is none, and no angle belongs to it."""
-        if isinstance(given, Mapping) and given.get("speed") == 0:
-            return {name: held for name, held in given.items() if name not in ("speed", "angle", "side")}
+        numbers = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
+        if numbers.get("speed") == 0:
+            return {name: held for name, held in numbers.items() if name not in ("speed", "angle", "side")}
         return given
 
     @model_validator(mode="after")

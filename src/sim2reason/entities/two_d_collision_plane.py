@@ -34,6 +34,7 @@ Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2)
 Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
+TOUCHING = 1e-9  # m; what rounding leaves of no distance
 SLOWEST = 0.5  # m/s, of a puck that moves towards another
 
 
@@ -118,8 +119,8 @@ class TwoDCollisionPlane(Entity):
         if len({(pair.first, pair.second) for pair in self.pairs}) < len(self.pairs):
             raise ValueError("pairs: two entries name the same pair")
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
-            if hypot(a.x - b.x, a.y - b.y) <= 2.0 * self.radius:
-                raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by more than two radii")
+            if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - TOUCHING:
+                raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by two radii or more")
         return self
 
     @classmethod

@@ -34,7 +34,7 @@ from sim2reason.solutions.writing.unit_latex import latex
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance
 TINY = 1e-9  # of what a text says: less belongs to atoms
-TRIES = 4
+TRIES, ALIKE = 24, 4  # draws of numbers; of these, the first, in which all grow or all shrink
 LARGEST = 10_000  # the largest numerator of a number that is no accident
 TERMS = 2500  # products of several numbers that are tried
 
@@ -132,8 +132,10 @@ class Lexicon:
         for attempt in range(TRIES):
             rng = np.random.default_rng(attempt)
             side = -SHIFT if attempt % 2 == 0 else SHIFT
+            mixed = attempt >= ALIKE  # what touches may need one number to grow and another one to shrink
             values = {
-                path: given.parameter.value * (1.0 + side * rng.uniform(0.2, 1.0))
+                path: given.parameter.value
+                * (1.0 + side * rng.uniform(0.2, 1.0) * (rng.choice((-1.0, 1.0)) if mixed else 1.0))
                 for path, given in self.givens.items()
                 if given.parameter.value and not (given.angle and _is_word(self.scene, given.parameter))
             }

@@ -97,8 +97,8 @@ def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) ->
     zero = np.zeros(model.size)
     full = detector.strings(q, v, zero).value <= TOUCHING
     gaps = detector.approach(q, v, zero).gaps
-    touching = gaps.value <= TOUCHING
     restitution = np.array([pair.restitution for pair in model.mechanism.meetings])
+    touching = (gaps.value <= TOUCHING) & ((gaps.rate < -STILL) | (restitution == 0.0))  # what rests is struck next
     targets = np.zeros(model.slots)
     targets[model.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
     model.aim(detector.closing(q))
