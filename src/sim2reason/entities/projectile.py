@@ -1,7 +1,7 @@
 """A ball that is thrown, and bounces on level ground."""
 
 from math import cos, radians, sin, sqrt
-from typing import Annotated, Any, Literal, Self, cast
+from typing import Annotated, Literal, Self, cast
 
 from annotated_types import Ge, Le
 from pydantic import model_validator
@@ -87,12 +87,13 @@ class Projectile(Entity):
 
     @model_validator(mode="before")
     @classmethod
-    def _released(cls, given: Any) -> Any:  # noqa: ANN401 - whatever a file or a program gives
+    def _released(cls, given: object) -> object:
         """A speed of zero is none, and no angle belongs to it."""
-        numbers = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
-        if numbers.get("speed") == 0:
-            return {name: held for name, held in numbers.items() if name not in ("speed", "angle", "side")}
-        return given
+        if not isinstance(given, dict):
+            return given
+        numbers = cast("dict[str, object]", given)
+        still = ("speed", "angle", "side") if numbers.get("speed") == 0 else ()
+        return {name: held for name, held in numbers.items() if name not in still}
 
     @model_validator(mode="after")
     def _thrown(self) -> Self:

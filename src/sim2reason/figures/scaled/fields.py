@@ -9,9 +9,9 @@ from sim2reason.dsl.mechanism import ZERO, Force
 from sim2reason.dsl.regions import BoxRegion as Slab
 from sim2reason.dsl.regions import DiscRegion, HalfSpace, Region
 from sim2reason.dsl.vectors import Vector, add, inner, scale
-from sim2reason.figures.scaled.grounds import spread
 from sim2reason.figures.scaled.pushes import is_push
 from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, Arc, Area, LineShape, Shape, Sketch, Wanted, dot_at
 from sim2reason.figures.vectors import Polygon, dot, unit
 

@@ -10,9 +10,10 @@ from sim2reason.dsl.mechanism import Face, Prop
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.rails import rails, walls
-from sim2reason.figures.scaled.setting import Setting, corners, vector
+from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
-from sim2reason.figures.vectors import UP, Box, Polygon, box, cross, dot, unit
+from sim2reason.figures.vectors import UP, box, cross, dot, unit
 
 BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
 FLAT = 1e-6
@@ -236,6 +237,8 @@ def _walls(setting: Setting, found: Sketch) -> None:
     for meeting in setting.mechanism.meetings:
         if meeting.a is not None or meeting.normal is None or not setting.owns(meeting.b):
             continue
+        if setting.view.level:
+            continue  # the sheet ends there
         if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
             normal, at = unit(setting.view.way(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
@@ -268,18 +271,3 @@ def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
         found.labels.append(Wanted(text, (spot,), address, SMALL, name=False))
-
-
-def sheet(setting: Setting, area: Box) -> Polygon:
-    """The outline of a tabletop."""
-    del setting
-    left, low, right, high = area
-    return (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
-
-
-def spread(setting: Setting, margin: float = 2.1) -> Box:
-    """The smallest rectangle around all bodies and the origin, with a margin."""
-    origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
-    borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
-    left, low, right, high = box([*(setting.at(body.name) for body in setting.members), *origins, *borders])
-    return left - margin, low - margin, right + margin, high + margin
