@@ -43,8 +43,8 @@ TOUCHING = 1e-9  # m; what rounding leaves of no distance
 SLOWEST = 0.5  # m/s, of a puck that moves towards another
 
 
-WALLS = (("left", "x", -1.0), ("right", "x", 1.0), ("bottom", "y", -1.0), ("top", "y", 1.0))
-"""The fields of walls: where they stand along which axis, and on which side of the table."""
+WALLS = {("x", -1.0): "left", ("x", 1.0): "right", ("y", -1.0): "bottom", ("y", 1.0): "top"}
+"""The fields of walls, by the axis along which they stand, and the side of the table."""
 
 
 class PairRestitution(Part):
@@ -118,7 +118,7 @@ class TwoDCollisionPlane(Entity):
                 "listed below are the {columns} of each {noun} at t = 0.",
             ),
         ),
-        *(_wall(name, axis) for name, axis in (("left", "x"), ("right", "x"), ("bottom", "y"), ("top", "y"))),
+        *(_wall(name, axis) for (axis, _), name in WALLS.items()),
         each(
             "pairs",
             "between {pairs.*.first>pucks} and {pairs.*.second>pucks} the coefficient of restitution is {pairs.*.restitution}.",
@@ -144,11 +144,11 @@ class TwoDCollisionPlane(Entity):
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
             if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - TOUCHING:
                 raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by two radii or more")
-        for name, axis, side in WALLS:
-            place = getattr(self, name)
-            if place is not None and any(
-                side * (place - getattr(puck, axis)) < self.radius - TOUCHING for puck in self.pucks
+        for axis, side, place in self._walls:
+            if any(
+                side * (place - (puck.x if axis == "x" else puck.y)) < self.radius - TOUCHING for puck in self.pucks
             ):
+                name = WALLS[axis, side]
                 raise ValueError(f"{name}: a puck is in the wall or beyond it; move it a radius or more into the table")
         return self
 
@@ -167,6 +167,17 @@ class TwoDCollisionPlane(Entity):
         aimed = rebuilt(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
         return {"pucks": (first, aimed, *rest)}
 
+    @property
+    def _walls(self) -> list[tuple[str, float, float]]:
+        """Along which axis, on which side and where walls stand, m."""
+        found = (
+            ("x", -1.0, self.left),
+            ("x", 1.0, self.right),
+            ("y", -1.0, self.bottom),
+            ("y", 1.0, self.top),
+        )
+        return [(axis, side, place) for axis, side, place in found if place is not None]
+
     def build(self, room: Frame) -> None:
         """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""
         tilt = radians(self.table.tilt)
@@ -177,10 +188,9 @@ class TwoDCollisionPlane(Entity):
             at = (puck.x, puck.y * upslope[1], puck.y * upslope[2])
             frame = room.body(f"pucks.{index}", puck.mass, at=at)
             frames.append(frame.slide(X, puck.vx, name="x").slide(upslope, puck.vy, name="y"))
-        for name, axis, side in WALLS:
-            place = getattr(self, name)
-            for frame in frames if place is not None else ():
-                inward = scale(-side, X if axis == "x" else upslope)
+        for axis, side, place in self._walls:
+            inward = scale(-side, X if axis == "x" else upslope)
+            for frame in frames:
                 room.bump(room, frame, inward, self.radius - side * place, self.restitution)
         for i, j in combinations(range(len(frames)), 2):
             restitution = special.get((i, j), self.restitution)
