@@ -17,7 +17,7 @@ from sim2reason.solutions.collisions.relative import RelativeMotion
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, latex
 
 ORDER = "order of collisions"  # the kind of these steps
@@ -181,11 +181,9 @@ class CollisionOrder:
             kind = "wall apart" if len(ways) == 1 else "line apart"
             found = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
             return replace(found, limit=flights.obstacle(held.meeting))
-        if not gap:
-            raise UnsolvedError("two that touch collide as soon as they approach each other")
         motion.named("d", gap.expression(), METRES)
         motion.named("u", rate.scaled(-1.0).expression(), SPEED)
-        return self._approaching(motion, held, ratio(*motion.names), " and approaching at")
+        return self._approaching(motion, held, motion.quotient(), " and approaching at")
 
     def _thrown(
         self, motion: RelativeMotion, held: Together, course: tuple[Polynomial, Polynomial, Polynomial]
