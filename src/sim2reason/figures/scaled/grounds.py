@@ -60,7 +60,7 @@ def surfaces(setting: Setting) -> list[Surface]:
         below = reach(setting, face)
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
-        for end in (at - half, at + half, *walls(setting, at, normal * 1j)):
+        for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
             _touch(found, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
         at, normal = setting.site(foot.site), unit(setting.view.way(foot.normal))
