@@ -42,6 +42,7 @@ STATED: Mapping[tuple[str, str], Span] = {
     ("deflection", "deg"): (2.0, 175.0),
     ("elevation", "deg"): (2.0, 90.0),
     ("bearing", "deg"): (2.0, 180.0),
+    ("phase", "deg"): (2.0, 180.0),
     ("tilt", "deg"): (2.0, 85.0),
     ("speed", "m/s"): (0.05, 30.0),
     ("velocity", "m/s"): (0.0, 30.0),

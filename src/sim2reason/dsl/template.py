@@ -76,6 +76,7 @@ class Wordings:
     topic: Topic | None = None
     given: str = ""
     instead: tuple[str, ...] = ()
+    rare: bool = False  # where it stays unsaid, no wording of it is drawn, so that all others are as without it
 
     def if_given(self, path: str, *wordings: str) -> "Wordings":
         """Say it in these wordings where an optional number is there, and in its own where that is absent."""
@@ -107,6 +108,11 @@ Saying = str | Wordings | Each | PartLines
 def either(*wordings: str) -> Wordings:
     """One sentence that can be said in several ways."""
     return Wordings(wordings)
+
+
+def rarely(*wordings: str) -> Wordings:
+    """A sentence on what is hardly ever there, added to others whose wordings it must not change."""
+    return Wordings(wordings, rare=True)
 
 
 def among(field: str, *wordings: str) -> Wordings:

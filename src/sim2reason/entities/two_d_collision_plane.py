@@ -30,7 +30,7 @@ from sim2reason.authoring import (
 )
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.model import as_said, rebuilt
-from sim2reason.dsl.template import Wordings
+from sim2reason.dsl.template import Wordings, rarely
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
 Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]
@@ -57,7 +57,7 @@ class PairRestitution(Part):
 
 def _wall(name: str, axis: str) -> Wordings:
     """The line on a wall square to an axis, at the place that a field says."""
-    return either(
+    return rarely(
         f"a smooth vertical wall bounds the table at {axis} = {{{name}}}; {{pucks:s}} bounce off it as off one another.",
         f"at {axis} = {{{name}}} the table ends at a smooth wall, off which {{pucks:s}} bounce as off one another.",
         f"the table ends at {axis} = {{{name}}}, at a smooth wall that {{pucks:s}} bounce off as off one another.",

@@ -24,6 +24,7 @@ from sim2reason.dsl.template import (
     role_of,
     slots,
     topic_of,
+    wordings,
 )
 from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.naming import Names
@@ -107,7 +108,13 @@ class Writer(Terms):
     def _part_lines(self, part: Part, address: str) -> list[str]:
         placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
         first = [PartLines(field) for field in type(part).model_fields if field not in placed]
-        return [line for saying in (*first, *part.says) for line in self._say(saying, part, address)]
+        said = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
+        return [line for saying in said for line in self._say(saying, part, address)]
+
+    def _passes_over(self, saying: Saying, part: Part) -> bool:
+        """Whether a line on what is hardly ever there stays unsaid, without a wording drawn for it."""
+        rare = isinstance(saying, Wordings) and saying.rare
+        return rare and not self.says_line(saying, wordings(saying)[0], part)
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
