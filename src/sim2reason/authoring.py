@@ -25,8 +25,10 @@ from sim2reason.dsl.measures import (
     Restitution,
     Sized,
     Speed,
+    StaticFriction,
     Stiffness,
     Strain,
+    Usually,
     Velocity,
 )
 from sim2reason.dsl.mechanism import GRAVITY, ZERO, X, Y, Z
@@ -72,9 +74,11 @@ __all__ = [
     "Restitution",
     "Sized",
     "Speed",
+    "StaticFriction",
     "Stiffness",
     "Strain",
     "StringEnd",
+    "Usually",
     "Vector",
     "Velocity",
     "Word",

@@ -116,6 +116,13 @@ class Indices(Sled):
         pushed(room, self.block, self.thrust + 2.0 * self.second + 3.0 * self.third)
 
 
+class Curved(Sled):
+    """A force that is no simple function of what is told."""
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust**0.3)
+
+
 class Offset(Sled):
     """A hidden number that matters."""
 

@@ -13,6 +13,7 @@ from spoiled import (
     Constant,
     Couple,
     Crash,
+    Curved,
     Indices,
     Lamp,
     Liar,
@@ -43,6 +44,7 @@ CAUGHT: dict[str, list[tuple[type[Entity], str]]] = {
     "ranges": [(Constant, "it is the same in"), (Lamp, "none of 3 scenes has one")],
     "round trip": [(Twin, "it tells two scenes")],
     "scaling": [(Wind, "in the old units")],
+    "solutions": [(Curved, "is no simple function of the numbers in the text")],
     "symbols": [(Indices, "are both $F_1$")],
     "wordings": [(Terse, "2: 'on a smooth track")],
 }

@@ -3,7 +3,7 @@
 from sim2reason.bodies.plane import Smoothness
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import BigBox
-from sim2reason.dsl.measures import Friction, Mass
+from sim2reason.dsl.measures import Friction, Mass, StaticFriction
 
 
 @body
@@ -12,6 +12,7 @@ class Box(Body):
 
     mass: Mass
     friction: Friction = 0.0
+    static_friction: StaticFriction | None = None
 
     nouns = ("box",)
     letters = "WVUY"

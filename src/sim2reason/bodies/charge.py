@@ -7,12 +7,12 @@ from annotated_types import Ge, Le, Lt
 
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import Small, Unseen
-from sim2reason.dsl.measures import LEAST, Measure, Range, Speed
+from sim2reason.dsl.measures import Measure, Range, Speed
 from sim2reason.dsl.template import Word
 
-BeadMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "mg", "m"), Range(1.0, 5.0)]
+BeadMass = Annotated[float, Ge(1e-26), Le(1e6), Measure("mass", "mg", "m"), Range(1.0, 5.0)]
 Charge = Annotated[
-    float, LEAST, Le(1e6), Measure("charge", "uC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
+    float, Ge(1e-14), Le(1e6), Measure("charge", "uC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
 ]
 Heading = Annotated[float, Ge(0), Lt(360), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 359.0)]
 

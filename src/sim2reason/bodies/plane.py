@@ -4,7 +4,7 @@ from math import cos, radians, sin
 
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import FixedPlane
-from sim2reason.dsl.measures import Angle, Friction
+from sim2reason.dsl.measures import Angle, Friction, StaticFriction
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
 
@@ -13,10 +13,11 @@ Smoothness = Word("friction", {0.0: "smooth"}, "rough")
 
 @body
 class Plane(Body):
-    """A fixed plane; its coefficient of friction holds for sticking and sliding."""
+    """A fixed plane; its coefficient of friction holds for sticking, too, unless that has one of its own."""
 
     angle: Angle
     friction: Friction
+    static_friction: StaticFriction | None = None
 
     nouns = ("plane",)
     letters = ""

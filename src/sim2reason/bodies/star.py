@@ -6,11 +6,11 @@ from annotated_types import Ge, Le
 
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import Small
-from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.measures import Measure, Range
 from sim2reason.dsl.template import Word
 
-StarMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "M"), Range(0.5, 2.0)]
-PlanetMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "m"), Range(1e-5, 5e-4)]
+StarMass = Annotated[float, Ge(1e-18), Le(1e6), Measure("mass", "Msun", "M"), Range(0.5, 2.0)]
+PlanetMass = Annotated[float, Ge(1e-18), Le(1e6), Measure("mass", "Msun", "m"), Range(1e-5, 5e-4)]
 PlaceX = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "x", decimals=2), Range(-3.0, 3.0)]
 PlaceY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "y", decimals=2), Range(-3.0, 3.0)]
 OrbitalVelocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "au/yr", "v", decimals=2), Range(-8.0, 8.0)]

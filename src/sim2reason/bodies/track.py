@@ -9,7 +9,7 @@ from sim2reason.bodies.plane import Smoothness
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.looks import FixedPlane
-from sim2reason.dsl.measures import Chance, Friction, Measure, Range
+from sim2reason.dsl.measures import Chance, Friction, Measure, Range, StaticFriction
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
 
@@ -55,6 +55,7 @@ class RoughTrack(Track):
     """A straight track that may be rough."""
 
     friction: Annotated[Friction, Chance(0.2)] = 0.0
+    static_friction: StaticFriction | None = None
 
     lone = ("a straight {surface} {lie}", "a straight and {surface} {lie}")
     words = {**Track.words, "surface": Smoothness}
@@ -64,4 +65,5 @@ class RoughTrack(Track):
         if self.friction == 0.0:
             return super().carry(frame, speed)
         slope = radians(self.tilt)
-        return frame.rest(self.along, (-sin(slope), 0.0, cos(slope)), self.friction, speed, name="right")
+        normal = (-sin(slope), 0.0, cos(slope))
+        return frame.rest(self.along, normal, self.friction, speed, name="right", static=self.static_friction)

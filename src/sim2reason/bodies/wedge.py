@@ -7,7 +7,7 @@ from annotated_types import Gt, Le
 from sim2reason.bodies.plane import Smoothness
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import MovingSlope
-from sim2reason.dsl.measures import Friction, Mass, Measure, Range
+from sim2reason.dsl.measures import Friction, Mass, Measure, Range, StaticFriction
 
 Slope = Annotated[float, Gt(0), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
 
@@ -19,6 +19,7 @@ class Wedge(Body):
     mass: Mass
     angle: Slope
     friction: Friction = 0.0
+    static_friction: StaticFriction | None = None
 
     nouns = ("wedge",)
     letters = "WVUY"
@@ -47,6 +48,7 @@ class Prism(Body):
     left: Slope
     right: Slope
     friction: Friction = 0.0
+    static_friction: StaticFriction | None = None
 
     nouns = ("prism",)
     letters = "WVUY"

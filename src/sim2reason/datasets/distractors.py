@@ -4,6 +4,8 @@ from collections.abc import Iterator
 
 from sim2reason.datasets.item import Distractor
 from sim2reason.dsl.entity import Part
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import Effect, effects, far_effects
 from sim2reason.filters.parts.numbers import elasticities, matters
@@ -90,5 +92,13 @@ def _called(subject: str, description: Description) -> str:
     if subject in scene.bodies:
         return description.mention(subject)
     forces = {force.name for force in scene.mechanism.forces}
-    part = scene.value(subject) if subject in forces else None
+    part = _at(scene, subject) if subject in forces else None
     return part.called if isinstance(part, Part) and part.called else subject
+
+
+def _at(scene: Scene, address: str) -> object:
+    """What the scene has at the name of a force; None for a force that is called as no field is."""
+    try:
+        return scene.value(address)
+    except SceneError:
+        return None

@@ -89,10 +89,15 @@ class Frame:
         speed: float = 0.0,
         limits: tuple[float, float] = (-inf, inf),
         name: str = "slide",
+        static: float | None = None,
     ) -> "Frame":
-        """Lay it on its parent's face: it slides along `along` and is pressed along `normal`."""
+        """Lay it on its parent's face: it slides along `along` and is pressed along `normal`.
+
+        Until it slides, the face holds it by the coefficient `static`, by default that of `friction`.
+        """
         self.slide(along, speed, limits, name)
-        self._builder.add_face(Face(self._own(), unit(normal), ((f"{self.name}.{name}", 1.0),), friction))
+        slip = ((f"{self.name}.{name}", 1.0),)
+        self._builder.add_face(Face(self._own(), unit(normal), slip, friction, static_ratio=_ratio(static, friction)))
         return self
 
     def roll(
@@ -103,16 +108,18 @@ class Frame:
         friction: float = inf,
         speed: float = 0.0,
         spin: float | None = None,
+        static: float | None = None,
     ) -> "Frame":
         """Lay a round body on its parent's face, its axis at the origin of its frame: it slides and turns there.
 
         `spin`, rad/s, is positive the way in which it rolls along `along`; by default it rolls at the start. With an
-        infinite `friction` it never slips.
+        infinite `friction` it never slips; until it slips, the coefficient is `static`, by default that of `friction`.
         """
         own, way, out = self._own(), unit(along), unit(normal)
         self.slide(way, speed)
         self.hinge(outer(out, way), speed / radius if spin is None else spin)
-        self._builder.add_face(Face(own, out, ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius)), friction))
+        slip = ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius))
+        self._builder.add_face(Face(own, out, slip, friction, static_ratio=_ratio(static, friction)))
         return self
 
     def swing(
@@ -247,6 +254,11 @@ class Frame:
         if self.name is None:
             raise ValueError("the room itself neither moves nor collides")
         return self.name
+
+
+def _ratio(static: float | None, friction: float) -> float:
+    """The coefficient of static friction in units of that of kinetic friction."""
+    return 1.0 if static is None or not 0.0 < friction < inf else static / friction
 
 
 def _flat(through: Iterable[str | Rim]) -> list[str]:

@@ -2,16 +2,16 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Annotated, Any, ClassVar, TypeVar, cast
+from typing import Annotated, Any, ClassVar, Self, TypeVar, cast
 
-from pydantic import ConfigDict, Field, SerializeAsAny
+from pydantic import ConfigDict, Field, SerializeAsAny, model_validator
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder, Frame
 from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
-from sim2reason.dsl.template import Each, PartLines, Saying, Slot, Word, paths, slots, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Slot, Word, Wordings, paths, slots, variants
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.lazy import cached_property
 from sim2reason.registry import Registry
@@ -28,18 +28,29 @@ class Part(Model):
     called: ClassVar[str] = (
         ""  # what a sentence about all of it calls it, *the electric field*; empty if none speaks of it
     )
+    untold: ClassVar[frozenset[str]] = frozenset()  # numbers that bodies may have and that its lines do not tell
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         """Refuse a class whose lines leave a number unsaid or name an unknown one; TypeError says which."""
         if any(name == "says" or isinstance(member, PORT_TYPES) for name, member in vars(cls).items()):
-            check_lines(cls)
+            cls.untold = check_lines(cls)
+
+    @model_validator(mode="after")
+    def _tells_all(self) -> Self:
+        for path in self.untold:
+            name, _, field = path.rpartition(".")
+            held = getattr(self, name) if name else self
+            for member in held if isinstance(held, tuple) else (held,):  # type: ignore[reportUnknownVariableType]
+                if getattr(member, field, None) is not None:  # type: ignore[reportUnknownArgumentType]
+                    raise ValueError(f"{path}: no line of {type(self).__name__} tells it; leave it out")
+        return self
 
     @classmethod
     def told_by_word(cls, parameter: str, value: object) -> bool:
         """Whether a word of its own lines tells a number specially, so that no other line need say it."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
-        lines = [wordings(saying) for saying in cls.says if not isinstance(saying, PartLines)]
+        lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
         used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
         return any(value in words[name].special for name in used)
 
@@ -139,8 +150,11 @@ def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> l
     return [Stop(address, port, flipped)]
 
 
-def check_lines(cls: type[Part]) -> None:
-    """Compare what a class declares with what its lines tell; TypeError names the difference."""
+def check_lines(cls: type[Part]) -> frozenset[str]:
+    """Compare what a class declares with what its lines tell; TypeError names the difference.
+
+    What a body usually does without may stay untold: that is returned.
+    """
     required = {name for name, port in ports_of(cls).items() if port.required}
     chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
     roped = {stop for inner in inside(cls).values() for stop in inner.stops}
@@ -148,14 +162,36 @@ def check_lines(cls: type[Part]) -> None:
     for saying in cls.says:
         if isinstance(saying, Each | PartLines) and saying.field not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
-        told |= _common(cls, wordings(saying))
+        told |= _told(cls, saying)
     for name, port in ports_of(cls).items():
         heard = _clauses(cls, port)
         if name in required | chained | roped:
             told |= heard
     unsaid = {path for path in declared_numbers(cls) if path not in told}
+    spared = frozenset(path for path in unsaid if _is_spared(cls, path))
+    unsaid -= spared
     if unsaid:
         raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(unsaid))}")
+    return spared
+
+
+def _is_spared(cls: type[Part], path: str) -> bool:
+    """Whether a number of a body is one that it usually does without."""
+    name, _, field = path.partition(".")
+    models = field_types(cls)[name].models if field else ()
+    return any(field in field_types(model) and field_types(model)[field].usual is False for model in models)
+
+
+def _told(cls: type[Part], saying: Saying) -> set[str]:
+    """The numbers that a line tells; what it tells without a number that it hangs on, it tells with that, too."""
+    *without, found = (_common(cls, templates) for templates in variants(saying))
+    if isinstance(saying, Wordings) and saying.given and saying.given not in found:
+        raise TypeError(f"{cls.__name__}: a line is said so where {saying.given} is given, and does not tell it")
+    for told in without:
+        lost = (told - found) & declared_numbers(cls)
+        if lost:
+            raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(lost))} where another number is given")
+    return found
 
 
 def parts_at(part: Part, field: str) -> dict[str, Part]:

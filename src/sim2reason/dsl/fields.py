@@ -13,13 +13,14 @@ from sim2reason.dsl.vectors import Vector, add, inner
 
 @dataclass(frozen=True, slots=True)
 class Profile:
-    """How strong a field is: (value + slope·(axis·r) + rate·t) · cos(frequency·t)."""
+    """How strong a field is: (value + slope·(axis·r) + rate·t) · cos(frequency·t + phase)."""
 
     value: float
     slope: float = 0.0
     axis: Vector = (1.0, 0.0, 0.0)
     rate: float = 0.0
     frequency: float = 0.0  # rad/s
+    phase: float = 0.0  # rad, of what has a frequency
 
     def at(self, place: Triple, time: Number, maths: Maths) -> Number:
         """The strength at a place and a time."""
@@ -28,7 +29,10 @@ class Profile:
             found = found + self.slope * product(self.axis, place)
         if self.rate:
             found = found + self.rate * time
-        return found * maths.cos(self.frequency * time) if self.frequency else found
+        if not self.frequency:
+            return found
+        angle = self.frequency * time
+        return found * maths.cos(angle + self.phase if self.phase else angle)
 
     def moved(self, by: Vector) -> "Profile":
         """The same profile about another origin."""

@@ -6,7 +6,8 @@ One line declares a number; validation, sampling, prose, symbols and the schema 
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from decimal import Decimal
 from functools import cache
 from math import floor, isfinite, log10
 from typing import Annotated, Any
@@ -14,7 +15,7 @@ from typing import Annotated, Any
 import numpy as np
 from annotated_types import Ge, Le, Lt
 
-from sim2reason.dsl.units import parse_unit
+from sim2reason.dsl.units import coherent, parse_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +53,13 @@ class Chance:
 
 
 @dataclass(frozen=True, slots=True)
+class Usually:
+    """Marks something optional that is always drawn, or never, where no recipe says so: no random number decides."""
+
+    present: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Sized:
     """Marks a variable-length part that has as many members as the fields before it demand."""
 
@@ -66,8 +74,24 @@ class Member:
 
 
 @dataclass(frozen=True, slots=True)
+class Above:
+    """Marks a number that is greater than that of a field beside it, which is not zero."""
+
+    field: str
+
+
+@dataclass(frozen=True, slots=True)
 class Hidden:
     """Marks a number that must not matter to any answer, such as where a scene stands; it is never said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """What a number is, more narrowly, where an optional field beside it is there, as µ is µ_k beside µ_s."""
+
+    field: str
+    symbol: str
+    called: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +100,8 @@ class Measure:
 
     `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
     `decimals` places, though not with more than three significant digits, or, where that is None, with two.
-    `called` is what a question that asks for it calls it, where that is not its name.
+    `called` is what a question that asks for it calls it, where that is not its name, and `beside` what becomes of
+    both beside another number.
     """
 
     name: str
@@ -84,6 +109,7 @@ class Measure:
     symbol: str
     decimals: int | None = None
     called: str = ""
+    beside: Beside | None = None
 
     def __post_init__(self) -> None:
         """Refuse a unit outside the table (UnitError)."""
@@ -93,6 +119,13 @@ class Measure:
     def noun(self) -> str:
         """What a question calls it; whatever is counted in degrees is an angle."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
+
+    def of(self, owner: object) -> "Measure":
+        """What it means of an owner, by what else that has."""
+        beside = self.beside
+        if beside is None or getattr(owner, beside.field, None) is None:
+            return self
+        return replace(self, symbol=beside.symbol, called=beside.called, beside=None)
 
     def places(self, value: float) -> int:
         """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
@@ -113,11 +146,25 @@ class Measure:
             return join_unit("0", self.unit)
         rounded = round(value, self.places(value))
         text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
+        if "e" in text or not FAINT <= abs(value) < VAST:
+            return in_powers(value, self.unit)
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
     def draw(self, rng: np.random.Generator, low: float, high: float) -> float:
         """A number in [low, high], uniform and rounded as it will be spoken."""
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
+
+
+FAINT, VAST = 1e-5, 1e7  # what is smaller, or at least as large, is told with a power of ten
+
+
+def in_powers(value: float, unit: str) -> str:
+    """A number that is not zero with a power of ten, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
+    bare, size = coherent(unit)
+    sign, digits, _ = (told := (Decimal(repr(value)) * size).normalize()).as_tuple()
+    first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
+    text = f"{'-' * sign}{first}.{rest} \N{MULTIPLICATION SIGN} 10^{told.adjusted()}"
+    return join_unit(text.replace("-", "\N{MINUS SIGN}"), bare)
 
 
 @cache
@@ -133,13 +180,28 @@ def join_unit(number: str, unit: str) -> str:
 
 
 LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
-Mass = Annotated[float, LEAST, Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
+FASTEST = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
+Mass = Annotated[float, LEAST, Le(1e9), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
+KINETIC = Beside("static_friction", r"\mu_k", "coefficient of kinetic friction")
 Friction = Annotated[
-    float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction"), Range(0.1, 0.7)
+    float,
+    Ge(0),
+    Le(2),
+    Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction", beside=KINETIC),
+    Range(0.1, 0.7),
+]
+StaticFriction = Annotated[
+    float,
+    LEAST,
+    Le(2),
+    Above("friction"),
+    Measure("static friction", "", r"\mu_s", decimals=2, called="coefficient of static friction"),
+    Range(0.2, 0.9),
+    Usually(present=False),
 ]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
-Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+Speed = Annotated[float, LEAST, Le(FASTEST), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
 AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]

@@ -62,9 +62,15 @@ class Face:
     subject: str  # the body that lies on its parent
     normal: Vector  # unit vector, out of the face; in the parent's frame, or in the body's own if it is `turning`
     slip: tuple[tuple[str, float], ...]  # (coordinate, factor)
-    friction: float = 0.0  # one coefficient, static and kinetic; infinite: it never slips
+    friction: float = 0.0  # the coefficient of kinetic friction; infinite: it never slips
     turning: bool = False  # the face is curved: its normal turns with the body
     guided: bool = False  # it holds the body both ways, so that the normal force may have either sign
+    static_ratio: float = 1.0  # of the coefficient of static friction to that of kinetic friction, at least 1
+
+    @property
+    def static_friction(self) -> float:
+        """The coefficient of static friction, up to which it holds what does not slip."""
+        return self.friction * self.static_ratio
 
 
 @record(slots=True)
@@ -219,10 +225,7 @@ class Meeting:
 
 @record()
 class Mechanism(Memo):
-    """Everything that an engine needs, and nothing that only a reader needs.
-
-    `bodies` are in order: a parent stands before its children.
-    """
+    """Everything that an engine needs; `bodies` are in order: a parent stands before its children."""
 
     bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()

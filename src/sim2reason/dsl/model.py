@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
 from sim2reason.dsl.bounds import bounds
-from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
+from sim2reason.dsl.measures import Above, Chance, Count, Hidden, Measure, Member, Range, Sized, Usually
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
 from sim2reason.record import record
@@ -79,6 +79,8 @@ class FieldType:
     member: str = ""  # the field whose members it counts, of an index
     size: Callable[[Mapping[str, Any]], int] | None = None  # how many members it has, where other fields demand it
     chance: float | None = None  # of something optional to be drawn
+    above: str = ""  # the field whose number is less, of a number that must be greater
+    usual: bool | None = None  # whether it is drawn, where no random number decides
     least: float = -inf  # that is allowed
     most: float = inf
 
@@ -122,6 +124,8 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
             member=next((leaf.field for leaf in leaves if isinstance(leaf, Member)), ""),
             size=next((leaf.by for leaf in leaves if isinstance(leaf, Sized)), None),
             chance=next((leaf.likelihood for leaf in leaves if isinstance(leaf, Chance)), None),
+            above=next((leaf.field for leaf in leaves if isinstance(leaf, Above)), ""),
+            usual=next((leaf.present for leaf in leaves if isinstance(leaf, Usually)), None),
             least=least,
             most=most,
         )
@@ -139,7 +143,7 @@ def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
     for name, kind in field_types(type(value)).items():
         address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
         if kind.measure is not None:
-            yield Parameter(address, held, kind.measure, kind.hidden, kind.least < 0.0)
+            yield Parameter(address, held, kind.measure.of(value), kind.hidden, kind.least < 0.0)
         elif isinstance(held, Model):
             yield from parameters(held, address)
         elif isinstance(held, tuple):
@@ -189,17 +193,24 @@ def _drawn(
         if name in values:
             continue
         info = model.model_fields[name]
-        if kind.optional or not info.is_required():
-            chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
-            chance = kind.chance if chance is None else chance
-            if chance is None and not kind.optional:
-                chosen = _chosen(model, name, kind, choices) is not None
-                chance = 1.0 if kind.drawn or kind.models or chosen else 0.0
-            if rng.random() >= float(chance or 0.0):  # type: ignore[arg-type]
-                absent[name] = info.get_default(call_default_factory=True)
-                continue
+        if (kind.optional or not info.is_required()) and not _is_there(model, name, rng, choices):
+            absent[name] = info.get_default(call_default_factory=True)
+            continue
         values[name] = _draw_field(model, name, rng, choices, {**around, **absent, **values})
     return model(**values | _kept(model, model.fitted(values, rng), choices, given))
+
+
+def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: Choices) -> bool:
+    """Whether something that its class can do without is drawn."""
+    kind = field_types(model)[name]
+    chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
+    if chance is None and kind.usual is not None:
+        return kind.usual
+    chance = kind.chance if chance is None else chance
+    if chance is None and not kind.optional:
+        chosen = _chosen(model, name, kind, choices) is not None
+        chance = 1.0 if kind.drawn or kind.models or chosen else 0.0
+    return rng.random() < float(chance or 0.0)  # type: ignore[arg-type]
 
 
 def _kept(

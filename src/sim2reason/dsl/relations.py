@@ -1,4 +1,4 @@
-"""What fields say of one another: counts that follow from others, and indices that lead to members."""
+"""What fields say of one another: counts that follow from others, numbers that are greater, indices of members."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -19,6 +19,11 @@ class Related(Protocol):
         ...
 
     @property
+    def above(self) -> str:
+        """The field whose number is less, if it must be greater than that."""
+        ...
+
+    @property
     def size(self) -> Callable[[Mapping[str, Any]], int] | None:
         """How many members it has, where other fields demand it."""
         ...
@@ -28,6 +33,7 @@ class Relations(NamedTuple):
     """Those of one class: fields with the number of members that others demand; indices with the field they lead to."""
 
     sizes: tuple[tuple[str, Callable[[Mapping[str, Any]], int]], ...]
+    greater: tuple[tuple[str, str], ...]  # a field, and the one whose number is less
     indices: tuple[tuple[str, str, str], ...]  # the field that holds it (none for an own one), its name, where it leads
 
 
@@ -44,7 +50,8 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
         if kind.member in kinds
     ]
     sizes = tuple((name, kind.size) for name, kind in kinds.items() if kind.size is not None)
-    return Relations(sizes, (*own, *inner))
+    greater = tuple((name, kind.above) for name, kind in kinds.items() if kind.above)
+    return Relations(sizes, greater, (*own, *inner))
 
 
 def unfitting(value: Any, declared: Relations) -> str:
@@ -53,6 +60,10 @@ def unfitting(value: Any, declared: Relations) -> str:
         found, wanted = len(getattr(value, name)), demanded(value.__dict__)
         if found != wanted:
             return f"{name}: what stands beside them demands {wanted}, not {found}"
+    for name, less in declared.greater:
+        one, other = getattr(value, name), getattr(value, less)
+        if one is not None and not 0.0 < other < one:
+            return f"{name}: {one} is not greater than {less}, {other}, or that is zero; leave it out"
     for holder, name, field in declared.indices:
         count = len(getattr(value, field))
         for held in _each_of(getattr(value, holder)) if holder else (value,):

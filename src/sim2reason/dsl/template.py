@@ -15,7 +15,7 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Literal
 
@@ -67,13 +67,20 @@ class Wordings:
     """One sentence in its wordings, of which a seed chooses one.
 
     With `several`, a variable-length part, it is said only where that has two members or more; with a `topic`, only
-    for a question that it matters to.
+    for a question that it matters to. Where the optional number `given` is there, it is said `instead` so.
     """
 
     wordings: tuple[str, ...]
     role: Role = "fact"
     several: str = ""
     topic: Topic | None = None
+    given: str = ""
+    instead: tuple[str, ...] = ()
+    rare: bool = False  # where it stays unsaid, no wording of it is drawn, so that all others are as without it
+
+    def if_given(self, path: str, *wordings: str) -> "Wordings":
+        """Say it in these wordings where an optional number is there, and in its own where that is absent."""
+        return replace(self, given=path, instead=wordings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +108,11 @@ Saying = str | Wordings | Each | PartLines
 def either(*wordings: str) -> Wordings:
     """One sentence that can be said in several ways."""
     return Wordings(wordings)
+
+
+def rarely(*wordings: str) -> Wordings:
+    """A sentence on what is hardly ever there, added to others whose wordings it must not change."""
+    return Wordings(wordings, rare=True)
 
 
 def among(field: str, *wordings: str) -> Wordings:
@@ -148,11 +160,22 @@ def lines_of(field: str) -> PartLines:
     return PartLines(field)
 
 
-def wordings(saying: Saying) -> tuple[str, ...]:
-    """All templates of a sentence; a place for the lines of parts has none."""
+def wordings(saying: Saying, *, given: bool = False) -> tuple[str, ...]:
+    """The templates of a sentence, where the number that it depends on is `given`, or where it is not.
+
+    A place for the lines of parts has none.
+    """
     if isinstance(saying, PartLines):
         return ()
+    if given and isinstance(saying, Wordings) and saying.given:
+        return saying.instead
     return (saying,) if isinstance(saying, str) else saying.wordings
+
+
+def variants(saying: Saying) -> tuple[tuple[str, ...], ...]:
+    """All sets of templates that a sentence may be said in: two where it hangs on whether a number is given."""
+    several = isinstance(saying, Wordings) and saying.given
+    return (wordings(saying), wordings(saying, given=True)) if several else (wordings(saying),)
 
 
 _PATH = re.compile(r"[a-z_0-9.*]+")

@@ -107,8 +107,10 @@ class ComplexCollisionPlane(Entity):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if any(other - one < NEAREST for one, other in pairwise(self._places)):
-            raise ValueError("gliders: give them, and the walls, in order from left to right, 1 cm or more apart")
+        if any(other - one < NEAREST and other != one for one, other in pairwise(self._places)):
+            raise ValueError(
+                "gliders: give them, and the walls, in order from left to right, 1 cm or more apart, or touching"
+            )
         taken = [pair.first for pair in (*self.joined, *self.buffers, *self.pairs)]
         if len(set(taken)) < len(taken):
             raise ValueError("joined, buffers, pairs: two entries name the same pair")

@@ -10,6 +10,7 @@ from pydantic import model_validator
 from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, assuming, either, entity
 from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
+from sim2reason.dsl.measures import FASTEST
 from sim2reason.dsl.model import rebuilt
 from sim2reason.dsl.units import MINUTE, UnitSystem
 from sim2reason.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
@@ -88,11 +89,18 @@ class EmEntity(Entity):
         del gravity
         mass, charge = self.particle.mass, self.particle.signed_charge
         fastest = max(field.rate(charge, mass) for field in self.fields.values())
-        enough = TURN / fastest if fastest else USUAL
+        enough = TURN / fastest if fastest else self._speeding_up
         if self.region is None or not isinstance(self.start, Launched):
             return enough
         speed = self.start.speed
         return math.hypot(*self.region.middle) / speed + min(enough, BENT * self.region.width / speed)
+
+    @property
+    def _speeding_up(self) -> float:
+        """Some time, s, where nothing sets one, in which it does not become faster than Newton's laws are good for."""
+        pushes = [field.law(self.particle.signed_charge).force(ZERO, ZERO, 0.0, math) for field in self.fields.values()]
+        most = sum(math.hypot(*map(float, push)) for push in pushes) / self.particle.mass
+        return min(USUAL, FASTEST / most) if most else USUAL
 
     def build(self, room: Frame) -> None:
         """Two slides in a level plane, and a force for each field; a medium is everywhere."""

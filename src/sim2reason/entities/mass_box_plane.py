@@ -3,6 +3,7 @@
 from sim2reason.authoring import End, Entity, Frame, FreeLength, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.box import Box
+from sim2reason.entities.parts.friction import two_coefficients
 from sim2reason.entities.parts.mass_systems import Blocks, link
 
 APART = 1.2  # m between neighbours on the top; their strings keep it, so it never matters
@@ -34,7 +35,7 @@ class MassBoxPlane(Entity):
             "the coefficient of friction (static and kinetic) on the top is {box.friction}.",
             "on the top the coefficient of friction, static and kinetic, is {box.friction}.",
             "static and kinetic friction on the top have the same coefficient, {box.friction}.",
-        ),
+        ).if_given("box.static_friction", *two_coefficients("on the top", "box")),
         either(
             "a light string from {blocks.first} runs to the left, over a light pulley at the edge and down to {left}, which slides in a smooth vertical guide on that side of {box}.",
             "over a light pulley at the left edge a light string joins {blocks.first} to {left}, which can only slide in a smooth vertical guide on that side of {box}.",
@@ -65,7 +66,7 @@ class MassBoxPlane(Entity):
         last = len(self.blocks) - 1
         for index, block in enumerate(self.blocks):
             frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * APART, X))
-            frame.rest(X, Z, self.box.friction, name="right").site(f"hook{index}")
+            frame.rest(X, Z, self.box.friction, name="right", static=self.box.static_friction).site(f"hook{index}")
         link(box, len(self.blocks))
         edge = self.length + 0.5 * last * APART
         for name, block, way, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):

@@ -8,6 +8,7 @@ from annotated_types import Len
 from sim2reason.authoring import Count, Entity, Frame, FreeLength, StringEnd, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.wedge import Prism
+from sim2reason.entities.parts.friction import two_coefficients
 from sim2reason.entities.parts.mass_systems import SPACING
 
 FaceBlocks = Annotated[tuple[Block, ...], Len(1, 3), Count(1, 2)]
@@ -44,7 +45,7 @@ class MassPrismPlane(Entity):
             "the coefficient of friction (static and kinetic) on both faces is {prism.friction}.",
             "on both faces the coefficient of friction, static and kinetic, is {prism.friction}.",
             "static and kinetic friction have the same coefficient on both faces, {prism.friction}.",
-        ),
+        ).if_given("prism.static_friction", *two_coefficients("on both faces", "prism")),
     )
     left = StringEnd(
         sites=("left_lowest", "left_foot"),
@@ -77,7 +78,8 @@ class MassPrismPlane(Entity):
         for index, block in enumerate(blocks):
             away = -(self.length + (count - 1 - index) * SPACING)
             frame = prism.body(f"{name}_blocks.{index}", block.mass, at=scale(away, uphill))
-            frame.rest(uphill, normal, self.prism.friction).site(f"{name}_hook{index}")
+            frame.rest(uphill, normal, self.prism.friction, static=self.prism.static_friction)
+            frame.site(f"{name}_hook{index}")
             if index == 0:
                 frame.site(f"{name}_lowest")
             else:

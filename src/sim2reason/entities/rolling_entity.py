@@ -68,5 +68,5 @@ class RollingEntity(Entity):
         axes = axes_along(Y) if self.hole is None else (outer(Y, self.hole.way), Y, self.hole.way)
         speed, spin = (0.0, 0.0) if self.start is None else self.start.motion(self.body.radius)
         frame = self.body.put(room, "body", ZERO, axes)
-        frame.roll(uphill, normal, self.body.radius, self.grip.coefficient, speed, spin)
+        frame.roll(uphill, normal, self.body.radius, self.grip.coefficient, speed, spin, static=self.grip.static)
         frame.site("axle", faces=uphill)

@@ -23,6 +23,7 @@ from sim2reason.authoring import (
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack
+from sim2reason.entities.parts.friction import two_coefficients
 from sim2reason.entities.parts.springs import AT_FIRST, DASHPOTS, STRAINED, Blow, Strained
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
@@ -68,7 +69,7 @@ class SpringMassChain(Entity):
             "the coefficient of friction (static and kinetic) on this track is {track.friction}.",
             "static and kinetic friction on the track have the same coefficient, {track.friction}.",
             "the coefficients of static and of kinetic friction on the track are both {track.friction}.",
-        ),
+        ).if_given("track.static_friction", *two_coefficients("on the track", "track")),
         either(
             "{springs:/light }{springs} {springs:runs/run, in this order,} {where}.",
             "{where} {springs:runs/run, in this order,} {springs:/light }{springs}.",

@@ -49,6 +49,7 @@ class SpringMassIncline(Entity):
         uphill, normal = self.plane.directions()
         room.site("stop")
         block = room.body("block", self.block.mass, at=scale(self.start, uphill))
-        block.rest(uphill, normal, self.plane.friction).site("clasp").site("hook", faces=uphill)
+        block.rest(uphill, normal, self.plane.friction, static=self.plane.static_friction)
+        block.site("clasp").site("hook", faces=uphill)
         ends = (room.address("stop"), room.address("clasp"))
         room.spring("spring", *ends, stiffness=self.spring.stiffness, length=self.spring.length)

@@ -4,9 +4,23 @@ from typing import Self
 
 from pydantic import model_validator
 
-from sim2reason.authoring import End, Entity, Frame, Friction, Speed, Vector, Word, either, entity, scale, starting
+from sim2reason.authoring import (
+    End,
+    Entity,
+    Frame,
+    Friction,
+    Speed,
+    StaticFriction,
+    Vector,
+    Word,
+    either,
+    entity,
+    scale,
+    starting,
+)
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
+from sim2reason.entities.parts.friction import two_coefficients
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 
 THICK = 0.4  # m; how much higher than one slab's the strings of the next one are, for looks
@@ -43,6 +57,7 @@ class StackedMassPlane(Entity):
     upper: Slab
     top: Slab | None = None
     friction: Friction
+    static_friction: StaticFriction | None = None
     top_friction: Friction | None = None
     speed: Speed | None = None
 
@@ -55,7 +70,9 @@ class StackedMassPlane(Entity):
         ),
         either("on {upper} lies {top}.", "{top} is on top of {upper}.", "{upper} in turn carries {top}."),
         FRICTION_ON_PLANE,
-        either("{friction1}.", "{friction2}.", "{friction3}."),
+        either("{friction1}.", "{friction2}.", "{friction3}.").if_given(
+            "static_friction", *two_coefficients("between {lower} and {upper}")
+        ),
         either("{top_friction1}.", "{top_friction2}.", "{top_friction3}."),
         starting(
             "at t = 0 {upper} is moving {plane.uphill} at speed {speed}, and all else is at rest.",
@@ -91,15 +108,15 @@ class StackedMassPlane(Entity):
     def build(self, room: Frame) -> None:
         """Each slab rests on the one below; speeds are relative to that, so that the top one starts at rest."""
         plane, speed = self.plane, self.speed or 0.0
-        lower = self._slab(room, "lower", self.lower, plane.friction)
-        upper = self._slab(lower, "upper", self.upper, self.friction, speed)
+        lower = self._slab(room, "lower", self.lower, (plane.friction, plane.static_friction))
+        upper = self._slab(lower, "upper", self.upper, (self.friction, self.static_friction), speed)
         if self.top is not None:
-            self._slab(upper, "top", self.top, self.top_friction or 0.0, -speed)
+            self._slab(upper, "top", self.top, (self.top_friction or 0.0, None), -speed)
 
-    def _slab(self, below: Frame, name: str, slab: Slab, friction: float, speed: float = 0.0) -> Frame:
-        """A slab on what is below it, with a hook on either side."""
+    def _slab(self, below: Frame, name: str, slab: Slab, rubs: tuple[float, float | None], speed: float = 0.0) -> Frame:
+        """A slab on what is below it by the coefficients of kinetic and static friction, with a hook on either side."""
         uphill, normal = self.plane.directions()
         at: Vector = scale(THICK, normal)
-        frame = below.body(name, slab.mass, at=at).rest(uphill, normal, friction, speed)
+        frame = below.body(name, slab.mass, at=at).rest(uphill, normal, rubs[0], speed, static=rubs[1])
         frame.site(f"{name}_tail", faces=scale(-1.0, uphill)).site(f"{name}_hook", faces=uphill)
         return frame

@@ -19,22 +19,32 @@ from sim2reason.authoring import (
     Part,
     Range,
     Restitution,
+    Usually,
     Word,
     X,
     assuming,
     each,
     either,
     entity,
+    scale,
 )
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.model import as_said, rebuilt
+from sim2reason.dsl.template import Wordings, rarely
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
 Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]
+WallX = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x_W", decimals=2)]
+WallY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "y_W", decimals=2)]
 Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
+TOUCHING = 1e-9  # m; what rounding leaves of no distance
 SLOWEST = 0.5  # m/s, of a puck that moves towards another
+
+
+WALLS = {("x", -1.0): "left", ("x", 1.0): "right", ("y", -1.0): "bottom", ("y", 1.0): "top"}
+"""The fields of walls, by the axis along which they stand, and the side of the table."""
 
 
 class PairRestitution(Part):
@@ -43,6 +53,15 @@ class PairRestitution(Part):
     first: Index
     second: Index
     restitution: Restitution
+
+
+def _wall(name: str, axis: str) -> Wordings:
+    """The line on a wall square to an axis, at the place that a field says."""
+    return rarely(
+        f"a smooth vertical wall bounds the table at {axis} = {{{name}}}; {{pucks:s}} bounce off it as off one another.",
+        f"at {axis} = {{{name}}} the table ends at a smooth wall, off which {{pucks:s}} bounce as off one another.",
+        f"the table ends at {axis} = {{{name}}}, at a smooth wall that {{pucks:s}} bounce off as off one another.",
+    )
 
 
 @entity
@@ -54,6 +73,10 @@ class TwoDCollisionPlane(Entity):
     pucks: Pucks
     restitution: Annotated[Restitution, Range(0.3, 1.0)]
     pairs: Annotated[tuple[PairRestitution, ...], Len(0, 3), Count(0, 0)] = ()
+    left: Annotated[WallX | None, Range(-3.0, -2.4), Usually(present=False)] = None
+    right: Annotated[WallX | None, Range(2.4, 3.0), Usually(present=False)] = None
+    bottom: Annotated[WallY | None, Range(-3.0, -2.4), Usually(present=False)] = None
+    top: Annotated[WallY | None, Range(2.4, 3.0), Usually(present=False)] = None
 
     words = {
         "of_all": Word(
@@ -95,6 +118,7 @@ class TwoDCollisionPlane(Entity):
                 "listed below are the {columns} of each {noun} at t = 0.",
             ),
         ),
+        *(_wall(name, axis) for (axis, _), name in WALLS.items()),
         each(
             "pairs",
             "between {pairs.*.first>pucks} and {pairs.*.second>pucks} the coefficient of restitution is {pairs.*.restitution}.",
@@ -118,8 +142,14 @@ class TwoDCollisionPlane(Entity):
         if len({(pair.first, pair.second) for pair in self.pairs}) < len(self.pairs):
             raise ValueError("pairs: two entries name the same pair")
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
-            if hypot(a.x - b.x, a.y - b.y) <= 2.0 * self.radius:
-                raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by more than two radii")
+            if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - TOUCHING:
+                raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by two radii or more")
+        for axis, side, place in self._walls:
+            if any(
+                side * (place - (puck.x if axis == "x" else puck.y)) < self.radius - TOUCHING for puck in self.pucks
+            ):
+                name = WALLS[axis, side]
+                raise ValueError(f"{name}: a puck is in the wall or beyond it; move it a radius or more into the table")
         return self
 
     @classmethod
@@ -137,6 +167,17 @@ class TwoDCollisionPlane(Entity):
         aimed = rebuilt(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
         return {"pucks": (first, aimed, *rest)}
 
+    @property
+    def _walls(self) -> list[tuple[str, float, float]]:
+        """Along which axis, on which side and where walls stand, m."""
+        found = (
+            ("x", -1.0, self.left),
+            ("x", 1.0, self.right),
+            ("y", -1.0, self.bottom),
+            ("y", 1.0, self.top),
+        )
+        return [(axis, side, place) for axis, side, place in found if place is not None]
+
     def build(self, room: Frame) -> None:
         """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""
         tilt = radians(self.table.tilt)
@@ -147,6 +188,10 @@ class TwoDCollisionPlane(Entity):
             at = (puck.x, puck.y * upslope[1], puck.y * upslope[2])
             frame = room.body(f"pucks.{index}", puck.mass, at=at)
             frames.append(frame.slide(X, puck.vx, name="x").slide(upslope, puck.vy, name="y"))
+        for axis, side, place in self._walls:
+            inward = scale(-side, X if axis == "x" else upslope)
+            for frame in frames:
+                room.bump(room, frame, inward, self.radius - side * place, self.restitution)
         for i, j in combinations(range(len(frames)), 2):
             restitution = special.get((i, j), self.restitution)
             room.collide(frames[i], frames[j], 2.0 * self.radius, restitution)

@@ -44,5 +44,5 @@ class TwoSideMassPlane(Entity):
     def build(self, room: Frame) -> None:
         """Blocks that rest on the room's face, the first one lowest."""
         plane, (uphill, _) = self.plane, self.plane.directions()
-        frames = row(room, self.blocks, plane.angle, plane.friction, length=0.0, speed=self.speed or 0.0)
+        frames = row(room, self.blocks, plane, length=0.0, speed=self.speed or 0.0)
         frames[0].site("lowest", faces=scale(-1.0, uphill))

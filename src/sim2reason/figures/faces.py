@@ -257,15 +257,14 @@ class FacePiece(Piece):
 
     def _rough(self, found: Sketch) -> None:
         """Dots under faces with friction, and its coefficient as the text has it."""
-        friction = {self.plan.paths.mechanism.contacts[b].friction for face in self.faces for b in face.blocks}
-        if not friction or max(friction) == 0.0:
+        lying = [self.plan.paths.mechanism.contacts[b] for face in self.faces for b in face.blocks]
+        if not any(held.friction for held in lying):
             return
         for face in self.faces:
             found.shapes.append(rough(face.at(face.length), 0j, face.normal))
         owner = owner_of(self.name)
-        said = next((text for value in sorted(friction) if (text := self.plan.stated(owner, "", value))), "")
-        if said:
-            text = self.plan.equated("µ", said)
+        text = next((said for held in lying if (said := self.plan.rubbing(owner, held))), "")
+        if text:
             solid = self.outline()
             left, low, right, _ = box(solid)
             middle, wide = sum(solid) / len(solid), 0.5 * width(text, SMALL)

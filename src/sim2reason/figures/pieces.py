@@ -10,6 +10,7 @@ from math import isclose
 from typing import TypeVar
 
 from sim2reason.dsl.looks import BodyLook
+from sim2reason.dsl.mechanism import Face
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.figures.paths import PathKnot, Paths
@@ -106,6 +107,15 @@ class DrawingPlan:
     def equated(self, letter: str, said: str) -> str:
         """A number with its letter, *F = 3 N*; a symbol needs none."""
         return said if said.startswith("$") else f"{letter} = {said}"
+
+    def rubbing(self, owner: str, face: Face, letter: str = "µ") -> str:
+        """The coefficient of friction of a face with its letter, or both if they differ, as far as they are stated."""
+        said = self.stated(owner, "", face.friction) if face.friction else ""
+        if not said or face.static_ratio == 1.0:
+            return self.equated(letter, said) if said else ""
+        held = self.stated(owner, "", face.static_friction)
+        both = zip((r"$\mu_s$", r"$\mu_k$"), (held, said), strict=True)
+        return ", ".join(self.equated(symbol, text) for symbol, text in both if text)
 
     def leaves_open(self, owner: str, unit: str) -> bool:
         """Whether the text leaves a number of an entity or a body open, so that no drawing may show it to scale."""

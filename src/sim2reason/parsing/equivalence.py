@@ -51,7 +51,7 @@ def _compared(rows: "_Rows") -> tuple[object, ...]:
     for line in mechanism.lines:
         rows.line(line)
     for number, face in enumerate(mechanism.faces):
-        rows.rise(("face", _rounded(face.friction), face.guided, face.turning), number)
+        rows.rise(("face", _rounded(face.friction), _rounded(face.static_ratio), face.guided, face.turning), number)
     for foot in mechanism.feet:
         rows.foot(foot)
     loads = sorted([*map(rows.hit, mechanism.meetings), *map(rows.push, mechanism.forces), *rows.pairs()], key=repr)

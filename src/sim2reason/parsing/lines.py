@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
 from sim2reason.dsl.model import FieldType, field_types
-from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, variants, wordings
 from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import MANY, ParseState
@@ -40,7 +40,7 @@ def _said(kind: type[Part]) -> _Said:
     members = (model for held in field_types(kind).values() for model in held.models if issubclass(model, Part))
     found = [_said(model) for model in members]
     own = [saying for saying in kind.says if not isinstance(saying, PartLines)]
-    spoken = (saying.wordings if isinstance(saying, Each) else wordings(saying) for saying in own)
+    spoken = (line for saying in own for line in variants(saying))
     return _Said(
         frozenset(chain(*spoken, *(said.templates for said in found))),
         any(isinstance(saying, Each) for saying in own) or any(said.tables for said in found),
@@ -132,16 +132,25 @@ def _saying(
         return
     several = f"{address}.{saying.several}" if isinstance(saying, Wordings) and saying.several else ""
     many, one = (state.with_count(several, 2), state.with_count(several, 1, 1)) if several else (state, None)
-    for number, template in enumerate(wordings(saying)):
-        if many is not None and matcher.may_be(place, template):
-            for then in matcher.sentence(place, template, address, many.with_choice(number)):
-                yield place + 1, then
+    for line in variants(saying):
+        here = _without(saying, line, address, many) if many is not None else None
+        for number, template in enumerate(line):
+            if here is not None and matcher.may_be(place, template):
+                for then in matcher.sentence(place, template, address, here.with_choice(number)):
+                    yield place + 1, then
     if one is not None:
         yield place, one
     if topic := topic_of(saying):
         yield place, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
     for then in _unsaid(wordings(saying)[0], address, state):
         yield place, then
+
+
+def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseState) -> ParseState | None:
+    """What a set of wordings means of the number that a line hangs on: in its usual ones that is absent."""
+    if not isinstance(saying, Wordings) or not saying.given or line is not saying.wordings:
+        return state
+    return state.with_value(f"{address}.{saying.given}", None)
 
 
 def _at_least(template: str, address: str, state: ParseState) -> ParseState:

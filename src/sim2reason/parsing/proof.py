@@ -12,7 +12,7 @@ import numpy as np
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Each, PartLines, Saying, Topic, topic_of, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Topic, topic_of
 from sim2reason.dsl.units import UnitError, coherent
 from sim2reason.errors import TextError
 from sim2reason.parsing.matcher import NONE_GIVEN
@@ -21,6 +21,7 @@ from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.description import Description
 from sim2reason.prose.naming import letters
+from sim2reason.prose.phrases import spoken
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Writer
 
@@ -66,7 +67,7 @@ class ScriptedWriter(Writer):
             said = bool(getattr(part, saying.field))
         else:
             told = topic_of(saying) not in self._without
-            said = told and self.says_line(saying, wordings(saying)[0], part)
+            said = told and self.says_line(saying, spoken(saying, part)[0], part)
         return super()._say(saying, part, address) if said else []
 
 

@@ -4,11 +4,14 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from math import hypot
 
-from sim2reason.dsl.mechanism import ConstantTension, Inextensible
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Meeting
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
+from sim2reason.dsl.triples import minus, product
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +84,7 @@ def _has_faces(scene: Scene) -> bool:
     return _turns(scene) == 0 and _has_edges(scene)
 
 
+TOUCHING = 1e-9  # m; a gap that is none
 RELEASES = (
     "everything is released from rest{taut}.",
     "everything starts from rest{taut}.",
@@ -184,6 +188,23 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
     return Closing(f"{pulleys} and room{' on faces' * edges}", needed, told)
 
 
+def _touches(scene: Scene) -> bool:
+    """Whether bodies that may bounce off each other touch at the start, beside others that may."""
+    mechanism = scene.mechanism
+    bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
+    if len(bouncing) < 2:
+        return False
+    frames = start(mechanism)
+    return any(_gap(frames, meeting) <= TOUCHING for meeting in bouncing)
+
+
+def _gap(frames: Frames, meeting: Meeting) -> float:
+    """What is left between two bodies at the start, m."""
+    other = frames.center(meeting.b).place
+    apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
+    return float(hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)) - meeting.distance
+
+
 CLOSINGS: tuple[Closing, ...] = (
     *(_release(strings, lone=lone) for lone in (False, True) for strings in range(3)),
     *(_stretched(strings) for strings in (1, 2)),
@@ -196,6 +217,15 @@ CLOSINGS: tuple[Closing, ...] = (
             "if the string goes slack and becomes taut again, the velocity along it is lost at that moment.",
         ),
         topic="slack",
+    ),
+    Closing(
+        "touching bodies",
+        _touches,
+        (
+            "bodies that touch collide in pairs, one pair after the other.",
+            "where several bodies touch, collisions pass from pair to pair.",
+            "each collision is one of two bodies, also where several touch.",
+        ),
     ),
     *(_pulleys(several, massive, edges) for several in _EITHER for massive in _EITHER for edges in _EITHER),
     Closing(

@@ -6,6 +6,7 @@ from typing import Any, cast
 from sim2reason.dsl.addresses import lookup
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.model import Model
+from sim2reason.dsl.template import Saying, Wordings, wordings
 
 _ENDS = {"first": 0, "last": -1}
 
@@ -49,6 +50,12 @@ def canonical(part: Model, path: str) -> str:
         members = lookup(part, ".".join(steps[:-1]))
         steps[-1] = "0" if steps[-1] == "first" else str(len(members) - 1)
     return ".".join(steps)
+
+
+def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
+    """The templates of a sentence about a part: which they are may hang on whether a number is there."""
+    given = isinstance(saying, Wordings) and saying.given
+    return wordings(saying, given=bool(given) and resolved(part, str(given)) is not None)
 
 
 def resolved(part: Any, path: str) -> Any:

@@ -28,7 +28,7 @@ from sim2reason.dsl.template import (
 )
 from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.naming import Names
-from sim2reason.prose.phrases import BODIES, alike, canonical, resolved
+from sim2reason.prose.phrases import BODIES, alike, canonical, resolved, spoken
 from sim2reason.prose.tables import table
 from sim2reason.prose.terms import Terms
 from sim2reason.prose.voices import Voice
@@ -108,13 +108,19 @@ class Writer(Terms):
     def _part_lines(self, part: Part, address: str) -> list[str]:
         placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
         first = [PartLines(field) for field in type(part).model_fields if field not in placed]
-        return [line for saying in (*first, *part.says) for line in self._say(saying, part, address)]
+        said = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
+        return [line for saying in said for line in self._say(saying, part, address)]
+
+    def _passes_over(self, saying: Saying, part: Part) -> bool:
+        """Whether a line on what is hardly ever there stays unsaid, without a wording drawn for it."""
+        rare = isinstance(saying, Wordings) and saying.rare
+        return rare and not self.says_line(saying, wordings(saying)[0], part)
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
             inner = parts_at(part, saying.field).items()
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
-        template = self.choose(wordings(saying))
+        template = self.choose(spoken(saying, part))
         if not isinstance(saying, Each):
             topic = topic_of(saying)
             if not self.says_line(saying, template, part):

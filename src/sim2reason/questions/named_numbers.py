@@ -10,6 +10,8 @@ OF_BODIES = frozenset({"mass", "radius", "length", "height", "stiffness", "hole 
 """What is said of a body: *the radius of the disc*."""
 OF_SCENES = {
     "coefficient of friction": "the coefficient of friction",
+    "coefficient of static friction": "the coefficient of static friction",
+    "coefficient of kinetic friction": "the coefficient of kinetic friction",
     "coefficient of restitution": "the coefficient of restitution",
     "force": "the applied force",
     "speed": "the initial speed",

@@ -101,12 +101,24 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
     assert held.drawn is not None
     low, high = held.drawn.low, held.drawn.high
+    least, most = limits_of(scene, path)
     if low < 0.0:
-        return tuple(_of_either_sign(max(-low, high), held.most, abs(about)).tolist())
+        return tuple(_of_either_sign(max(-low, high), most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
-    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, held.least)
-    usual = spaced(begin, min(high * WIDER, held.most), POINTS)
-    return (*usual.tolist(), *_onwards(usual, min(about * WIDER, held.most)))
+    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, least)
+    usual = spaced(begin, min(high * WIDER, most), POINTS)
+    return (*usual.tolist(), *_onwards(usual, min(about * WIDER, most)))
+
+
+def limits_of(scene: Scene, path: str) -> tuple[float, float]:
+    """Between which numbers one may lie, by its declaration and by numbers beside it that are less or greater."""
+    owner, _, name = path.rpartition(".")
+    value, held = scene.value(owner), _field(scene, path)
+    kinds = field_types(cast("type[Model]", type(value)))
+    less = getattr(value, held.above) if held.above else None
+    greater = [getattr(value, other) for other, kind in kinds.items() if kind.above == name]
+    least = held.least if less is None else max(held.least, less * NUDGE)
+    return least, min([held.most, *(number / NUDGE for number in greater if number is not None)])
 
 
 def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
@@ -115,11 +127,12 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
     They begin with the ends of that range, and go no farther than to a ten thousandth of the one and ten thousand times
     the other. There are none for angles, whose range is the whole one, nor for numbers of either sign.
     """
-    held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
+    unit = next(p.measure.unit for p in scene.parameters if p.path == path)
     values = range_of(scene, path)
     if unit == "deg" or values[0] <= 0.0:
         return ()
-    least, most = max(values[0] / FARTHEST, held.least), min(values[-1] * FARTHEST, held.most)
+    limits = limits_of(scene, path)
+    least, most = max(values[0] / FARTHEST, limits[0]), min(values[-1] * FARTHEST, limits[1])
     ends = ((least, values[0]), (values[-1], most))
     return tuple(tuple(np.geomspace(low, high, POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
 

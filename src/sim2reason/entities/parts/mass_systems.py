@@ -10,6 +10,7 @@ from sim2reason.authoring import Count, End, Frame, FreeLength, Part, StringEnd,
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
+from sim2reason.entities.parts.friction import two_coefficients
 
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
@@ -22,7 +23,7 @@ FRICTION_ON_PLANE = either(
     "the coefficient of friction on this plane, static and kinetic, is {plane.friction}.",
     "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
     "the coefficients of static and of kinetic friction on this plane are both {plane.friction}.",
-)
+).if_given("plane.static_friction", *two_coefficients("on this plane", "plane"))
 
 
 class MassSystem(Part):
@@ -90,7 +91,7 @@ class OnPlane(MassSystem):
 
     def build(self, room: Frame, side: float = 1.0) -> None:
         """Blocks that rest on the room's face, the last one highest."""
-        row(room, self.blocks, self.plane.angle, self.plane.friction, self.length, side)
+        row(room, self.blocks, self.plane, self.length, side)
 
 
 class OnWedge(MassSystem):
@@ -114,7 +115,7 @@ class OnWedge(MassSystem):
             "the coefficient of friction (static and kinetic) on this face is {wedge.friction}.",
             "on this face the coefficient of friction, static and kinetic, is {wedge.friction}.",
             "static and kinetic friction on this face have the same coefficient, {wedge.friction}.",
-        ),
+        ).if_given("wedge.static_friction", *two_coefficients("on this face", "wedge")),
     )
     tail = StringEnd(
         sites=("hook", "corner"),
@@ -128,27 +129,26 @@ class OnWedge(MassSystem):
         corner = scale(-self.length, scale(side, X))
         wedge = room.body("wedge", self.wedge.mass, at=corner).rest(along=X, normal=Z)
         wedge.site("corner", faces=scale(side, X))
-        row(wedge, self.blocks, self.wedge.angle, self.wedge.friction, self.length, side)
+        row(wedge, self.blocks, self.wedge, self.length, side)
 
 
 def row(
     carrier: Frame,
     blocks: tuple[Block, ...],
-    angle: float,
-    friction: float,
+    slope: Plane | Wedge,
     length: float,
     side: float = 1.0,
     speed: float = 0.0,
 ) -> list[Frame]:
-    """Blocks on a face that rises to the `side`, the last one `length` below the origin of `carrier`."""
-    uphill = (side * cos(radians(angle)), 0.0, sin(radians(angle)))
-    normal = (-side * sin(radians(angle)), 0.0, cos(radians(angle)))
+    """Blocks on a sloping face that rises to the `side`, the last one `length` below the origin of `carrier`."""
+    angle = radians(slope.angle)
+    uphill, normal = (side * cos(angle), 0.0, sin(angle)), (-side * sin(angle), 0.0, cos(angle))
     last = len(blocks) - 1
     frames: list[Frame] = []
     for index, block in enumerate(blocks):
         away = -(length + (last - index) * SPACING)
         frame = carrier.body(f"blocks.{index}", block.mass, at=scale(away, uphill))
-        frames.append(frame.rest(along=uphill, normal=normal, friction=friction, speed=speed))
+        frames.append(frame.rest(uphill, normal, slope.friction, speed, static=slope.static_friction))
         frame.site("hook" if index == last else f"hook{index}", faces=uphill)
     link(carrier, len(blocks), last="hook")
     return frames

@@ -6,7 +6,20 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.authoring import AngularVelocity, Friction, Measure, Part, Range, Speed, Vector, Word, either, placing
+from sim2reason.authoring import (
+    AngularVelocity,
+    Friction,
+    Measure,
+    Part,
+    Range,
+    Speed,
+    StaticFriction,
+    Vector,
+    Word,
+    either,
+    placing,
+)
+from sim2reason.entities.parts.friction import two_coefficients
 
 Bearing = Annotated[float, Ge(0), Le(180), Measure("bearing", "deg", r"\varphi", decimals=0), Range(0.0, 180.0)]
 Spin = Annotated[AngularVelocity, Range(5.0, 40.0)]
@@ -20,6 +33,11 @@ class Grip(Part):
     def coefficient(self) -> float:
         """The coefficient of friction; infinite where nothing ever slips."""
         raise NotImplementedError
+
+    @property
+    def static(self) -> float | None:
+        """The coefficient of static friction where it differs."""
+        return None
 
 
 class NoSlipping(Grip):
@@ -43,19 +61,25 @@ class Rough(Grip):
     """It slips where that takes more friction than there is."""
 
     friction: Friction
+    static_friction: StaticFriction | None = None
 
     says = (
         either(
             "its coefficient of friction with the plane, static and kinetic, is {friction}.",
             "the coefficient of friction (static and kinetic) between it and the plane is {friction}.",
             "between it and the plane the coefficient of friction, static and kinetic, is {friction}.",
-        ),
+        ).if_given("static_friction", *two_coefficients("between it and the plane")),
     )
 
     @property
     def coefficient(self) -> float:
-        """The same while it sticks and while it slides."""
+        """While it slips, and unless there is another one, while it does not."""
         return self.friction
+
+    @property
+    def static(self) -> float | None:
+        """While it does not slip."""
+        return self.static_friction
 
 
 class Start(Part):

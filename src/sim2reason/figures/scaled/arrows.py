@@ -266,7 +266,7 @@ def heights(setting: Setting) -> Sketch:
         at, scale = setting.at(body.name), setting.view.scale
         height = setting.place(body.name)[2] - floor
         text = setting.stated(owner_of(body.name), setting.mechanism.units.length, height)
-        if text:
+        if text and height:
             top, low = at - 0.6 * RIGHT, at - 0.6 * RIGHT - height * scale * UP
             found.shapes += _dimension(low, top, at)
             aside = top.real - 0.12 - 0.5 * width(text, SMALL)

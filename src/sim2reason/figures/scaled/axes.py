@@ -6,8 +6,8 @@ from math import ceil
 from sim2reason.dsl.looks import Tabletop
 from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.scaled.arrows import speeds
-from sim2reason.figures.scaled.grounds import sheet, spread
 from sim2reason.figures.scaled.setting import Setting
+from sim2reason.figures.scaled.tabletop import bounding_walls, sheet, spread
 from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Sketch, Wanted, width
 from sim2reason.figures.vectors import RIGHT, UP, Box, box, cross, dot, from_segment, unit
 
@@ -30,6 +30,7 @@ def axes(setting: Setting) -> Sketch:
         area = spread(setting)
         if any(isinstance(body.look, Tabletop) for body in setting.bodies.values()):
             found.shapes.append(Area(sheet(setting, area), "table", weight="thin"))
+            found.shapes += bounding_walls(setting, area)
         _full(setting, found, area, origin)
         return found
     left, low, _, _ = box(setting.at(body.name) for body in setting.members)

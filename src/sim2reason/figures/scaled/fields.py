@@ -9,8 +9,9 @@ from sim2reason.dsl.mechanism import ZERO, Force
 from sim2reason.dsl.regions import BoxRegion as Slab
 from sim2reason.dsl.regions import DiscRegion, HalfSpace, Region
 from sim2reason.dsl.vectors import Vector, add, inner, scale
-from sim2reason.figures.scaled.grounds import spread
+from sim2reason.figures.scaled.pushes import is_push
 from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, Arc, Area, LineShape, Shape, Sketch, Wanted, dot_at
 from sim2reason.figures.vectors import Polygon, dot, unit
 
@@ -30,7 +31,7 @@ def fields(setting: Setting) -> Sketch:
             found.shapes.append(Area(outline, "field", weight="thin", dashed=True))
     letters: set[str] = set()
     number = 0
-    for force in (force for force in setting.mechanism.forces if setting.owns(force.body)):
+    for force in (f for f in setting.mechanism.forces if setting.owns(f.body) and not is_push(setting, f)):
         shift = complex(0.5, 0.5) * PITCH * (number % 2)
         number += _marks(setting, force, shift, found, letters)
     return found

@@ -10,9 +10,10 @@ from sim2reason.dsl.mechanism import Face, Prop
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.rails import rails, walls
-from sim2reason.figures.scaled.setting import Setting, corners, vector
+from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
-from sim2reason.figures.vectors import UP, Box, Polygon, box, cross, dot, unit
+from sim2reason.figures.vectors import UP, box, cross, dot, unit
 
 BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
 FLAT = 1e-6
@@ -28,7 +29,7 @@ class Surface:
     owner: str | None
     normal: complex
     touched: tuple[complex, ...]
-    friction: float = 0.0
+    face: Face | None = None  # with what friction something lies on it
 
     @property
     def along(self) -> complex:
@@ -59,8 +60,8 @@ def surfaces(setting: Setting) -> list[Surface]:
         below = reach(setting, face)
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
-        for end in (at - half, at + half, *walls(setting, at, normal * 1j)):
-            _touch(found, parent, normal, end - below * normal, face.friction)
+        for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
+            _touch(found, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
         at, normal = setting.site(foot.site), unit(setting.view.way(foot.normal))
         if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
@@ -88,11 +89,11 @@ def _touch(
     owner: str | None,
     normal: complex,
     point: complex,
-    friction: float = 0.0,
+    face: Face | None = None,
 ) -> None:
     key = (owner, round(normal.real, 6), round(normal.imag, 6), round(dot(point, normal), 2))
     before = found[key].touched if key in found else ()
-    found[key] = Surface(owner, normal, (*before, point), friction)
+    found[key] = Surface(owner, normal, (*before, point), face)
 
 
 def grounds(setting: Setting) -> Sketch:
@@ -139,14 +140,14 @@ def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
 
 def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
     """Dots under a face with friction, and its coefficient if the text states it."""
-    if surface.friction == 0.0:
+    face = surface.face
+    if face is None or face.friction == 0.0:
         return
     a, b = surface.ends
     found.shapes.append(rough(a, b, surface.normal))
-    values = (text for owner in setting.owners if (text := setting.stated(owner, "", surface.friction)))
-    if (value := next(values, "")) != "":
+    told = (said for owner in setting.owners if (said := setting.plan.rubbing(owner, face)))
+    if text := next(told, ""):
         left, low, right, _ = box((a, b))
-        text = setting.plan.equated("µ", value)
         wide = 0.5 * width(text, SMALL)
         spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
         inside = complex(right - wide - 0.2, low + 0.3)
@@ -236,6 +237,8 @@ def _walls(setting: Setting, found: Sketch) -> None:
     for meeting in setting.mechanism.meetings:
         if meeting.a is not None or meeting.normal is None or not setting.owns(meeting.b):
             continue
+        if setting.view.level:
+            continue  # the sheet ends there
         if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
             normal, at = unit(setting.view.way(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
@@ -268,18 +271,3 @@ def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
         found.labels.append(Wanted(text, (spot,), address, SMALL, name=False))
-
-
-def sheet(setting: Setting, area: Box) -> Polygon:
-    """The outline of a tabletop."""
-    del setting
-    left, low, right, high = area
-    return (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
-
-
-def spread(setting: Setting, margin: float = 2.1) -> Box:
-    """The smallest rectangle around all bodies and the origin, with a margin."""
-    origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
-    borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
-    left, low, right, high = box([*(setting.at(body.name) for body in setting.members), *origins, *borders])
-    return left - margin, low - margin, right + margin, high + margin

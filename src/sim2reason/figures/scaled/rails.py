@@ -30,12 +30,12 @@ def rides(setting: Setting, body: RigidBody) -> bool:
     return led and abs(setting.view.way(slides[0].axis).real) > STEEP
 
 
-def walls(setting: Setting, point: complex, way: complex) -> Iterator[complex]:
-    """Where lines in the direction of a rail through a point end in the room."""
+def walls(setting: Setting, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
+    """Where lines in the direction of a rail through a point end in the room, or on a body."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)
-            if setting.mechanism.site[site].body is None and abs(cross(at - point, way)) < FLAT:
+            if setting.mechanism.site[site].body == on and abs(cross(at - point, way)) < FLAT:
                 yield at
 
 

@@ -8,6 +8,7 @@ from sim2reason.figures.scaled.axes import axes
 from sim2reason.figures.scaled.fields import fields
 from sim2reason.figures.scaled.grounds import grounds
 from sim2reason.figures.scaled.lines import lines
+from sim2reason.figures.scaled.pushes import pushes
 from sim2reason.figures.scaled.setting import Setting
 from sim2reason.figures.scaled.stated import stated
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
@@ -33,6 +34,7 @@ def scaled(setting: Setting) -> Sketch:
     found.extend(front)
     found.extend(deflections(setting))
     found.extend(stated(setting))
+    found.extend(pushes(setting))
     found.extend(speeds(setting))
     found.extend(spins(setting))
     found.extend(heights(setting))

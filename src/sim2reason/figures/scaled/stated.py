@@ -117,16 +117,14 @@ def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
 
 def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
     """The friction between two slabs, at either end of the face where they touch."""
-    friction = setting.mechanism.contacts[upper].friction
-    text = setting.stated(owner_of(upper), "", friction) if friction else ""
+    names = sorted(setting.plan.name(address) for address in (upper, lower))
+    letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
+    text = setting.plan.rubbing(owner_of(upper), setting.mechanism.contacts[upper], letter)
     if not text:
         return
     along, at = setting.along(upper), setting.at(upper)
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
-    names = sorted(setting.plan.name(address) for address in (upper, lower))
-    letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
-    text, half = setting.plan.equated(letter, text), 0.5 * setting.sizes(upper)[0]
-    wide = 0.5 * width(text, SMALL)
+    half, wide = 0.5 * setting.sizes(upper)[0], 0.5 * width(text, SMALL)
     foot = at - 0.1 * normal
     ends = (foot + side * (half + 0.12 + wide * abs(along.real) + 0.4 * abs(along.imag)) * along for side in (-1, 1))
     places = (end + far * normal for far in (0.0, 0.3, 0.6) for end in ends)

@@ -26,6 +26,12 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     return rf"{mantissa} \times 10^{{{exponent}}}"
 
 
+def in_full(value: float) -> str:
+    """A number with all its digits, in LaTeX; with a power of ten where Python writes it so."""
+    mantissa, _, power = repr(value).partition("e")
+    return rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
+
+
 def with_guard_digits(value: float) -> str:
     """Write a number with guard digits, for equations that are subtracted, and without trailing zeros."""
     text = rounded(value, GUARDED)

@@ -183,7 +183,7 @@ class CollisionOrder:
             return replace(found, limit=flights.obstacle(held.meeting))
         motion.named("d", gap.expression(), METRES)
         motion.named("u", rate.scaled(-1.0).expression(), SPEED)
-        return self._approaching(motion, held, ratio(*motion.names), " and approaching at")
+        return self._approaching(motion, held, motion.quotient(), " and approaching at")
 
     def _thrown(
         self, motion: RelativeMotion, held: Together, course: tuple[Polynomial, Polynomial, Polynomial]

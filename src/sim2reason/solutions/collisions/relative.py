@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
-from sim2reason.solutions.algebra.expressions import ZERO, Expression
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, ratio
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 LONG = 160  # characters of a formula whose number alone is written
 
@@ -24,6 +24,12 @@ class RelativeMotion:
             return ZERO
         self.names.append(self._verified(base, formula, unit, axis, self.told))
         return self.names[-1]
+
+    def quotient(self) -> Expression:
+        """Return the first of two named numbers over the second; UnsolvedError where one was zero, as of a gap."""
+        if len(self.names) != 2:
+            raise UnsolvedError("two that touch collide as soon as they approach each other")
+        return ratio(*self.names)
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
         """Return the equation of the number on which the argument ends."""

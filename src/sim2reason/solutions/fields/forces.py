@@ -156,6 +156,8 @@ class Fields:
         said = f"{self._charge}{where}{said if where else capital(said)}"
         name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
+        if profile.phase:
+            raise UnsolvedError("the field begins with a phase of its own")
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
             return Drive(axis, name, frequency=frequency)

@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.inverse import other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
-from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting, capital
@@ -22,8 +22,21 @@ LONG = 200  # characters of a formula for the unknown
 REST = 1e-6  # m/s²: the rounding of an acceleration that is zero at the limit
 
 
+class _AtLimit(Newton):
+    """The laws with static friction, at its greatest, of what is about to slip."""
+
+    def coefficient(self, face: int) -> Polynomial:
+        """µ_s."""
+        return self.static_coefficient(face)
+
+
 class LimitingDynamics(WrittenDynamics):
     """Newton's laws and their unknowns at the instant at which a body is about to move."""
+
+    def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
+        """UnreadError if the mechanism is of another kind."""
+        super().__init__(setting, book, segment)
+        self.newton = _AtLimit(setting.lexicon, segment)
 
     @cached_property
     def values(self) -> dict[str, float]:

@@ -241,8 +241,12 @@ class Newton:
         return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
-        """µ of a face."""
+        """µ of a face, µ_k if that has two."""
         return self.read(lambda m, _: m.faces[face].friction)
+
+    def static_coefficient(self, face: int) -> Polynomial:
+        """µ_s of a face, or its only µ."""
+        return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:
         found = [(self.friction(face), self.slip(face)) for face in self.rough]

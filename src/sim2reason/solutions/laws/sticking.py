@@ -1,4 +1,4 @@
-"""What was assumed of friction is verified: what sticks, or rolls, needs no more than µN."""
+"""What was assumed of friction is verified: what sticks, or rolls, needs no more than µ_s N."""
 
 from math import isinf
 
@@ -32,15 +32,15 @@ def verify_sticking(dynamics: Dynamics) -> None:
 
 
 def limit_of_friction(newton: Newton, face: int) -> Expression:
-    """Return µN, where weights alone press on the face."""
+    """Return the greatest static friction µN, where weights alone press on the face."""
     normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
-    return multiplied(newton.coefficient(face).expression(), normal.expression())
+    return multiplied(newton.static_coefficient(face).expression(), normal.expression())
 
 
 def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
-    most = multiplied(dynamics.newton.coefficient(number).expression(), normal)
+    most = multiplied(dynamics.newton.static_coefficient(number).expression(), normal)
     if book.in_symbols or book.value(friction) > LIMIT * book.value(most):
         return
     if book.is_hidden(friction) or book.is_hidden(most):

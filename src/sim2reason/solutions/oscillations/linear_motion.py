@@ -202,11 +202,18 @@ class LinearMotion:
 
     def friction(self, i: int) -> Polynomial:
         """Return the part of `steady` that is kinetic friction."""
+        return self._rubbed(i, self.laws.coefficient)
+
+    def greatest_friction(self, i: int) -> Polynomial:
+        """Return what it is at rest at most: the same with the coefficients of static friction."""
+        return self._rubbed(i, self.laws.static_coefficient)
+
+    def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:
         found = NIL
         for face, side in self.laws.rough.items():
             along = total(part.scaled(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
             if side and along:
-                found = found + (self.laws.friction(face) * along).put({f"N{face}": self.normal(face)})
+                found = found + (coefficient(face) * self.normal(face) * along).scaled(float(-side))
         return found
 
     def load(self, i: int) -> Polynomial:

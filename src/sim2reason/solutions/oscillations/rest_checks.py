@@ -42,7 +42,9 @@ class RestChecks:
 
     def hidden(self, motion: LinearMotion) -> bool:
         """Return whether one of the forces that are compared hangs on what is unknown."""
-        return any(map(self._book.is_hidden, (without_friction(motion), motion.friction(motion.free[0]).factored())))
+        return any(
+            map(self._book.is_hidden, (without_friction(motion), motion.greatest_friction(motion.free[0]).factored()))
+        )
 
     def _compare(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> bool:
         if self.hidden(motion):
@@ -57,7 +59,7 @@ class RestChecks:
     def _tell(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> None:
         book, (i,) = self._book, motion.free
         friction = motion.friction(i)
-        pull, most = without_friction(motion), self._size(friction)
+        pull, most = without_friction(motion), self._size(motion.greatest_friction(i))
         forward = book.value(pull) > 0.0
         pull = pull if forward else without_friction(motion, sign=-1.0)
         if (book.value(pull) * LIMIT < book.value(most)) if moves else (book.value(pull) > LIMIT * book.value(most)):
@@ -107,7 +109,10 @@ class RestChecks:
 
     def _rests(self, motion: LinearMotion, face: int, needed: Sequence[Polynomial], beyond: Expression) -> None:
         book = self._book
-        most, sizes = (motion.laws.coefficient(face) * motion.normal(face)).factored(), [*map(self._size, needed)]
+        most, sizes = (
+            (motion.laws.static_coefficient(face) * motion.normal(face)).factored(),
+            [*map(self._size, needed)],
+        )
         greatest = max(sizes, key=book.value)
         hidden = book.is_hidden(greatest) or book.is_hidden(most)
         if book.value(beyond) > LIMIT * book.value(greatest):

@@ -61,7 +61,7 @@ def _friction(equations: PhaseEquations, name: str) -> Expression:
     face = equations.mechanism.face_number[name]
     if not equations.rough.get(face, 0):
         return Number(0.0)
-    force = equations.friction_bound(face).expression()
+    force = equations.kinetic_friction(face).expression()
     return multiplied(force, Absolute(equations.slip(face).expression()))
 
 

@@ -161,9 +161,14 @@ class PhaseEquations:
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
         return self.motion.number(Both(faces[0].friction, faces[1].friction))
 
-    def friction_bound(self, face: int) -> Polynomial:
-        """Return the coefficient of friction times the normal force."""
+    def kinetic_friction(self, face: int) -> Polynomial:
+        """Return the coefficient of kinetic friction times the normal force."""
         return self._coefficient(face) * self.pressing(face)
+
+    def friction_bound(self, face: int) -> Polynomial:
+        """Return the coefficient of static friction times the normal force."""
+        faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
+        return self.motion.number(Both(faces[0].static_friction, faces[1].static_friction)) * self.pressing(face)
 
     def _slip(self, face: int, place: int) -> Polynomial:
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]

@@ -278,7 +278,9 @@ class _Struck(Way):
         step, name = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(name)
         law = step.law((gap + target + speed * t + (a * t * t).scaled(0.5)).expression(), target.expression())
-        if a:
+        if a and not gap:  # it comes back to where it began
+            formula = ratio(speed.scaled(-2.0).expression(), a.expression())
+        elif a:
             # gap and rise have opposite signs unless it is thrown back; the first root in either case
             sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
             formula = self.flights.root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))

@@ -11,17 +11,20 @@ from functools import reduce
 from itertools import combinations_with_replacement
 from math import comb
 from operator import mul
+from typing import cast
 
 import numpy as np
 
+from sim2reason.dsl.measures import FAINT, VAST
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Word
 from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.record import record
-from sim2reason.solutions.algebra.digits import EXACT, SIMPLE
+from sim2reason.solutions.algebra.digits import EXACT, SIMPLE, in_full
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
@@ -30,7 +33,8 @@ from sim2reason.solutions.writing.unit_latex import latex
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance
-TRIES = 4
+TINY = 1e-9  # of what a text says: less belongs to atoms
+TRIES, ALIKE = 24, 4  # draws of numbers; of these, the first, in which all grow or all shrink
 LARGEST = 10_000  # the largest numerator of a number that is no accident
 TERMS = 2500  # products of several numbers that are tried
 
@@ -52,10 +56,11 @@ class StatedNumber:
         """The number as it is said, with its unit."""
         measure, value = self.parameter.measure, self.parameter.value or 0.0
         if self.value != value and not self.angle:  # in the units that formulas need
-            return f"{self.value:.12f}".rstrip("0").rstrip(".") + self.counted_unit
+            plain = f"{self.value:.12f}".rstrip("0").rstrip(".")
+            return (plain if float(plain) == self.value else in_full(self.value)) + self.counted_unit
         text = f"{value:.{measure.places(value)}f}"
-        if abs(float(text) - value) > EXACT * abs(value):
-            text = repr(value)
+        if abs(float(text) - value) > EXACT * abs(value) or not FAINT <= abs(value) < VAST:
+            text = in_full(value)
         return text + self.unit
 
     @property
@@ -127,10 +132,12 @@ class Lexicon:
         for attempt in range(TRIES):
             rng = np.random.default_rng(attempt)
             side = -SHIFT if attempt % 2 == 0 else SHIFT
+            mixed = attempt >= ALIKE  # what touches may need one number to grow and another one to shrink
             values = {
-                path: given.parameter.value * (1.0 + side * rng.uniform(0.2, 1.0))
+                path: given.parameter.value
+                * (1.0 + side * rng.uniform(0.2, 1.0) * (rng.choice((-1.0, 1.0)) if mixed else 1.0))
                 for path, given in self.givens.items()
-                if given.parameter.value
+                if given.parameter.value and not (given.angle and _is_word(self.scene, given.parameter))
             }
             try:
                 twin = self.scene.having_all(values).mechanism
@@ -188,10 +195,16 @@ class Lexicon:
             known = self._read[number] = self._searched(number)
         return known
 
+    @cached_property
+    def _nothing(self) -> float:
+        """Below which a number is what rounding leaves of zero: far below products of two, where some are tiny."""
+        least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
+        return SAME if least >= TINY else SAME * least**2
+
     def _searched(self, number: Both) -> Polynomial:
         if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
             return Polynomial.of(Symbol("G"))  # far smaller, in the SI, than what rounding leaves of other numbers
-        if abs(number.here) < SAME and abs(number.there) < SAME:
+        if abs(number.here) < self._nothing and abs(number.there) < self._nothing:
             return NIL
         plain = _factor(number, Both(1.0, 1.0))
         if plain is not None:
@@ -244,6 +257,13 @@ class Lexicon:
 def _counted(parameter: Parameter, value: float) -> float:
     """In the mechanism's own count: that of the text, but for degrees, kilometres and other such parts."""
     return value * factor(parameter.measure.unit)
+
+
+def _is_word(scene: Scene, parameter: Parameter) -> bool:
+    """Whether a word tells a number, as *straight up* tells an angle of 90°: then it could be no other."""
+    owner, _, name = parameter.path.rpartition(".")
+    words = cast("Mapping[str, Word]", getattr(cast("object", scene.value(owner)), "words", {}))
+    return any(word.parameter == name and parameter.value in word.special for word in words.values())
 
 
 def _factor(number: Both, atom: Both) -> float | None:

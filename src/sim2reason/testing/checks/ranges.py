@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import cast
 
 import numpy as np
 from pydantic import ValidationError
@@ -10,6 +11,7 @@ from pydantic import ValidationError
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.model import Model, draw, field_types
 from sim2reason.errors import SceneError
+from sim2reason.questions.unknown import limits_of
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.choices import chances
@@ -95,12 +97,18 @@ def _field(path: str) -> str:
 
 def _matters(found: Specimen, path: str) -> bool:
     """Whether an answer changes with a number."""
-    value = next(p.value for p in found.scene.parameters if p.path == path)
-    for shift in SHIFTS:
-        scene = changed(found.scene, {path: (value or 0.0) * shift if value else shift - 1.0})
+    value = next(p.value for p in found.scene.parameters if p.path == path) or 0.0
+    tried = [value * shift if value else shift - 1.0 for shift in SHIFTS]
+    owner, _, name = path.rpartition(".")
+    kind = cast("type[Model]", type(found.scene.value(owner)))
+    if field_types(kind)[name].above:  # a limit, which matters where it lies beyond another
+        tried += limits_of(found.scene, path)
+    for other in tried:
+        scene = changed(found.scene, {path: other})
         if scene is not None:
-            other = studied(scene, found.scene.horizon)
-            return other is None or next(differences(found, other), None) is not None
+            again = studied(scene, found.scene.horizon)
+            if again is None or next(differences(found, again), None) is not None:
+                return True
     return False
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.dsl.entity import Part
-from sim2reason.dsl.template import PartLines, wordings
+from sim2reason.dsl.template import PartLines, variants
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.choices import reachable
 from sim2reason.testing.report import Finding
@@ -23,8 +23,8 @@ class WordingsCheck(Check):
         for model in reachable(specimens.cls):
             lines = model.says if issubclass(model, Part) else ()
             for saying in (line for line in lines if not isinstance(line, PartLines)):
-                ways = set(wordings(saying))
-                if len(ways) < LEAST:
-                    expected = f"each line of {model.__name__} has at least {LEAST} wordings"
-                    remedy = "say it in another construction, not only in other words"
-                    yield Finding(self.name, expected, f"{len(ways)}: {wordings(saying)[0]!r}", remedy)
+                for ways in variants(saying):
+                    if len(set(ways)) < LEAST:
+                        expected = f"each line of {model.__name__} has at least {LEAST} wordings"
+                        remedy = "say it in another construction, not only in other words"
+                        yield Finding(self.name, expected, f"{len(set(ways))}: {ways[0]!r}", remedy)

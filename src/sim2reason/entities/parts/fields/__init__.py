@@ -3,22 +3,22 @@
 from collections.abc import Mapping
 from typing import Annotated, Literal, TypeVar
 
-from annotated_types import Le
+from annotated_types import Ge, Le
 
 from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, Word, X, Y, Z, scale
 from sim2reason.dsl.model import Model
 from sim2reason.registry import Registry
 
-ElectricStrength = Annotated[float, LEAST, Le(1e6), Measure("electric field", "N/C", "E"), Range(0.4, 2.0)]
-MagneticStrength = Annotated[float, LEAST, Le(1e6), Measure("magnetic field", "T", "B"), Range(0.4, 1.2)]
+ElectricStrength = Annotated[float, LEAST, Le(1e9), Measure("electric field", "N/C", "E"), Range(0.4, 2.0)]
+MagneticStrength = Annotated[float, Ge(1e-12), Le(1e6), Measure("magnetic field", "T", "B"), Range(0.4, 1.2)]
 Direction = Literal["positive x", "negative x", "positive y", "negative y"]
 Trend = Literal["increases", "decreases"]
 AXES: Mapping[str, Vector] = {"x": X, "y": Y, "z": Z}
 ElectricAtFirst = Annotated[
-    float, LEAST, Le(1e6), Measure("field strength", "N/C", "E", called="magnitude"), Range(0.4, 2.0)
+    float, LEAST, Le(1e9), Measure("field strength", "N/C", "E", called="magnitude"), Range(0.4, 2.0)
 ]
 MagneticAtFirst = Annotated[
-    float, LEAST, Le(1e6), Measure("field strength", "T", "B", called="magnitude"), Range(0.4, 1.2)
+    float, Ge(1e-12), Le(1e6), Measure("field strength", "T", "B", called="magnitude"), Range(0.4, 1.2)
 ]
 """Those of fields that have them at one time or in one place alone."""
 

@@ -1,10 +1,11 @@
 """An electric field that oscillates."""
 
+from math import radians
 from typing import Annotated
 
-from annotated_types import Le
+from annotated_types import Ge, Le
 
-from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
+from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, Usually, either
 from sim2reason.entities.parts.fields import (
     Direction,
     ElectricField,
@@ -13,7 +14,8 @@ from sim2reason.entities.parts.fields import (
     force_field,
 )
 
-Frequency = Annotated[float, LEAST, Le(1e4), Measure("angular frequency", "rad/s", r"\omega"), Range(0.5, 4.0)]
+Frequency = Annotated[float, LEAST, Le(1e12), Measure("angular frequency", "rad/s", r"\omega"), Range(0.5, 4.0)]
+Phase = Annotated[float, Ge(-180), Le(180), Measure("phase", "deg", r"\varphi", decimals=0), Range(10.0, 170.0)]
 
 
 @force_field
@@ -23,18 +25,25 @@ class OscillatingElectric(ElectricField):
     strength: ElectricStrength
     way: Direction
     frequency: Frequency
+    phase: Annotated[Phase | None, Usually(present=False)] = None
 
     says = (
         either(
             "a uniform electric field in the {way} direction varies as the cosine of time, with amplitude {strength} and angular frequency {frequency}.",
             "in the {way} direction there is a uniform electric field that varies as a cosine of time; its amplitude is {strength}, its angular frequency {frequency}.",
             "a uniform electric field oscillates with an angular frequency of {frequency}; it is greatest at t = 0, when it is {strength} in the {way} direction.",
+        ).if_given(
+            "phase",
+            "a uniform electric field in the {way} direction varies as the cosine of time, with amplitude {strength}, angular frequency {frequency} and phase {phase} at t = 0.",
+            "in the {way} direction there is a uniform electric field that varies as a cosine of time; its amplitude is {strength}, its angular frequency {frequency}, its phase at t = 0 {phase}.",
+            "a uniform electric field in the {way} direction oscillates with an amplitude of {strength} and an angular frequency of {frequency}; the phase of its cosine is {phase} at t = 0.",
         ),
     )
 
     def law(self, charge: float) -> Law:
-        """F = q E₀ cos ωt."""
-        return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency))
+        """F = q E₀ cos(ωt + φ)."""
+        phase = radians(self.phase or 0.0)
+        return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
 
     def rate(self, charge: float, mass: float) -> float:
         """Its own."""

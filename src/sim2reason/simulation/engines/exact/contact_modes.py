@@ -233,7 +233,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
             continue
         if grip.both:
             normal = abs(normal)
-        if side == 0 and abs(friction) > grip.friction * normal + small_force:
+        if side == 0 and abs(friction) > grip.holds * normal + small_force:
             flips.rubbing.append((number, -1 if friction > 0.0 else 1))
         elif side and side * grip.slip.rate(x) < -small_x:
             flips.rubbing.append((number, 0))

@@ -26,9 +26,12 @@ class EventLog:
         self._hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body, or jerk of each row
 
     def record(self, time: float, kind: str, *subjects: str) -> None:
-        """Note an event, once: a body may enter the regions of several forces at one instant."""
+        """Note an event, once: a body may enter the regions of several forces at one instant.
+
+        Two that touch others may collide more than once at an instant.
+        """
         event = Event(time, kind, subjects)
-        if event not in self.events[-SAME:]:
+        if kind == "collision" or event not in self.events[-SAME:]:
             self.events.append(event)
 
     def end(self, time: float, kind: str, *subjects: str) -> None:

@@ -118,7 +118,7 @@ class _Recorded:
         found |= {Margin("normal", contact): part for contact, part in enumerate(lift)}
         for number, (grip, side) in enumerate(zip(self.system.grips, mode.rubbing, strict=True)):
             if side == 0 and grip.friction < inf:
-                along, bound = free.friction.get(number, 0.0), grip.friction * lift[grip.contact]
+                along, bound = free.friction.get(number, 0.0), grip.holds * lift[grip.contact]
                 found[Margin("grip", number, 1)] = bound + along
                 found[Margin("grip", number, -1)] = bound - along
         return found
@@ -230,9 +230,9 @@ class _Recorded:
                     slip = slip + side * part * self.v[k]
                 found.append((Margin("slip", number, side), slip))
             elif grip.friction < inf:
-                bound = grip.friction * normal[grip.contact]
+                bound = grip.holds * normal[grip.contact]
                 if grip.both:
-                    bound = grip.friction * self.tape.sqrt(normal[grip.contact] * normal[grip.contact])
+                    bound = grip.holds * self.tape.sqrt(normal[grip.contact] * normal[grip.contact])
                 found.append((Margin("grip", number, 1), bound + friction[grip.contact]))
                 found.append((Margin("grip", number, -1), bound - friction[grip.contact]))
         return found

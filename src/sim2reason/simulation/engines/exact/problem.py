@@ -4,7 +4,7 @@ For forces x is the acceleration, for impulses the velocity after the impact:
 
     M x + Σ λ J − Σ f S = F,   λ ≥ 0,   J x ≤ target,   λ (target − J x) = 0
     N = M_z x + Σ λ J_z − F_z              (the row of the rise z of a contact, which stays zero)
-    |f| ≤ µN while S x = 0, else f = −µN sign(S x)
+    |f| ≤ µ_s N while S x = 0, else f = −µN sign(S x)
 
 A row J is that of a string, a prop, a foot, or two-sided: a rod, a pair that sticks together. S is the slip of a rough
 contact. A mode says which rows act and which contacts stick; it makes the problem linear.
@@ -41,13 +41,14 @@ def gradient(along: Row, lift: Row) -> Gradient:
 
 @dataclass(frozen=True, slots=True)
 class RoughContact:
-    """A rough contact: its number among the contacts, how its surfaces slip, and its friction."""
+    """A rough contact: its number among the contacts, how its surfaces slip, and its kinetic friction."""
 
     contact: int
     slip: Gradient
     friction: float
     coordinate: int = -1  # where the slip is the rate of one coordinate and nothing else
     both: bool = False  # the face holds both ways, so that a negative normal force rubs as well
+    holds: float = 0.0  # the coefficient of static friction
 
     @property
     def never(self) -> bool:

@@ -62,7 +62,7 @@ def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -
         grip, p = problem.grips[number], rows + 2 * place
         slip = np.array(grip.slip.along)
         matrix[:n, p], matrix[:n, p + 1] = -slip, slip
-        matrix[n + grip.contact, [p, p + 1]] = 1.0 / grip.friction
+        matrix[n + grip.contact, [p, p + 1]] = 1.0 / grip.holds
     return matrix
 
 

@@ -14,7 +14,7 @@ from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
-from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, System
+from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
@@ -57,7 +57,7 @@ class Settling:
         snapped = {i for i in full if instant.rates[i] > self.still and not self.kinds[i].both}
         if self.curved is not None and self.segments:
             snapped = {i for i in snapped if not self.mode.acting[i] or instant.rates[i] > 1.0}
-        touching = [i for i, near in enumerate(instant.pairs) if near.touching and not self.phase.stuck[i]]
+        touching = [i for i, near in enumerate(instant.pairs) if self._takes_part(i, near)]
         hits = [i for i in touching if instant.pairs[i].rate < -STILL]
         if not snapped and not hits:
             return snapped
@@ -65,6 +65,11 @@ class Settling:
             return None
         self._strike(instant, full, touching, snapped)
         return None if self.event_log.cut else snapped
+
+    def _takes_part(self, number: int, near: Near) -> bool:
+        """Whether a pair is in an impact: one that only rests against each other and may bounce is struck after it."""
+        resting = near.meeting.restitution > 0.0 and near.rate >= -STILL
+        return near.touching and not resting and not self.phase.stuck[number]
 
     def _strike(self, instant: Instant, full: list[int], touching: list[int], snapped: set[int]) -> None:
         place = {number: new for new, number in enumerate(full)}

@@ -269,5 +269,6 @@ def _grips(mechanism: Mechanism) -> tuple[RoughContact, ...]:
             for name, factor in face.slip:
                 slip[mechanism.number[name]] = float(factor)
             alone = mechanism.number[face.slip[0][0]] if len(face.slip) == 1 and face.slip[0][1] == 1.0 else -1
-            grips.append(RoughContact(number, gradient(slip, [0.0] * count), float(face.friction), alone, face.guided))
+            along, holds = gradient(slip, [0.0] * count), float(face.static_friction)
+            grips.append(RoughContact(number, along, float(face.friction), alone, face.guided, holds))
     return tuple(grips)

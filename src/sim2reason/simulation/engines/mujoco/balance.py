@@ -85,7 +85,7 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
 
 def _turns(model: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBalance:
     """Iterate overlaps and creep for given normal forces behind the friction."""
-    limits = np.where((demand.sliding == 0.0) & ~demand.locked, model.friction * normal, 0.0)
+    limits = np.where((demand.sliding == 0.0) & ~demand.locked, model.static_friction * normal, 0.0)
     applied = demand.applied.copy()
     np.subtract.at(applied, model.rubs, demand.sliding * model.friction * normal)
     model.arm(demand.strings, demand.pairs, demand.locked, limits, applied)

@@ -52,6 +52,7 @@ class CompiledModel:
         self.index = index
         self.rubs: Integers = np.array([index[c.slip[0][0]] for c in mechanism.contacts.values()], dtype=np.intp)
         self.friction: Array = np.array([c.friction for c in mechanism.contacts.values()])
+        self.static_friction: Array = np.array([c.static_friction for c in mechanism.contacts.values()])
         self.size = int(model.nv)
         self.paths: Integers = np.array([t.id for t in spec.paths], dtype=np.intp)
         self.tendons: Integers = np.array([t.id for t in spec.strings], dtype=np.intp)

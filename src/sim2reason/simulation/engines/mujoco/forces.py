@@ -77,7 +77,7 @@ def _decide(
     if not resting.any() and np.array_equal(pulling, demand.strings):
         return demand, first
     normal, a = first.forces[model.presses], first.a[model.rubs]
-    at_limit = np.abs(first.forces[model.grips]) >= model.friction * normal - faint
+    at_limit = np.abs(first.forces[model.grips]) >= model.static_friction * normal - faint
     started = resting & at_limit & (np.abs(a) > start)
     sliding = np.where(started, np.sign(a), demand.sliding)
     last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
@@ -97,8 +97,8 @@ def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) ->
     zero = np.zeros(model.size)
     full = detector.strings(q, v, zero).value <= TOUCHING
     gaps = detector.approach(q, v, zero).gaps
-    touching = gaps.value <= TOUCHING
     restitution = np.array([pair.restitution for pair in model.mechanism.meetings])
+    touching = (gaps.value <= TOUCHING) & ((gaps.rate < -STILL) | (restitution == 0.0))  # what rests is struck next
     targets = np.zeros(model.slots)
     targets[model.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
     model.aim(detector.closing(q))

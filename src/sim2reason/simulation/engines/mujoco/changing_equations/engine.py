@@ -50,9 +50,14 @@ class HardMotion(HardSettling):
     def advance(self) -> bool:
         """Settle the present instant and go on to the next event; False at the end."""
         self.model.stand(self.now, self.q, self.v, self.situation)
-        if not self.impact():
-            return False
+        goes_on = self.impact()
         self.model.stand(self.now, self.q, self.v, self.situation)
+        while goes_on and self.meets():  # what was driven against others that touch strikes those at once
+            self._count(self.longest)
+            goes_on = self.impact()
+            self.model.stand(self.now, self.q, self.v, self.situation)
+        if not goes_on:
+            return False
         found = self.settle()
         if self.cut:
             return False

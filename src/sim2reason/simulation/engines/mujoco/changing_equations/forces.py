@@ -41,7 +41,8 @@ class HardInstant:
     follows: tuple[int, ...]
     rises: list[int]  # joints
     slips: Array  # (faces, joints)
-    friction: Array  # (faces,)
+    friction: Array  # (faces,), kinetic
+    holds: Array  # (faces,), the coefficients of static friction
     sliding: tuple[int, ...]  # the side to which a face slips already; else 0
     guided: tuple[bool, ...]
     allowed: tuple[bool, ...]  # the rows that may act
@@ -140,7 +141,7 @@ def _conditions(instant: HardInstant, acts: Acting, size: int) -> Array:
     found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
     found += [[(place, 1.0)] for i, place in normal.items() if not instant.guided[i]]
     for place, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
-        found += [[(normal[i], float(instant.friction[i])), (place, side)] for side in (1.0, -1.0)]
+        found += [[(normal[i], float(instant.holds[i])), (place, side)] for side in (1.0, -1.0)]
     matrix = np.zeros((len(found), size))
     for number, entries in enumerate(found):
         for place, part in entries:

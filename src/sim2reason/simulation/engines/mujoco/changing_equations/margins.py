@@ -109,7 +109,7 @@ class ActingModel:
     def _faces(self, forces: Found) -> Iterator[Due]:
         model = self.model
         for number, face in enumerate(model.mechanism.faces):
-            friction, normal = float(model.friction[number]), float(forces.normal[number])
+            friction, normal = face.static_friction, float(forces.normal[number])
             if not face.guided:
                 yield Due("normal", number, 0, normal)
             side = self.way.rubbing[number]

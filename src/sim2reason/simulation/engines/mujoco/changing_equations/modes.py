@@ -150,7 +150,7 @@ def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small:
         return []
     side, held = found.way.rubbing[i], float(found.friction[i])
     if side == 0:
-        too_much = abs(held) > instant.friction[i] * abs(found.normal[i]) + force
+        too_much = abs(held) > instant.holds[i] * abs(found.normal[i]) + force
         return [("rubbing", i, -1 if held > 0.0 else 1)] if too_much else []
     back = not instant.sliding[i] and side * float(instant.slips[i] @ found.x) < -small
     return [("rubbing", i, 0)] if back else []

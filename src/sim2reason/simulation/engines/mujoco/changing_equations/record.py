@@ -227,6 +227,7 @@ def at_present(model: HardModel, rows: list[Row], sliding: tuple[int, ...], allo
         model.rises,
         model.slips,
         model.friction,
+        np.array([face.static_friction for face in model.mechanism.faces]),
         sliding,
         tuple(face.guided for face in model.mechanism.faces),
         allowed,

@@ -147,7 +147,12 @@ class HardSettling:
             if not row.both and row.spare <= TOUCHING and row.rate > (1.0 if acts[i] else 10.0 * STILL)
         ]
         near = [self.model.separation(meeting) for meeting in self.mechanism.meetings]
-        touching = [i for i, (gap, *_) in enumerate(near) if gap <= TOUCHING and not self.situation.stuck[i]]
+        bounces = [meeting.restitution > 0.0 for meeting in self.mechanism.meetings]
+        touching = [  # a pair that rests against each other is struck next
+            i
+            for i, (gap, rate, *_) in enumerate(near)
+            if gap <= TOUCHING and not self.situation.stuck[i] and (rate < -STILL or not bounces[i])
+        ]
         hits = [i for i in touching if near[i][1] < -STILL]
         if not snapped and not hits:
             return True
@@ -164,6 +169,12 @@ class HardSettling:
         for i in snapped:
             self.jerks[rows[i].name] = (self.now, (rows[i].name,))
         return not self.cut
+
+    def meets(self) -> bool:
+        """Whether bodies that touch move towards each other."""
+        near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
+        pairs = zip(near, self.situation.stuck, strict=True)
+        return any(gap <= TOUCHING and rate < -STILL and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
         """Velocities just after: the problem of forces, with momenta as loads."""
@@ -218,9 +229,9 @@ class HardSettling:
         return True
 
     def note(self, kind: str, *subjects: str) -> None:
-        """An event, now; once, though a body may enter the regions of several forces at one instant."""
+        """An event, now; once but for collisions: a body may enter the regions of several forces at one instant."""
         event = Event(self.now, kind, subjects)
-        if event not in self.events[-SAME:]:
+        if kind == "collision" or event not in self.events[-SAME:]:
             self.events.append(event)
 
     def end(self, kind: str, *subjects: str) -> None:

@@ -1,0 +1,57 @@
+"""Walls that bound a table on which discs slide."""
+
+import pytest
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
+from sim2reason.figures.drawing import drawing
+from sim2reason.figures.shapes import LineShape
+from sim2reason.parsing import parse_scene
+from sim2reason.prose import describe
+from sim2reason.scene_files import dump, loads
+from sim2reason.simulation.scenes import certify
+
+E = 0.8
+
+
+def table(walls: str, tilt: float = 0.0) -> Scene:
+    """A disc of radius 0.1 m that leaves the origin with (2, 1) m/s, and another one at rest far away."""
+    pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 2.0, vy: 1.0}, {mass: 1.0, x: -1.0, y: -1.0, vx: 0.0, vy: 0.0}"
+    parameters = f"table: {{tilt: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
+    return loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
+
+
+CORNER = table("right: 1.1, top: 0.85")
+
+
+def test_a_disc_rebounds_from_each_wall_it_meets() -> None:
+    """Its rim meets them after (1.1 − 0.1)/2 s and (0.85 − 0.1)/1 s; the part square to each changes by −e."""
+    trace, certificate = certify(CORNER, duration=2.0)
+    assert certificate.stable_until == 2.0, certificate.reason
+    assert [event.time for event in trace.events] == pytest.approx([0.5, 0.75], rel=1e-9)
+    assert trace.state.v[-1] == pytest.approx([-2.0 * E, -E, 0.0, 0.0], abs=1e-9)
+
+
+def test_walls_on_all_sides_of_a_tilted_table() -> None:
+    """Both engines agree; a disc that lies on the wall below is struck again and again, which ends it."""
+    trace, certificate = certify(table("left: -1.5, right: 1.1, bottom: -1.5, top: 0.85", tilt=10.0), duration=0.7)
+    assert certificate.stable_until == trace.stable_until == 0.7, certificate.reason
+
+
+@pytest.mark.parametrize("held", [CORNER, table("left: -1.5, bottom: -1.5", tilt=10.0)])
+def test_they_are_told_read_back_and_drawn(held: Scene) -> None:
+    """Each in a sentence, and hatched at the edge of the table."""
+    assert loads(dump(held)) == held
+    for seed in range(4):
+        text = describe(held, seed).text
+        assert text.count("wall") == 2
+        assert parse_scene(text).scene.entities[0].entity == held.entities[0].entity, text
+    edges = [s for s in drawing(held, describe(held)).shapes if isinstance(s, LineShape) and s.weight == "edge"]
+    assert len(edges) == 2
+
+
+@pytest.mark.parametrize("walls", ["right: 0.05", "left: 0.0", "top: -0.5", "bottom: -1.05"])
+def test_no_disc_is_in_a_wall(walls: str) -> None:
+    """That is refused in words."""
+    with pytest.raises(SceneError, match="a puck is in the wall or beyond it"):
+        table(walls)
