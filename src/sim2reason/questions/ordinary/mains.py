@@ -1,0 +1,112 @@
+"""What a question in ordinary English asks for: its main clause, each with what is found, of what, in which direction."""
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import STRETCH, Main, Reader, each, of_none, of_one
+from sim2reason.questions.ordinary.stretches import STRETCHES
+from sim2reason.questions.ordinary.vocabulary import MOTIONS, QUANTITIES, WAYS, meant, pattern
+from sim2reason.questions.ordinary.whens import ways_of
+
+FORCES = "tension", "rod force", "spring force"  # of what lies along a line
+def mains(question: str, heard: Heard) -> Iterator[Main]:
+    """All that a main clause may ask for; nothing if it asks for nothing known."""
+    for told, reader in frames().items():
+        found = pattern(told).fullmatch(question)
+        if found is not None:
+            yield from reader(found, heard)
+
+
+@cache
+def frames() -> Mapping[str, Reader]:
+    """All frames of main clauses."""
+    return {**FRAMES, **STRETCHES}
+
+
+def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity by its noun."""
+    groups = found.groupdict()
+    name = meant(QUANTITIES, groups["q"])
+    axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
+    along = axis if axis in AXES else ""
+    for of in each(heard, groups.get("s")):
+        ways = ways_of(found, of) if not along else ()
+        yield from _named(name, of, along, ways)
+
+
+AXES = ("horizontal", "vertical", "x", "y")
+
+
+def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
+    if name == "force":
+        yield from (Main(force, of) for force in FORCES)
+    elif name == "deceleration":
+        yield Main("acceleration", of, along, ways=((of, "slower"), *ways))
+    elif name == "compression":
+        yield Main("extension", of, ways=((of, "compressed"),))
+    elif name == "length":
+        yield Main("spring length", of)
+    elif name not in ("height", "distance"):
+        yield Main(name, of, along, ways=ways)
+
+
+def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    groups = found.groupdict()
+    turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
+    for of in each(heard, groups["s"]):
+        yield Main("angular velocity" if turns else "velocity", of, ways=ways_of(found, of))
+
+
+def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far something moves: as far as it is from its starting point, if it has not gone farther than that."""
+    groups = found.groupdict()
+    way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    for of in each(heard, groups["s"]):
+        if way in AXES:
+            yield Main("displacement", of, way, needs=STRETCH)
+        else:
+            yield Main("displacement", of, needs=STRETCH, ways=ways_of(found, of))
+            yield Main("distance travelled", of, needs=STRETCH)
+
+
+def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    del found, heard
+    yield Main("time", needs=STRETCH)
+
+
+FRAMES: Mapping[str, Reader] = {
+    "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
+    "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
+    "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
+    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~have| ~has| ~moving| ~{motion=MOTION}]"
+    "[ {way=WAY}]": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": _quantity,
+    "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ][SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
+    "[ by SURFACE]": _quantity,
+    "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
+    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
+    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
+    "ASK [SIZE ]{q=QUANTITY} between {s}[ and {t}]": of_none("friction force", "distance", "relative speed"),
+    "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
+    "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
+    "how far ~{s}[ and {t}] apart": of_none("distance"),
+    "how far apart ~(?:centres of )?{s}[ and {t}]": of_none("distance"),
+    "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,
+    "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
+    "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
+    "how far from (?:origin|its starting point|its starting position|start) ~{s}": of_one("displacement"),
+    "how far ~{s} from (?:its starting point|its starting position|start)": of_one("displacement"),
+    "how far from {t} ~{s}": of_none("distance"),
+    "how long ~{s}": of_one("spring length"),
+    "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
+    "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
+    "ASK energy stored in {s}": of_one("spring energy"),
+    "by how much ~{s} (?:stretched|extended|compressed)": of_one("extension"),
+    "TIME": _time,
+}
+"""By what a main clause is like: what reads it."""

@@ -1,0 +1,111 @@
+"""Main clauses that ask for what a stretch of the motion adds up to, for its extremes, and for periods."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
+from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant
+
+NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
+"""What functionals call a quantity otherwise."""
+
+
+def _extreme(size: str) -> Reader:
+    """The greatest or least of a quantity over a stretch of the motion."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        name = meant(QUANTITIES, found.groupdict()["q"])
+        name = NAMES.get(name, name)
+        for of in each(heard, found.groupdict().get("s")):
+            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
+
+    return read
+
+
+def _at_once(*finds: str) -> Reader:
+    """Something of the only pair, or of one body, that happens in a collision."""
+    return of_none(*finds, needs=STRETCH)
+
+
+def _period(name: str) -> Reader:
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found.groupdict().get("s")):
+            yield Main(name, of, needs=FREE)
+
+    return read
+
+
+_REACHED = "[ (?:of|in) {s}][ ~(?:reached|attained)(?: by {t}|)]"
+STRETCHES: Mapping[str, Reader] = {
+    # extremes
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} (?:reaches|reach|attains|attain|gets|get|has)": (
+        _extreme("greatest")
+    ),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _extreme("greatest"),
+    "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
+    "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
+    "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _extreme("greatest"),
+    "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
+    "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
+    "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
+    "how far ~{s} (?:get|gets|go) from (?:origin|its starting point|start)[ at most]": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    "how far at most ~{s} (?:get|gets|go) from (?:origin|its starting point|start)": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    # energy
+    "how much HEAT ~LOST[ by friction| to friction| through friction]": of_none(
+        "energy dissipated by friction", needs=STRETCH
+    ),
+    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": of_none(
+        "energy dissipated by friction", needs=STRETCH
+    ),
+    "ASK HEAT LOST[ by friction| to friction| through friction]": of_none(
+        "energy dissipated by friction", needs=STRETCH
+    ),
+    "how much work ~(?:hand|pull|pulling force) do": of_none("work of a hand", needs=STRETCH),
+    "(?:ASK|what) work [done by hand|done by pull|of hand]": of_none("work of a hand", needs=STRETCH),
+    "how much work ~(?:field|electric field|electric force) do[ on {s}]": of_one(
+        "work of an electric field", needs=STRETCH
+    ),
+    "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
+        "work of an electric field", needs=STRETCH
+    ),
+    "how much work ~{t} do on {s}": of_none("work of a tension", needs=STRETCH),
+    # collisions
+    "how much [kinetic ]energy ~(?:lost|dissipated)": _at_once("energy lost in a collision"),
+    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _at_once("energy lost in a collision"),
+    "how much kinetic energy ~{s} lose": of_one("energy lost in collisions", needs=STRETCH),
+    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _at_once(
+        "impulse of a collision"
+    ),
+    "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
+        "impulse of an impact", needs=STRETCH
+    ),
+    "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
+    "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
+    # heights
+    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": of_one("greatest height", needs=STRETCH),
+    # times and periods
+    "how long ~{s} in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
+    "how long ~{s} burn": implied("time", "burned out"),
+    "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
+    "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
+    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period("period"),
+    "ASK period of {s} 's (?:motion|oscillation|orbit|swing)": _period("period"),
+    "ASK (?:orbital period|period of revolution) of {s}": _period("period"),
+    "ASK frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration)]": _period("frequency"),
+    "ASK angular frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit)]": _period(
+        "angular frequency"
+    ),
+    "(?:TIME|how long ~) [for ]{s} [to ](?:complete|make|take to go|take to complete) (?:one|full|one full) "
+    "(?:revolution|turn|oscillation|swing|round|orbit|circle)": _period("period"),
+    "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
+    "|complete one round|go once around|go around once)": _period("period"),
+    "how many (?:revolutions|oscillations|swings) per second ~{s} (?:make|complete)": _period("frequency"),
+}
+"""By what a main clause is like: what reads it. See `mains` for those that ask for a value."""
