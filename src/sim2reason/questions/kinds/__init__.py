@@ -14,7 +14,8 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, moment_named
+from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
@@ -226,7 +227,7 @@ class ValueKind(Kind):
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
         """The quantity at a moment of this kind."""
         del study
-        moment = moment_named(asked, words) if asked.when != EQUILIBRIUM else None
+        moment = moment_of(asked, words) if asked.when != EQUILIBRIUM else None
         asks = moment is not None and KINDS[moment.kind] is self
         return Query(self.name, target_named(asked, words), moment) if asks else None
 

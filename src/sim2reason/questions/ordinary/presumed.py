@@ -7,15 +7,14 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.springs import Extension
-from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, resolved
+from sim2reason.questions.structured import resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Target, quantities_named
+from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -23,24 +22,6 @@ STEADY, EVEN = 1e-6, 1e-9  # relative
 EARLY = 0.5  # of a stretch: then it goes the way that it goes
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
 SLOWER, COMPRESSED = "slower", "compressed"
-
-
-def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
-    """The name of the axis that is said: of the vertical, and of the only horizontal one, whatever the text calls it."""
-    quantity = quantities_named(words.mechanism).get(asked.find)
-    if quantity is None:
-        return said
-    called = words.called(quantity.of)
-    names = {name: called.get(name, name) for name in quantity.subjects(words.mechanism)}
-    senses = quantity.of.senses(words.mechanism, resolved("of", asked.of, names))
-    if said not in ("horizontal", "vertical"):
-        return said
-    upright = [sense for sense in senses if _upright(sense) == (said == "vertical")]
-    return (upright[0].axis or upright[0].positive) if len(upright) == 1 else said
-
-
-def _upright(sense: Sense) -> bool:
-    return abs(sense.vector[2]) > 1.0 - EVEN
 
 
 def steady(target: Target, trace: Trace, *, during: bool) -> str:

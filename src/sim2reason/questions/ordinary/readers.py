@@ -15,7 +15,8 @@ class Main:
     """What is found, of what, along which axis; what is taken for granted of ways; and the moment that it implies.
 
     `needs` says whether it asks for a value at a moment, which is steady where none is named; for something over a
-    stretch of the motion, up to a moment or the whole of it; or for something *free* of moments.
+    stretch of the motion, up to a moment or the whole of it; or for something *free* of moments. Those of a higher `rank`
+    are meant only where the scene has none of a lower one.
     """
 
     find: str
@@ -24,6 +25,7 @@ class Main:
     needs: str = MOMENT
     ways: tuple[tuple[str, str], ...] = ()
     when: When | None = None
+    rank: int = 0
 
 
 Reader = Callable[[re.Match[str], Heard], Iterator[Main]]
@@ -60,7 +62,8 @@ def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         who = heard.subject(found.groupdict().get("s"))
-        for when in whens:
-            yield Main(find, "" if find == "time" else who, needs=needs, when=When(when.format(s=who).strip()))
+        for rank, when in enumerate(whens):
+            told = When(when.format(s=who).strip())
+            yield Main(find, "" if find == "time" else who, needs=needs, when=told, rank=rank)
 
     return read

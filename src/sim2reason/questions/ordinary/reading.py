@@ -4,13 +4,12 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim2reason.questions.ordinary.hearing import Heard, hear
+from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.readers import FREE, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import pattern
-from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When, split, ways_of, whens
+from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of, whens
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.words import Words
 
 _AT_EVENT = r"((?:with |at )?what [a-z ]+?) (?:does |is |has |do |will )(@\d+@) (.+)"
 _TAKES = r"how long (?:does |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
@@ -23,7 +22,8 @@ class Reading:
     """A question in parts; on which side of its moment it asks; and what it takes for granted.
 
     That is which ways bodies have `gone` till then, and are `moving` then. One that is `steady` names no moment: it
-    asks for what does not change.
+    asks for what does not change. Those of a higher `rank` are meant only where the scene has none of a lower one.
+    Where a number of the scene decides an outcome, it is the `least` or the greatest for which that `happens`, or not.
     """
 
     asked: StructuredQuestion
@@ -31,11 +31,13 @@ class Reading:
     gone: tuple[tuple[str, str], ...] = ()
     moving: tuple[tuple[str, str], ...] = ()
     steady: bool = False
+    rank: int = 0
+    least: bool | None = None
+    happens: bool = True
 
 
-def readings(sentence: str, words: Words) -> tuple[Reading, ...]:
+def readings(heard: Heard) -> tuple[Reading, ...]:
     """All that a sentence may ask; empty if it is not understood."""
-    heard = hear(sentence, words)
     found = (reading for parts in _parts(heard.text) for reading in _of_parts(*parts, heard))
     return tuple(dict.fromkeys(found))
 
@@ -62,7 +64,7 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
     for main in mains(question, heard):
         if not clause:
             yield from _alone(main)
-        elif main.needs != FREE and main.when is None:
+        elif main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause)):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 yield _with(main, when)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
@@ -71,18 +73,27 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
 
 
+def _late(clause: str) -> bool:
+    """Whether a clause names what happens: what is asked for *after* it does not begin at the start."""
+    return "#" not in clause
+
+
 def _alone(main: Main) -> Iterator[Reading]:
     if main.when is not None:
         yield _with(main, main.when)
     elif main.find != "time":
-        yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT)
+        yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
 
 
 def _with(main: Main, when: When) -> Reading:
     side = AFTER if main.needs == STRETCH else when.side
     told = when.told.removesuffix(" before") if main.find == "time" else when.told
+    if main.needs == STRETCH and main.find != "time":
+        told = told.removesuffix(" before")
+    elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
+        told = f"{told} before"
     gone, moving = (main.ways, ()) if main.needs == STRETCH else ((), main.ways)
-    return Reading(_asked(main, told), side, (*gone, *when.ways), moving)
+    return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 
 def _asked(main: Main, when: str) -> StructuredQuestion:

@@ -1,14 +1,15 @@
 """What a question in ordinary English asks of a motion: all its readings must come to the same answer."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import isclose
-
-import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion
-from sim2reason.questions.ordinary.presumed import axis_named, presumed, steady, two_sided
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.placing import numbers_wanted, placed
+from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
@@ -31,10 +32,25 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     Raises:
         TextError: it can be read in several ways, which have different answers; or what it takes for granted is not so.
     """
+    heard = hear(sentence, words)
+    questions = [*placed(readings(heard), words), *numbers_wanted(heard, motion.study.scene, words)]
+    for rank in sorted({reading.rank for reading in questions}):
+        found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
+        answered = [each for each in found if each.followed.answer is not None]
+        if refused and not answered:
+            raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
+        _agree(answered, words)
+        if answered or any(each.posed.query.moment != WholeMotion() for each in found):
+            return next(iter([*answered, *found]))
+    return None
+
+
+def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
+    """Those that can be asked, and why one that can is not what is meant."""
     found, refused = [], ""
-    for reading in readings(sentence, words):
+    for reading in questions:
         try:
-            question = posed(_placed(reading, words).asked, motion, words)
+            question = posed(reading.asked, motion, words)
         except TextError:
             continue
         followed = question.followed(motion)
@@ -42,24 +58,15 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         refused = refused or reason
         if not reason:
             found.append(Understood(question, followed))
-    answered = [each for each in found if each.followed.answer is not None]
-    if refused and not answered:
-        raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
-    _agree(answered, words)
-    return next(iter([*answered, *found]), None)
-
-
-def _placed(reading: Reading, words: Words) -> Reading:
-    asked = reading.asked
-    if asked.along:
-        asked = replace(asked, along=axis_named(asked.along, asked, words))
-    return replace(reading, asked=replace(asked, when=asked.when or ("at start" if reading.steady else "")))
+    return found, refused
 
 
 def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:
     """Why a reading can't be what is meant; empty if it can."""
     if followed.answer is None:
         return ""
+    if question.unknown is not None or isinstance(question.query, ThresholdQuery):
+        return _wrong_end(reading, question)
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
         reason = steady(query.target, study.trace, during=reading.side == DURING)
@@ -69,6 +76,15 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
         return "it changes at once at that moment; ask just before it, or just after it"
     time = study.time(query.moment) if query.moment is not None else None
     return next((reason for reason in presumed(reading, study.trace, time, words) if reason), "")
+
+
+def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
+    """Why a number is not the least or the greatest that is wanted; empty if it is, or neither is asked for."""
+    query = question.query
+    if reading.least is None or not isinstance(query, ThresholdQuery):
+        return ""
+    below = query.greatest if reading.happens else not query.greatest  # whether what is wanted comes about below it
+    return "it comes about on the other side of that number" if below == reading.least else ""
 
 
 def _agree(found: list[Understood], words: Words) -> None:

@@ -103,7 +103,7 @@ PHRASES: Mapping[str, str] = {
     "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
     "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
     "|begin to roll without slipping|stop slipping|stop sliding|stop skidding",
-    "SLIPS": "slips|slides|skids|is slipping|is sliding|is skidding|slide|slip|skid",
+    "SLIPS": "slipping|sliding|skidding|slips|slides|skids|is slipping|is sliding|is skidding|slide|slip|skid",
     "NATURAL": "has its natural length|is at its natural length|reaches its natural length|at its natural length"
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length",
     "FIRST_TIME": "for first time",

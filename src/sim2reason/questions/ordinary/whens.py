@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, UP, WAYS, meant, pattern
 
+LAST = 10  # the rank of what is meant only where all else is not there
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
 CONNECTORS: Mapping[str, str] = {
     "just before": BEFORE, "immediately before": BEFORE, "right before": BEFORE, "shortly before": BEFORE,
@@ -16,23 +17,26 @@ CONNECTORS: Mapping[str, str] = {
     "at moment when": THEN, "at instant when": THEN, "at moment at which": THEN, "at instant at which": THEN,
     "at moment": THEN, "at instant": THEN, "at time when": THEN,
     "by time": THEN, "by time that": THEN, "as soon as": THEN, "when": THEN, "once": THEN, "as": THEN, "until": THEN,
-    "till": THEN, "at": THEN, "in": THEN, "during": DURING, "over": THEN, "while": DURING, "for": THEN,
+    "till": THEN, "right at": THEN, "just as": THEN, "right when": THEN, "at": THEN, "in": THEN, "during": DURING, "over": THEN, "while": DURING, "for": THEN,
     "from release until": THEN, "at end of": THEN,
 }  # fmt: skip
 """By what a clause begins with: on which side of what it names it asks."""
 _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, reverse=True))})(?= )")
+_LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
 
 
 @dataclass(frozen=True, slots=True)
 class When:
     """A moment as a structured question names it, the side of it that is meant, and which ways bodies go till then.
 
-    `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of what is taken for granted.
+    `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of what is taken for granted. Those
+    of a higher `rank` are meant only where the scene has none of a lower one.
     """
 
     told: str
     side: str = THEN
     ways: tuple[tuple[str, str], ...] = ()
+    rank: int = 0
 
 
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
@@ -42,6 +46,12 @@ Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 def split(text: str) -> Iterator[tuple[str, str, str]]:
     """The question and the clause with its side, for every way to part a sentence; the whole of it first."""
     yield text, "", ""
+    for found in _LATER.finditer(text):
+        if found.start() > 0:
+            yield text[: found.start()].strip(" ,"), text[found.start() :].strip(), THEN
+        elif " , " in text:
+            clause, _, question = text.partition(" , ")
+            yield question.strip(), clause.strip(), THEN
     for found in _CONNECTED.finditer(text):
         if found.start() > 0:
             yield text[: found.start()].strip().rstrip(" ,"), text[found.end() :].strip(), CONNECTORS[found[0]]
@@ -51,12 +61,15 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """All moments that a clause may mean; none if it means none."""
-    clause = re.sub(r" (?:FIRST|for first time)$", "", clause)
+    """All moments that a clause may mean; none if it means none. One without a subject may be about any that is named."""
     for told, reader in CLAUSES.items():
         found = pattern(told).fullmatch(clause)
-        if found is not None:
-            yield from reader(found, heard, subject, side)
+        if found is None:
+            continue
+        named = found.groupdict().get("s") is not None
+        subjects = dict.fromkeys((subject, *(() if named else heard.subjects)))
+        for rank, who in enumerate(subjects):
+            yield from (replace(when, rank=when.rank + rank) for when in reader(found, heard, who, side))
 
 
 def _who(found: re.Match[str], heard: Heard, subject: str) -> str:
@@ -71,6 +84,17 @@ def simply(name: str, side: str = "") -> Reader:
         number = groups.get("number") or ""
         told = " ".join(filter(None, (number, _who(found, heard, subject), name)))
         yield When(told, side or asked)
+
+    return read
+
+
+def _turned_back(name: str, way: str) -> Reader:
+    """The highest or lowest point of a path; of a straight one that is where the body comes to rest."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        who = _who(found, heard, subject)
+        yield When(f"{who} {name}", asked)
+        yield When(f"{who} stopped", asked, ((who, way),), rank=LAST)
 
     return read
 
@@ -164,7 +188,11 @@ def _begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 def _apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     del subject
     if not _is_time(heard.number(found["n"])):
-        yield When(f"distance of {pair_of(heard, found['s'], found['t'])} = {heard.number(found['n'])}", side)
+        yield When(f"distance = {heard.number(found['n'])}", side)
+
+
+def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    yield When(f"spring length of {_who(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
 def _apsis(name: str) -> Reader:
@@ -175,12 +203,6 @@ def _apsis(name: str) -> Reader:
         yield When(name, asked)
 
     return read
-
-
-def pair_of(heard: Heard, one: str, other: str) -> str:
-    """What structured questions call two bodies; empty for the only pair."""
-    del heard, one, other
-    return ""
 
 
 def _is_time(number: str) -> bool:
@@ -212,9 +234,9 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} ~COLLIDE with {t}": _jump("collided"),
     "{number=ORDINAL} collision": _jump("collided"),
     "[{s} ]~[reach |reaches |reached |at |get to |gets to |passes through |passes |passing ]"
-    "[its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": simply("highest point"),
+    "[its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": _turned_back("highest point", "up"),
     "[{s} ]~[reach |reaches |reached |at |get to |gets to |passes through |passes |pass through |pass |passing ]"
-    "[its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": simply("lowest point"),
+    "[its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": _turned_back("lowest point", "down"),
     "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": simply("lowest point"),
     "{s} ~(?:vertical|hangs vertically|hangs straight down)": simply("lowest point"),
     "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": _angle,
@@ -238,6 +260,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[its |{s} 's ](?:farthest|furthest)[ from {t}]": _apsis("farthest"),
     "[its |{s} 's ](?:closest|nearest)[ to {t}]": _apsis("closest"),
     "{s} ~{n}[ away] from {t}": _apart,
+    "{s} ~{n} long": _long,
     "{s} (?:goes|go) slack": simply("went slack"),
     "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": simply("went taut"),
     "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": simply("left face"),
