@@ -57,6 +57,7 @@ def hear(sentence: str, words: Words) -> Heard:
     text, numbers = _with_numbers(text)
     text = _ordered(text, subjects)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
+    text = re.sub(r"centre of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?", r"\1", text)
     return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
 
 

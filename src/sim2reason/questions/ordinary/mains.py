@@ -2,13 +2,23 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import STRETCH, Main, Reader, each, of_none, of_one
+from sim2reason.questions.ordinary.readers import FREE, MOMENT, STRETCH, Main, Reader, each, of_none, of_one
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import MOTIONS, QUANTITIES, WAYS, meant, pattern
-from sim2reason.questions.ordinary.whens import ways_of
+from sim2reason.questions.ordinary.vocabulary import (
+    COMPRESSED,
+    MOTIONS,
+    ORIGIN,
+    QUANTITIES,
+    SLOWER,
+    WAYS,
+    meant,
+    pattern,
+)
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
 FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 def mains(question: str, heard: Heard) -> Iterator[Main]:
@@ -43,9 +53,9 @@ def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) ->
     if name == "force":
         yield from (Main(force, of) for force in FORCES)
     elif name == "deceleration":
-        yield Main("acceleration", of, along, ways=((of, "slower"), *ways))
+        yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
     elif name == "compression":
-        yield Main("extension", of, ways=((of, "compressed"),))
+        yield Main("extension", of, ways=((of, COMPRESSED),))
     elif name == "length":
         yield Main("spring length", of)
     elif name not in ("height", "distance"):
@@ -57,6 +67,26 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
     for of in each(heard, groups["s"]):
         yield Main("angular velocity" if turns else "velocity", of, ways=ways_of(found, of))
+
+
+def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity just after the start."""
+    yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
+
+
+def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """The speed of what moves together at last."""
+    yield from (Main("velocity", of, needs=FREE, when=When("stopped slipping", AFTER)) for of in each(heard, found["s"]))
+
+
+def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Of what starts at the origin, along an axis."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
+
+
+def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    yield from (Main("height above the ground", of) for of in each(heard, found["s"]))
 
 
 def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -90,7 +120,20 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
     "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
     "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
-    "ASK [SIZE ]{q=QUANTITY} between {s}[ and {t}]": of_none("friction force", "distance", "relative speed"),
+    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_none("distance"),
+    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_none("relative speed"),
+    "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": _initial,
+    "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
+    "ASK {s} 's initial {q=QUANTITY}": _initial,
+    "ASK [SIZE ]{s} force": of_one(*FORCES),
+    "ASK [final ]common (?:speed|velocity) of {s}": _common,
+    "ASK [SIZE ]friction[ force] between {s}[ and {t}]": of_none("friction force"),
+    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
+    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
+    "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
+    "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
+    "how high[ above SURFACE] ~{s}[ above SURFACE]": _high,
+    "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
     "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
     "how far ~{s}[ and {t}] apart": of_none("distance"),

@@ -39,6 +39,10 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
         return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name)) or ("",)
+    if asked.find == "friction force":
+        quantity = quantities_named(words.mechanism)[asked.find] if words.mechanism.contacts else None
+        named = words.called(quantity.of) if quantity is not None else ()
+        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or ("",)
     return ("",)
 
 
@@ -68,8 +72,9 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
         if not path:
             continue
         if found.does:
-            asked = StructuredQuestion(path, found.of, f"{found.of} {found.does}")
-            yield Reading(asked, least=found.least, happens=found.happens)
+            for rank, who in enumerate(dict.fromkeys((found.of, ""))):
+                asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
+                yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
         else:
             asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
             yield Reading(asked, found.when.side, rank=found.when.rank)

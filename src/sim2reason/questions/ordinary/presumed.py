@@ -1,33 +1,42 @@
 """What a question in ordinary English takes for granted: that something is steady, that a body goes up, or slows."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from math import isclose
 
 import numpy as np
 
+from sim2reason.dsl.state import State
 from sim2reason.errors import TextError
+from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.springs import Extension
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.questions.following import Followed
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.vocabulary import COMPRESSED, ONCE, ONLY, ORIGIN, OVER, RELAXED, SLOWER
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
+from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.simulation.trace import Trace
 
 STEADY, EVEN = 1e-6, 1e-9  # relative
 EARLY = 0.5  # of a stretch: then it goes the way that it goes
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
-SLOWER, COMPRESSED = "slower", "compressed"
+LATER = 1.05  # times the end of what is over: so long at least it must have been
 
 
-def steady(target: Target, trace: Trace, *, during: bool) -> str:
+def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool) -> str:
     """Why what is asked for without a moment is not one number, in a clause; empty if it is.
 
     It is if it does not change; or until something happens, `during` which it is asked for, or after which all rests.
+    What is told by a word for one that is not zero may also be zero later: it `vanishes`.
     """
     times, values = trace.scan.times, target.values(trace.scan)
     first = min((event.time for event in trace.events if event.changes_motion and event.time > 0.0), default=np.inf)
@@ -37,7 +46,8 @@ def steady(target: Target, trace: Trace, *, during: bool) -> str:
         return "it changes with time, and no moment is named"
     later = trace.scan.v[times > first * (1.0 + EVEN)]
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
-    rests = float(np.abs(later).max(initial=0.0)) <= STEADY * fastest
+    late = float(np.abs(values[times > first * (1.0 + EVEN)]).max(initial=0.0))
+    rests = vanishes and late <= STEADY * size or float(np.abs(later).max(initial=0.0)) <= STEADY * fastest
     same = float(np.abs(values - early[0]).max(initial=0.0)) <= STEADY * size if len(early) else True
     return "" if during or rests or same else "it changes when something happens, and no moment is named"
 
@@ -54,25 +64,91 @@ def two_sided(query: Query, study: Study, side: str) -> bool:
     return abs(before - then) > STEADY * max(abs(before), abs(then))
 
 
-def presumed(reading: Reading, trace: Trace, time: float | None, words: Words) -> Iterator[str]:
+def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:
     """What a reading takes for granted that is not so, in clauses; empty ones for what is."""
+    trace = followed.study.trace
+    time = followed.study.time(query.moment) if query.moment is not None else None
     events = (event.time for event in trace.events if event.time > 0.0)
     early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
     then = early if not time else float(np.nextafter(time, 0.0))
     for kind, ways in ((Displacement, reading.gone), (Velocity, reading.moving)):
         for who, way in ways:
-            yield "" if _goes(kind, who, way, trace, then, words) else f"{who} does not go {way}"
+            if way in AXES:
+                yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
+            elif way.startswith(ORIGIN):
+                yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+            else:
+                told, holds = OTHERS[way]
+                yield "" if holds(who, followed, query, then, words) else told.format(who=who)
 
 
-def _goes(kind: type[Displacement | Velocity], who: str, way: str, trace: Trace, time: float, words: Words) -> bool:
-    state = trace.at(time)
+def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State, words: Words) -> bool:
+    name = _name(who, words)
+    found = kind.evaluate(state, name)[0] if name else np.zeros(3)
+    return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found))
+
+
+def _name(who: str, words: Words) -> str:
     try:
-        if way == COMPRESSED:
-            return float(Extension.evaluate(state, resolved("of", who, words.called(Springs())))[0]) < 0.0
-        name = resolved("of", who, words.called(Bodies()))
+        return resolved("of", who, words.called(Bodies()))
     except TextError:
+        return ""
+
+
+def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
+    """Whether its distance from its starting point along an axis is its coordinate: no ground has another origin."""
+    name = _name(who, words)
+    if not name or Height().subjects(words.mechanism):
         return False
-    if way == SLOWER:
-        return float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
-    found = kind.evaluate(state, name)[0]
-    return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found)) if way in AXES else True
+    place = start.vector(start.frames.center(name).place)[0]
+    sense = next((sense for sense in Bodies().senses(words.mechanism, name) if sense.axis == axis), None)
+    return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
+
+
+def _slower(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    state, name = followed.study.trace.at(then), _name(who, words)
+    return bool(name) and float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
+
+
+def _compressed(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    spring = resolved("of", who, words.called(Springs()))
+    return float(Extension.evaluate(followed.study.trace.at(then), spring)[0]) < 0.0
+
+
+def _relaxed_at_rest(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether the only spring is neither stretched nor compressed in equilibrium."""
+    rest = equilibrium(words.mechanism)
+    springs = list(words.called(Springs()))
+    if rest is None or rest.free or len(springs) != 1:
+        return False
+    size = float(np.abs(Extension.evaluate(followed.study.trace.scan, springs[0])).max())
+    return abs(float(Extension.evaluate(rest.state, springs[0])[0])) <= STEADY * size
+
+
+def _once(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    events = followed.study.trace.events
+    return sum(event.kind == "collision" and event.time <= then * (1.0 + EVEN) for event in events) == 1
+
+
+def _only(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    return sum(event.kind == "collision" for event in followed.study.trace.events) == 1
+
+
+def _over(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether a functional is no greater at the end of what is known of a motion, and that is some time later."""
+    trace = followed.study.trace
+    if not isinstance(query, StretchQuery) or trace.stable_until < LATER * then:
+        return False
+    late = FUNCTIONALS[query.functional].loose_value(trace, query.name, trace.stable_until)
+    return late is not None and isclose(late, followed.answer or 0.0, rel_tol=STEADY)
+
+
+OTHERS: Mapping[str, tuple[str, Callable[[str, Followed, Query, float, Words], bool]]] = {
+    SLOWER: ("{who} does not slow down", _slower),
+    COMPRESSED: ("{who} is not compressed", _compressed),
+    RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
+    ONCE: ("it is not the first collision", _once),
+    ONLY: ("it is not the only collision", _only),
+    OVER: ("it goes on after that", _over),
+}
+"""By what is taken for granted: what is said where it is not so, and whether it is."""

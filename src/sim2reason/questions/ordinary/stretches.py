@@ -5,7 +5,8 @@ from collections.abc import Iterator, Mapping
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
-from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, meant
+from sim2reason.questions.ordinary.whens import AFTER, When
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -19,6 +20,55 @@ def _extreme(size: str) -> Reader:
         name = NAMES.get(name, name)
         for of in each(heard, found.groupdict().get("s")):
             yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
+            if name == "height" and size == "greatest":
+                yield from _rise(of)
+
+    return read
+
+
+def _rise(of: str) -> Iterator[Main]:
+    """How high something gets above where it starts; of what comes down that is where it turns back."""
+    yield Main("displacement", of, "vertical", FREE, when=When(f"{of} highest point"), rank=1)
+    yield Main("displacement", of, "vertical", FREE, ((of, "up"),), When(f"{of} stopped"), rank=2)
+
+
+def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets above the ground."""
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
+        yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
+
+
+def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets: of what starts on the ground that means one thing."""
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("greatest height", of, needs=STRETCH)
+        yield from _rise(of)
+        yield from _highest(found, heard)
+
+
+def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What friction dissipates: up to a moment, or in all, which is until nothing slips any more."""
+    del found, heard
+    yield Main("energy dissipated by friction", needs=STRETCH)
+    for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
+        yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+
+
+def _lost(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What a body loses in a collision: the only one so far."""
+    del found, heard
+    yield Main("energy lost in collisions", needs=STRETCH, ways=(("", ONCE),))
+
+
+def _in_collision(*finds: str) -> Reader:
+    """Something of a collision, the first if none is named: it must be the only one."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        del found, heard
+        for find in finds:
+            yield Main(find, needs=STRETCH)
+            yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
 
     return read
 
@@ -36,7 +86,6 @@ def _period(name: str) -> Reader:
     return read
 
 
-_REACHED = "[ (?:of|in) {s}][ ~(?:reached|attained)(?: by {t}|)]"
 STRETCHES: Mapping[str, Reader] = {
     # extremes
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
@@ -57,15 +106,9 @@ STRETCHES: Mapping[str, Reader] = {
         "greatest displacement", needs=STRETCH
     ),
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction]": of_none(
-        "energy dissipated by friction", needs=STRETCH
-    ),
-    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": of_none(
-        "energy dissipated by friction", needs=STRETCH
-    ),
-    "ASK HEAT LOST[ by friction| to friction| through friction]": of_none(
-        "energy dissipated by friction", needs=STRETCH
-    ),
+    "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
+    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
+    "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
     "how much work ~(?:hand|pull|pulling force) do": of_none("work of a hand", needs=STRETCH),
     "(?:ASK|what) work [done by hand|done by pull|of hand]": of_none("work of a hand", needs=STRETCH),
     "how much work ~(?:field|electric field|electric force) do[ on {s}]": of_one(
@@ -76,10 +119,10 @@ STRETCHES: Mapping[str, Reader] = {
     ),
     "how much work ~{t} do on {s}": of_none("work of a tension", needs=STRETCH),
     # collisions
-    "how much [kinetic ]energy ~(?:lost|dissipated)": _at_once("energy lost in a collision"),
-    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _at_once("energy lost in a collision"),
-    "how much kinetic energy ~{s} lose": of_one("energy lost in collisions", needs=STRETCH),
-    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _at_once(
+    "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
+    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
+    "how much kinetic energy ~{s} lose": _lost,
+    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
@@ -88,7 +131,9 @@ STRETCHES: Mapping[str, Reader] = {
     "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     # heights
-    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": of_one("greatest height", needs=STRETCH),
+    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets) above SURFACE": _highest,
+    "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
+    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
     # times and periods
     "how long ~{s} in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),

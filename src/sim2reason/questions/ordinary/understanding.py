@@ -10,6 +10,7 @@ from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.placing import numbers_wanted, placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
+from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
@@ -69,13 +70,13 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
-        reason = steady(query.target, study.trace, during=reading.side == DURING)
+        vanishes = any(way == SLOWER for _, way in reading.moving)
+        reason = steady(query.target, study.trace, during=reading.side == DURING, vanishes=vanishes)
         if reason:
             return reason
     elif query.target is not None and query.moment is not None and two_sided(query, study, reading.side):
         return "it changes at once at that moment; ask just before it, or just after it"
-    time = study.time(query.moment) if query.moment is not None else None
-    return next((reason for reason in presumed(reading, study.trace, time, words) if reason), "")
+    return next((reason for reason in presumed(reading, followed, query, words) if reason), "")
 
 
 def _wrong_end(reading: Reading, question: PosedQuestion) -> str:

@@ -70,6 +70,10 @@ MOTIONS: Mapping[str, str] = {
 """By a verb of motion, the forms of all that mean it."""
 DOWN, UP = "fall", "rise"  # the verbs that tell a way
 
+SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
+ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
+"""What is taken for granted beside ways: of a speed, a spring, the start; of collisions so far, or at all; of friction, and of a spring in equilibrium."""
+
 WORDS: Mapping[str, str] = {
     "AUX": "is are was were be been being has have had having does do did will would to it",
     "GREATEST": "greatest maximum maximal largest highest biggest",

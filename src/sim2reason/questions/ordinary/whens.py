@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, UP, WAYS, meant, pattern
+from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, RELAXED, UP, WAYS, meant, pattern
 
 LAST = 10  # the rank of what is meant only where all else is not there
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
@@ -191,6 +191,14 @@ def _apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
         yield When(f"distance = {heard.number(found['n'])}", side)
 
 
+def _balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Where a body on one spring would stay at rest, or a distance from there."""
+    del subject
+    number = found.groupdict().get("n")
+    told = f"extension = {heard.number(number)}" if number else "natural length"
+    yield When(told, side, (("", RELAXED),))
+
+
 def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     yield When(f"spring length of {_who(found, heard, subject)} = {heard.number(found['n'])}", side)
 
@@ -261,6 +269,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[its |{s} 's ](?:closest|nearest)[ to {t}]": _apsis("closest"),
     "{s} ~{n}[ away] from {t}": _apart,
     "{s} ~{n} long": _long,
+    "[{s} ]~(?:reach |reaches |passes through |passes |pass |at )[its ]equilibrium position[ FIRST_TIME]": _balanced,
+    "{s} ~{n} from [its ]equilibrium position": _balanced,
     "{s} (?:goes|go) slack": simply("went slack"),
     "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": simply("went taut"),
     "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": simply("left face"),
