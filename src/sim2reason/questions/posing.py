@@ -32,6 +32,10 @@ class PosedQuestion:
             self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
         )
 
+    def given_unit(self, words: Words) -> str:
+        """The unit of the result that is given."""
+        return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
+
     def followed(self, motion: FollowedMotion) -> Followed:
         """The answer, with the motion that has it, or the reason why there is none."""
         if self.unknown is None:

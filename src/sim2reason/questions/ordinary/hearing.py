@@ -21,6 +21,7 @@ _UNITS = {
     "watts": "W", "hertz": "Hz",
 }  # fmt: skip
 _UNIT = re.compile(r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)")
+_CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -57,7 +58,8 @@ def hear(sentence: str, words: Words) -> Heard:
     text, numbers = _with_numbers(text)
     text = _ordered(text, subjects)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
-    text = re.sub(r"centre of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?", r"\1", text)
+    if not any(subject.startswith(f"{ALL} ") for subject in subjects):
+        text = _CENTER.sub(r"\1", text)
     return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
 
 

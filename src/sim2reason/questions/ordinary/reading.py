@@ -92,7 +92,7 @@ def _with(main: Main, when: When) -> Reading:
         told = told.removesuffix(" before")
     elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
         told = f"{told} before"
-    gone, moving = (main.ways, ()) if main.needs == STRETCH else ((), main.ways)
+    gone, moving = ((), main.ways) if main.needs == MOMENT else (main.ways, ())
     return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 

@@ -14,6 +14,7 @@ from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: answers that differ by less are one
@@ -21,8 +22,9 @@ SAME = 1e-6  # relative: answers that differ by less are one
 
 @dataclass(frozen=True)
 class Understood:
-    """What a sentence asks, and the answer with the motion that has it."""
+    """What a sentence asks, in parts and as a query, and the answer with the motion that has it."""
 
+    asked: StructuredQuestion
     posed: PosedQuestion
     followed: Followed
 
@@ -58,7 +60,7 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason
         if not reason:
-            found.append(Understood(question, followed))
+            found.append(Understood(reading.asked, question, followed))
     return found, refused
 
 
@@ -93,5 +95,5 @@ def _agree(found: list[Understood], words: Words) -> None:
     answers = [each.followed.answer for each in found]
     if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=SAME, abs_tol=1e-12) for answer in answers):
         return
-    told = list(dict.fromkeys(each.posed.sentence(words) or "…" for each in found))
+    told = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in found)
     raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told)}")
