@@ -106,12 +106,14 @@ def parse_prompt(
     body, unit = without_form(text)
     refused: list[TextError] = []
     for read in (_understood, _in_ordinary_english):
+        refused, before = [], refused
         for told in in_si(body):
             for shape, draft in _drafts(told):
                 try:
                     return read(_stated(draft, given), unit, shape, rng, given)
                 except TextError as error:
                     refused.append(error)
+        refused = [*(error for error in refused if error.place == "prompt"), *before]
     if not refused:
         raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
     raise min(refused, key=lambda error: ("prompt", "text", error.place).index(error.place))  # what was read farthest

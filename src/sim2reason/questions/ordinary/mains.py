@@ -66,7 +66,7 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     groups = found.groupdict()
     turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
     for of in each(heard, groups["s"]):
-        yield Main("angular velocity" if turns else "velocity", of, ways=ways_of(found, of))
+        yield Main("angular velocity" if turns else "speed", of, ways=ways_of(found, of))
 
 
 def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -76,7 +76,7 @@ def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """The speed of what moves together at last."""
-    yield from (Main("velocity", of, needs=FREE, when=When("stopped slipping", AFTER)) for of in each(heard, found["s"]))
+    yield from (Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER)) for of in each(heard, found["s"]))
 
 
 def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -98,7 +98,7 @@ def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("displacement", of, way, needs=STRETCH)
         else:
             yield Main("displacement", of, needs=STRETCH, ways=ways_of(found, of))
-            yield Main("distance travelled", of, needs=STRETCH)
+            yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
 
 
 def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:

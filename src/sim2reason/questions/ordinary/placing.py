@@ -6,6 +6,7 @@ from dataclasses import replace
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
@@ -16,6 +17,8 @@ from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
 
 EVEN = 1e-9
+SIGNED = ("velocity",)
+BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
 PERIODS = ("period", "frequency", "angular frequency")
 
 
@@ -24,8 +27,7 @@ def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
     for reading in found:
         for of in _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
-            if asked.along:
-                asked = replace(asked, along=axis_named(asked.along, asked, words))
+            asked = replace(asked, along=axis_named(asked.along, asked, words))
             if reading.steady:
                 asked = replace(asked, when=asked.when or START)
             yield replace(reading, asked=asked)
@@ -33,7 +35,7 @@ def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     if asked.of:
-        return (asked.of,)
+        return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
     if asked.find in PERIODS:
         return tuple(movers(words)) or ("",)
     functional = FUNCTIONALS.get(asked.find)
@@ -46,10 +48,19 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     return ("",)
 
 
+def _carries(of: str, words: Words) -> bool:
+    """Whether something lies on a body, so that a force of contact on it may be that force, too."""
+    named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
+    return any(words.mechanism.body[name].parent in named for name in words.mechanism.contacts)
+
+
 def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
-    """The name of the axis that is said: of the vertical, and of the only horizontal one, whatever the text calls it."""
+    """The name of the axis that is said: of the vertical, and of the only horizontal one, whatever the text calls it.
+
+    A velocity on a track along which places are counted has a sign: it is the component to the right.
+    """
     quantity = quantities_named(words.mechanism).get(asked.find)
-    if quantity is None or said not in ("horizontal", "vertical"):
+    if quantity is None or said not in ("horizontal", "vertical", *(("",) if asked.find in SIGNED else ())):
         return said
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(words.mechanism)}
@@ -57,6 +68,8 @@ def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
         senses = quantity.of.senses(words.mechanism, resolved("of", asked.of, names))
     except TextError:
         return said
+    if not said:
+        return RIGHT if [sense.positive for sense in senses] == [RIGHT] else ""
     along = [sense for sense in senses if _upright(sense) == (said == "vertical")]
     return (along[0].axis or along[0].positive) if len(along) == 1 else said
 

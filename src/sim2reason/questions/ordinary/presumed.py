@@ -7,6 +7,7 @@ import numpy as np
 
 from sim2reason.dsl.state import State
 from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.springs import Extension
@@ -15,8 +16,19 @@ from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.vocabulary import COMPRESSED, ONCE, ONLY, ORIGIN, OVER, RELAXED, SLOWER
+from sim2reason.questions.ordinary.vocabulary import (
+    COMPRESSED,
+    ONCE,
+    ONLY,
+    ORIGIN,
+    OVER,
+    RELAXED,
+    RISING,
+    ROLLING,
+    SLOWER,
+)
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import resolved
@@ -32,24 +44,27 @@ AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0
 LATER = 1.05  # times the end of what is over: so long at least it must have been
 
 
-def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool) -> str:
+def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
     """Why what is asked for without a moment is not one number, in a clause; empty if it is.
 
-    It is if it does not change; or until something happens, `during` which it is asked for, or after which all rests.
-    What is told by a word for one that is not zero may also be zero later: it `vanishes`.
+    It is if it does not change, its direction included if it is asked for as a `vector`; or until something happens,
+    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may also be
+    zero later: it `vanishes`.
     """
-    times, values = trace.scan.times, target.values(trace.scan)
+    values = target.values(trace.scan)[:, None]
+    if vector:
+        values = QUANTITIES[target.quantity].evaluate(trace.scan, target.subject)
+    times, changed = trace.scan.times, np.linalg.norm(values - values[0], axis=1)
     first = min((event.time for event in trace.events if event.changes_motion and event.time > 0.0), default=np.inf)
-    early = values[times < first * (1.0 - EVEN)]
-    size = float(np.abs(early).max(initial=0.0))
-    if len(early) and float(np.abs(early - early[0]).max()) > STEADY * size:
+    early, late = times < first * (1.0 - EVEN), times > first * (1.0 + EVEN)
+    size = float(np.linalg.norm(values[early], axis=1).max(initial=0.0))
+    if float(changed[early].max(initial=0.0)) > STEADY * size:
         return "it changes with time, and no moment is named"
-    later = trace.scan.v[times > first * (1.0 + EVEN)]
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
-    late = float(np.abs(values[times > first * (1.0 + EVEN)]).max(initial=0.0))
-    rests = vanishes and late <= STEADY * size or float(np.abs(later).max(initial=0.0)) <= STEADY * fastest
-    same = float(np.abs(values - early[0]).max(initial=0.0)) <= STEADY * size if len(early) else True
-    return "" if during or rests or same else "it changes when something happens, and no moment is named"
+    rests = float(np.abs(trace.scan.v[late]).max(initial=0.0)) <= STEADY * fastest
+    gone = vanishes and float(np.linalg.norm(values[late], axis=1).max(initial=0.0)) <= STEADY * size
+    same = float(changed.max(initial=0.0)) <= STEADY * size
+    return "" if during or rests or gone or same else "it changes when something happens, and no moment is named"
 
 
 def two_sided(query: Query, study: Study, side: str) -> bool:
@@ -143,12 +158,31 @@ def _over(who: str, followed: Followed, query: Query, then: float, words: Words)
     return late is not None and isclose(late, followed.answer or 0.0, rel_tol=STEADY)
 
 
+def _rising(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether the answer is a height that is not zero."""
+    scan = followed.study.trace.scan
+    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in words.called(Bodies()))
+    return (followed.answer or 0.0) > STEADY * moved
+
+
+def _rolling(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether something that could slip has not, from the start."""
+    name, trace = _name(who, words), followed.study.trace
+    if name not in words.mechanism.contacts or not rolls(words, name):
+        return True
+    scan = trace.scan
+    slipping = np.abs(slip(scan, name))[scan.times <= then]
+    return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[str, Followed, Query, float, Words], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
+    RISING: ("nothing rises above where it starts", _rising),
+    ROLLING: ("{who} slips", _rolling),
     OVER: ("it goes on after that", _over),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

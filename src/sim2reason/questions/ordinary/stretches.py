@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, meant
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
@@ -19,7 +19,8 @@ def _extreme(size: str) -> Reader:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
         for of in each(heard, found.groupdict().get("s")):
-            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
+            ways = (("", RISING),) if name == "height" else ()
+            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH, ways=ways)
             if name == "height" and size == "greatest":
                 yield from _rise(of)
 
@@ -42,7 +43,7 @@ def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """How high something gets: of what starts on the ground that means one thing."""
     for of in each(heard, found.groupdict().get("s")):
-        yield Main("greatest height", of, needs=STRETCH)
+        yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
         yield from _highest(found, heard)
 

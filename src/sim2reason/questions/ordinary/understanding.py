@@ -17,6 +17,7 @@ from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
+VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -73,7 +74,8 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
-        reason = steady(query.target, study.trace, during=reading.side == DURING, vanishes=vanishes)
+        during, vector = reading.side == DURING, reading.asked.find == VECTOR
+        reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
         if reason:
             return reason
     elif query.target is not None and query.moment is not None and two_sided(query, study, reading.side):

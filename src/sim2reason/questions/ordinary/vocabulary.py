@@ -12,17 +12,19 @@ from functools import cache
 NOUNS: tuple[frozenset[str], ...] = tuple(
     frozenset(group.split())
     for group in (
-        "block box crate load weight parcel",
+        "block box crate load parcel",
         "ball bob sphere stone projectile marble",
         "cart trolley glider car truck wagon",
         "board plank slab block",
         "probe rocket spacecraft spaceship craft",
-        "bead particle charge ion ball",
+        "bead particle ion ball",
         "string rope cord cable thread",
         "puck disc disk",
         "planet moon comet asteroid satellite",
-        "cylinder roller drum wheel hoop ring pipe disc sphere ball",
-        "rod bar stick arm",
+        "cylinder roller drum",
+        "hoop ring",
+        "pipe tube",
+        "rod bar stick",
         "star sun",
     )
 )
@@ -44,7 +46,8 @@ QUANTITIES: Mapping[str, str] = {
     "spring force": "spring force",
     "relative speed": "relative speed",
     "displacement": "displacement",
-    "velocity": "speed|velocity",
+    "speed": "speed",
+    "velocity": "velocity",
     "acceleration": "acceleration",
     "deceleration": "deceleration|retardation",
     "momentum": "momentum",
@@ -61,17 +64,19 @@ QUANTITIES: Mapping[str, str] = {
 
 MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
-    "gone going cover covers covered roll rolls rolled rolling pulled dragged fly flies flown flying",
+    "gone going cover covers covered pulled dragged fly flies flown flying",
+    "roll": "roll rolls rolled rolling",
     "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending",
     "rise": "rise rises risen rising climb climbs climbed climbing ascend ascends ascended",
     "turn": "turn turns turned turning rotate rotates rotated rotating spin spins spun spinning swing swings swung "
     "swinging",
 }
 """By a verb of motion, the forms of all that mean it."""
-DOWN, UP = "fall", "rise"  # the verbs that tell a way
+DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
+RISING, ROLLING = "rising", "rolling"
 """What is taken for granted beside ways: of a speed, a spring, the start; of collisions so far, or at all; of friction, and of a spring in equilibrium."""
 
 WORDS: Mapping[str, str] = {

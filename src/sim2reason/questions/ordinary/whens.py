@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, RELAXED, UP, WAYS, meant, pattern
+from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, RELAXED, ROLL, ROLLING, UP, WAYS, meant, pattern
 
 LAST = 10  # the rank of what is meant only where all else is not there
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
@@ -147,7 +147,7 @@ def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
     """Which ways a subject goes, as a verb and what stands beside it tell."""
     groups = found.groupdict()
     verb = meant(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
-    told = {UP: ("up",), DOWN: ("down",)}.get(verb, ())
+    told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
     beside = meant(WAYS, groups["way"]) if groups.get("way") else ""
     return tuple((who, way) for way in dict.fromkeys((*told, *((beside,) if beside else ()))))
 
@@ -181,8 +181,9 @@ def _level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 
 def _begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    del found, heard, subject, side
-    yield When("at start")
+    del found, heard, subject
+    if side != BEFORE:
+        yield When("at start")
 
 
 def _apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
