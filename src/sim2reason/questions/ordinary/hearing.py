@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
 from sim2reason.questions.words import Words
@@ -60,6 +61,8 @@ def hear(sentence: str, words: Words) -> Heard:
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
     if not any(subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
+    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
+        text, subjects = re.sub(r"\bits (?=[a-z])", f"@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
 
 
@@ -114,6 +117,10 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
     found += [(2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)]
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _movers(words: Words) -> list[str]:
+    return list(words.called(Bodies()).values())
 
 
 def _phrases(words: Words) -> list[str]:

@@ -6,10 +6,11 @@ from dataclasses import replace
 from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import FREE, MOMENT, STRETCH, Main, Reader, each, of_none, of_one
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, MOMENT, STRETCH, Main, Reader, each, of_none, of_one
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
+    LASTS,
     MOTIONS,
     ORIGIN,
     QUANTITIES,
@@ -66,7 +67,9 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     groups = found.groupdict()
     turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
     for of in each(heard, groups["s"]):
-        yield Main("angular velocity" if turns else "speed", of, ways=ways_of(found, of))
+        way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+        find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
+        yield Main(find, of, along, ways=() if along else ways_of(found, of))
 
 
 def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -74,9 +77,19 @@ def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
 
 
+def _final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What a quantity is at last, from the last happening on that changes it."""
+    for main in _quantity(found, heard):
+        for when in ("burned out", "stopped slipping", "collided", "last collision"):
+            last = ((main.of, LASTS),)
+            yield replace(main, needs=FREE, ways=(*main.ways, *last), when=When(when, AFTER))
+
+
 def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """The speed of what moves together at last."""
-    yield from (Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER)) for of in each(heard, found["s"]))
+    for of in each(heard, found["s"]):
+        yield Main("speed", of, needs=CLAUSED)
+        yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
 
 
 def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -132,6 +145,11 @@ FRAMES: Mapping[str, Reader] = {
     "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": _far,
+    "ASK distance [that ](?:covered|travelled|traveled|moved) by {s}[ {way=WAY}]": _far,
+    "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": _far,
+    "(?:ASK|what) final {q=QUANTITY}[ of {s}]": _final,
+    "ASK {s} 's final {q=QUANTITY}": _final,
     "how high[ above SURFACE] ~{s}[ above SURFACE]": _high,
     "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
@@ -149,7 +167,7 @@ FRAMES: Mapping[str, Reader] = {
     "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
     "ASK energy stored in {s}": of_one("spring energy"),
-    "by how much ~{s} (?:stretched|extended|compressed)": of_one("extension"),
+    "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
     "TIME": _time,
 }
 """By what a main clause is like: what reads it."""

@@ -1,5 +1,6 @@
 """Readings in a scene: its axes, the one subject that can be meant, and the addresses of its numbers."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -7,6 +8,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
+from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
@@ -28,6 +30,7 @@ def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
         for of in _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
             asked = replace(asked, along=axis_named(asked.along, asked, words))
+            asked = replace(asked, when=_met(asked.when, words))
             if reading.steady:
                 asked = replace(asked, when=asked.when or START)
             yield replace(reading, asked=asked)
@@ -46,6 +49,17 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         named = words.called(quantity.of) if quantity is not None else ()
         return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or ("",)
     return ("",)
+
+
+def _met(told: str, words: Words) -> str:
+    """A moment of two bodies that are named, with the name of their pair."""
+    found = re.match(r"(.+?) & (.+?) (collided.*)", told)
+    if found is None:
+        return told
+    for name in words.called(Pairs()):
+        if {words.mentions.get(member, member) for member in members(name)} == {found[1], found[2]}:
+            return f"{name} {found[3]}"
+    return told
 
 
 def _carries(of: str, words: Words) -> bool:

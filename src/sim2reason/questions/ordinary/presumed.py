@@ -20,11 +20,13 @@ from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
+    LASTS,
     ONCE,
     ONLY,
     ORIGIN,
     OVER,
     RELAXED,
+    RESTS,
     RISING,
     ROLLING,
     SLOWER,
@@ -32,6 +34,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import resolved
+from sim2reason.questions.recurrence import ends_at_rest
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
@@ -175,12 +178,29 @@ def _rolling(who: str, followed: Followed, query: Query, then: float, words: Wor
     return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
 
 
+def _rests(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether all that moves is at rest for good."""
+    trace = followed.study.trace
+    return trace.stable_until > LATER * then and ends_at_rest(trace)
+
+
+def _lasts(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether a quantity keeps its value to the end of what is known of a motion, and that is some time later."""
+    trace = followed.study.trace
+    if query.target is None or trace.stable_until < LATER * then:
+        return False
+    late = query.target.values(trace.scan)[trace.scan.times >= then * (1.0 + EVEN)]
+    return bool(np.allclose(late, followed.answer or 0.0, rtol=STEADY, atol=0.0))
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[str, Followed, Query, float, Words], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
+    RESTS: ("it does not stay at rest", _rests),
+    LASTS: ("it changes after that", _lasts),
     RISING: ("nothing rises above where it starts", _rising),
     ROLLING: ("{who} slips", _rolling),
     OVER: ("it goes on after that", _over),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.whens import When
 
-FREE, STRETCH, MOMENT = "free", "stretch", "moment"  # what a clause beside it tells
+FREE, STRETCH, MOMENT, CLAUSED = "free", "stretch", "moment", "claused"  # what a clause beside it tells
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class Main:
     """What is found, of what, along which axis; what is taken for granted of ways; and the moment that it implies.
 
     `needs` says whether it asks for a value at a moment, which is steady where none is named; for something over a
-    stretch of the motion, up to a moment or the whole of it; or for something *free* of moments. Those of a higher `rank`
+    stretch of the motion, up to a moment or the whole of it; for something *free* of moments; or only beside a clause. Those of a higher `rank`
     are meant only where the scene has none of a lower one.
     """
 

@@ -2,19 +2,20 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
-from sim2reason.questions.ordinary.readers import FREE, MOMENT, STRETCH, Main
-from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, MOMENT, STRETCH, Main
+from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of, whens
 from sim2reason.questions.structured import StructuredQuestion
 
 _AT_EVENT = r"((?:with |at )?what [a-z ]+?) (?:does |is |has |do |will )(@\d+@) (.+)"
-_TAKES = r"how long (?:does |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
+_TAKES = r"how (?:long|much time) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
-_GOES_ON = pattern("[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]")
+_GOES_ON = pattern("(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))")
+_SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +40,19 @@ class Reading:
 def readings(heard: Heard) -> tuple[Reading, ...]:
     """All that a sentence may ask; empty if it is not understood."""
     found = (reading for parts in _parts(heard.text) for reading in _of_parts(*parts, heard))
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(each for reading in found for each in _of_each(reading)))
+
+
+def _of_each(reading: Reading) -> Iterator[Reading]:
+    """One for each of several that do the same."""
+    several = _SEVERAL.search(reading.asked.when)
+    if several is None or "collided" in reading.asked.when:
+        yield reading
+        return
+    for who in several[0].removeprefix(f"{ALL} ").split(" & "):
+        when = reading.asked.when.replace(several[0], who)
+        gone = tuple((who if said == several[0] else said, way) for said, way in reading.gone)
+        yield replace(reading, asked=replace(reading.asked, when=when), gone=gone)
 
 
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:
@@ -69,8 +82,17 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
                 yield _with(main, when)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
-            ways = ways_of(going, heard.subject(going["s"]) or main.of)
+            who = heard.subject(going["s"]) or main.of
+            ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+
+
+def _whole(main: Main) -> Iterator[Reading]:
+    """What is asked up to no moment: till the end of a flight, or till it rests; on its way up, till it turns back."""
+    way = next((way for _, way in main.ways if way in ("up", "down")), "")
+    for rank, when in enumerate(("landed", "bounced", "stopped")):
+        told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
+        yield _with(replace(main, rank=main.rank + rank), told)
 
 
 def _late(clause: str) -> bool:
@@ -81,7 +103,9 @@ def _late(clause: str) -> bool:
 def _alone(main: Main) -> Iterator[Reading]:
     if main.when is not None:
         yield _with(main, main.when)
-    elif main.find != "time":
+    elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
+        yield from _whole(main)
+    elif main.find != "time" and main.needs != CLAUSED:
         yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
 
 

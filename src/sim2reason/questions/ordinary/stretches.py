@@ -29,8 +29,8 @@ def _extreme(size: str) -> Reader:
 
 def _rise(of: str) -> Iterator[Main]:
     """How high something gets above where it starts; of what comes down that is where it turns back."""
-    yield Main("displacement", of, "vertical", FREE, when=When(f"{of} highest point"), rank=1)
-    yield Main("displacement", of, "vertical", FREE, ((of, "up"),), When(f"{of} stopped"), rank=2)
+    for rank, when in enumerate(("highest point", "stopped"), start=1):
+        yield Main("greatest height", of, needs=FREE, ways=((of, "up"),), when=When(f"{of} {when}"), rank=rank)
 
 
 def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -38,6 +38,13 @@ def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
+
+
+def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far from where it is thrown something lands, along the ground."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed"))
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced"), rank=1)
 
 
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -110,15 +117,15 @@ STRETCHES: Mapping[str, Reader] = {
     "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
     "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
-    "how much work ~(?:hand|pull|pulling force) do": of_none("work of a hand", needs=STRETCH),
-    "(?:ASK|what) work [done by hand|done by pull|of hand]": of_none("work of a hand", needs=STRETCH),
-    "how much work ~(?:field|electric field|electric force) do[ on {s}]": of_one(
+    "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
+    "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
+    "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
     "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
-    "how much work ~{t} do on {s}": of_none("work of a tension", needs=STRETCH),
+    "how much work ~{t} ~DONE on {s}": of_none("work of a tension", needs=STRETCH),
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
     "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
@@ -136,7 +143,15 @@ STRETCHES: Mapping[str, Reader] = {
     "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
     # times and periods
-    "how long ~{s} in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
+    "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |attained by ){s}[ ~reaches| ~reach]": _highest,
+    "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _gets,
+    "ASK [horizontal ]range of {s}": _range,
+    "ASK {s} 's [horizontal ]range": _range,
+    "with what period ~{s} OSCILLATES": _period("period"),
+    "with what frequency ~{s} OSCILLATES": _period("frequency"),
+    "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
+    "[for ]how long ~{s} in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),

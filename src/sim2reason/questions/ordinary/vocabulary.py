@@ -76,11 +76,11 @@ DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
-RISING, ROLLING = "rising", "rolling"
+RISING, ROLLING, RESTS, LASTS = "rising", "rolling", "rests", "lasts"
 """What is taken for granted beside ways: of a speed, a spring, the start; of collisions so far, or at all; of friction, and of a spring in equilibrium."""
 
 WORDS: Mapping[str, str] = {
-    "AUX": "is are was were be been being has have had having does do did will would to it",
+    "AUX": "is are was were be been being has have had having does do did will would to it still",
     "GREATEST": "greatest maximum maximal largest highest biggest",
     "LEAST": "least minimum minimal smallest lowest",
     "SURFACE": "plane slope incline ramp floor ground table track surface lane hill",
@@ -96,12 +96,18 @@ PHRASES: Mapping[str, str] = {
     "TIME": "when|at what time|at what moment|at what instant|how long is it until|how long is it before"
     "|how long does it take|how long will it take|how long does it take until|how long does it take for"
     "|how long after start|how long after release|how long after launch|how much time passes until"
-    "|find time until|determine time until|how long until|find how long it takes|determine how long it takes",
+    "|after how many seconds|in how many seconds|how many seconds does it take|how many seconds pass until"
+    "|how much time does it take|how long until|find how long it takes|determine how long it takes"
+    "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required|ASK time taken"
+    "|after what time|after how much time|after how long",
     "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
     "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
     "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE",
     "BOUNCES": "bounce|bounces|bounced|bouncing|rebounds|rebound",
+    "DONE": "do|does|did|done",
+    "HITS": "hit|hits|strike|strikes|meets|runs into|collides with|collide with|catches up with|bumps into|reaches",
+    "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
     "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact|collision with each other",
     "TOP": "highest point|top|peak|apex|maximum height|greatest height|highest position",
     "BOTTOM": "lowest point|bottom|lowest position",
@@ -116,7 +122,7 @@ PHRASES: Mapping[str, str] = {
     "NATURAL": "has its natural length|is at its natural length|reaches its natural length|at its natural length"
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length",
     "FIRST_TIME": "for first time",
-    "START": "start|release|launch|beginning|lift-off|it is released|it is thrown|it is launched|@0@ is released"
+    "START": "@0@ is let go|@0@ starts|@0@ begins to move|it is let go|start|release|launch|beginning|lift-off|it is released|it is thrown|it is launched|@0@ is released"
     "|@0@ is thrown|@0@ is launched|takeoff|liftoff",
     "ALONG_IT": "along SURFACE|along straight line",
     "HEAT": "heat|energy|kinetic energy|mechanical energy|thermal energy",

@@ -17,7 +17,7 @@ CONNECTORS: Mapping[str, str] = {
     "at moment when": THEN, "at instant when": THEN, "at moment at which": THEN, "at instant at which": THEN,
     "at moment": THEN, "at instant": THEN, "at time when": THEN,
     "by time": THEN, "by time that": THEN, "as soon as": THEN, "when": THEN, "once": THEN, "as": THEN, "until": THEN,
-    "till": THEN, "right at": THEN, "just as": THEN, "right when": THEN, "at": THEN, "in": THEN, "during": DURING, "over": THEN, "while": DURING, "for": THEN,
+    "till": THEN, "on": DURING, "right at": THEN, "just as": THEN, "right when": THEN, "at": THEN, "in": THEN, "during": DURING, "over": THEN, "while": DURING, "for": THEN,
     "from release until": THEN, "at end of": THEN,
 }  # fmt: skip
 """By what a clause begins with: on which side of what it names it asks."""
@@ -67,7 +67,7 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
         if found is None:
             continue
         named = found.groupdict().get("s") is not None
-        subjects = dict.fromkeys((subject, *(() if named else heard.subjects)))
+        subjects = dict.fromkeys((subject, *(() if named else (*heard.subjects, ""))))
         for rank, who in enumerate(subjects):
             yield from (replace(when, rank=when.rank + rank) for when in reader(found, heard, who, side))
 
@@ -122,6 +122,14 @@ def _jump(*names: str) -> Reader:
                 yield When(f"{told} before" if side == BEFORE else told, side)
 
     return read
+
+
+def _meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """A collision of two that are named."""
+    del subject
+    both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
+    for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+        yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
 def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -240,8 +248,10 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": _jump("bounced"),
     "[{s} ]~BOUNCES for {number=ORDINAL} time": _jump("bounced"),
     "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": _jump("collided"),
-    "{s} ~COLLIDE with {t}": _jump("collided"),
     "{number=ORDINAL} collision": _jump("collided"),
+    "{s} ~HITS {t}[ FIRST_TIME]": _meet,
+    "{s} and {t} ~COLLIDE[ FIRST_TIME]": _meet,
+    "(?:collision|impact) (?:of|between) {s} and {t}": _meet,
     "[{s} ]~[reach |reaches |reached |at |get to |gets to |passes through |passes |passing ]"
     "[its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": _turned_back("highest point", "up"),
     "[{s} ]~[reach |reaches |reached |at |get to |gets to |passes through |passes |pass through |pass |passing ]"
