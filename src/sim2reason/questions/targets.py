@@ -107,7 +107,8 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     quantity = quantities_named(mechanism)[asked.find]
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
-    name = resolved("of", asked.of, names)
+    told = {name: said for name, said in names.items() if name in called}
+    name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
         raise TextError("find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one")

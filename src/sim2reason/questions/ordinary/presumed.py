@@ -30,6 +30,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     RISING,
     ROLLING,
     SLOWER,
+    STRAIGHT,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -193,12 +194,24 @@ def _lasts(who: str, followed: Followed, query: Query, then: float, words: Words
     return bool(np.allclose(late, followed.answer or 0.0, rtol=STEADY, atol=0.0))
 
 
+def _straight(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+    """Whether a body has gone straight ahead so far."""
+    name, scan = _name(who, words), followed.study.trace.scan
+    if not name:
+        return False
+    velocities = Velocity.evaluate(scan, name)[scan.times <= then]
+    speeds = np.linalg.norm(velocities, axis=1)
+    way = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
+    return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[str, Followed, Query, float, Words], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
+    STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),
     LASTS: ("it changes after that", _lasts),
     RISING: ("nothing rises above where it starts", _rising),

@@ -76,7 +76,7 @@ DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
-RISING, ROLLING, RESTS, LASTS = "rising", "rolling", "rests", "lasts"
+RISING, ROLLING, RESTS, LASTS, STRAIGHT = "rising", "rolling", "rests", "lasts", "straight"
 """What is taken for granted beside ways: of a speed, a spring, the start; of collisions so far, or at all; of friction, and of a spring in equilibrium."""
 
 WORDS: Mapping[str, str] = {

@@ -19,7 +19,7 @@ NUMBERS: Mapping[str, str] = {
     "stiffness": "stiffness|spring constant|force constant",
     "strength": "field strength|magnetic field|electric field|strength of field|magnetic field strength"
     "|electric field strength",
-    "angle": "angle|inclination|launch angle|angle of inclination|slope angle",
+    "angle": "angle|inclination|angle of SURFACE|inclination of SURFACE|launch angle|angle of inclination|slope angle",
     "height": "initial height|starting height|height",
     "exhaust": "exhaust speed",
     "rate": "burn rate",

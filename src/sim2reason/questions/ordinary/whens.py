@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, RELAXED, ROLL, ROLLING, UP, WAYS, meant, pattern
+from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, RELAXED, ROLL, ROLLING, STRAIGHT, UP, WAYS, meant, pattern
 
 LAST = 10  # the rank of what is meant only where all else is not there
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
@@ -149,6 +149,7 @@ def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
         yield When(f"at {number}", side, ways)
     else:
         yield When(f"{who} moved {number}", side, ways)
+        yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
 
 
 def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
@@ -249,6 +250,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~BOUNCES for {number=ORDINAL} time": _jump("bounced"),
     "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": _jump("collided"),
     "{number=ORDINAL} collision": _jump("collided"),
+    "last collision": _alone("last collision"),
     "{s} ~HITS {t}[ FIRST_TIME]": _meet,
     "{s} and {t} ~COLLIDE[ FIRST_TIME]": _meet,
     "(?:collision|impact) (?:of|between) {s} and {t}": _meet,
