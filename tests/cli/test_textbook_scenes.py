@@ -11,7 +11,9 @@ from sim2reason.cli.solve import command
 from sim2reason.dsl.units import parse_unit
 
 DATA = Path(__file__).parents[1] / "data"
-ROWS: list[dict[str, Any]] = [json.loads(row) for row in (DATA / "textbook_scenes.jsonl").read_text("utf-8").splitlines()]
+ROWS: list[dict[str, Any]] = [
+    json.loads(row) for row in (DATA / "textbook_scenes.jsonl").read_text("utf-8").splitlines()
+]
 EXACT = 1e-6  # relative
 
 

@@ -30,8 +30,8 @@ TRIES = 20
 class SolvedProblem(NamedTuple):
     """A problem's text, its worked solution, and its answer in a unit, as the motion itself has it.
 
-    A solution without an answer says why. So does `reason` where there is none at all. `read_as` tells how a question in
-    ordinary English was read.
+    A solution without an answer says why. So does `reason` where there is none at all. `read_as` tells how a question
+    in ordinary English was read.
     """
 
     problem: str
@@ -58,8 +58,9 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
 ) -> SolvedProblem:
     """Solve the problem of an `id`, made again from its name, or a question about a scene, in steps.
 
-    A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`, which may also be given
-    one by one: what to `find`, `of` what, and `when`. Without any, one is drawn. Another seed, other words.
+    A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`,
+    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, one is drawn. Another seed,
+    other words.
 
     Raises:
         SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.

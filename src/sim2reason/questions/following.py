@@ -67,7 +67,11 @@ def follow(query: Query, begun: FollowedMotion) -> Followed:
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
     found = _followed(query, begun)
-    if found.answer is None and found.study.trace.cut == ROOM and (scene := roomy(begun.study.scene)) != begun.study.scene:
+    if (
+        found.answer is None
+        and found.study.trace.cut == ROOM
+        and (scene := roomy(begun.study.scene)) != begun.study.scene
+    ):
         longer = _followed(query, motion_of(scene))  # the text says that there is ample room
         return longer if longer.answer is not None else found
     return found

@@ -111,7 +111,9 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
-        raise TextError("find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one")
+        raise TextError(
+            "find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one"
+        )
     if quantity.sense is not None or not asked.along:
         return Target(quantity.name, name, quantity.sense)
     senses = quantity.of.senses(mechanism, name)

@@ -38,7 +38,7 @@ class Asked(NamedTuple):
 def questions() -> list[Asked]:
     """All questions that were written before anyone had read the reader's tables."""
     rows = (json.loads(line) for line in (DATA / "ordinary_questions.jsonl").read_text("utf-8").splitlines())
-    return [Asked(*(row[key] for key in ("scene", "question", "value", "unit")), row.get("signed", False)) for row in rows]
+    return [Asked(row["scene"], row["question"], row["value"], row["unit"], row.get("signed", False)) for row in rows]
 
 
 @cache

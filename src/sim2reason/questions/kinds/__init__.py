@@ -12,9 +12,9 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import bears_from, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
-from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named

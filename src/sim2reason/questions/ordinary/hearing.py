@@ -21,7 +21,9 @@ _UNITS = {
     "joules": "J", "joule": "J", "kilograms": "kg", "kilogram": "kg", "degrees": "°", "deg": "°", "radians": "rad",
     "watts": "W", "hertz": "Hz",
 }  # fmt: skip
-_UNIT = re.compile(r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)")
+_UNIT = re.compile(
+    r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
+)
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
@@ -62,7 +64,7 @@ def hear(sentence: str, words: Words) -> Heard:
     if not any(subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
-        text, subjects = re.sub(r"\bits (?=[a-z])", f"@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
 
 
@@ -92,7 +94,8 @@ def _ordered(text: str, subjects: list[str]) -> str:
 
 def _without_pronouns(text: str, subjects: list[str]) -> str:
     """*It*, and *its*, after something that has been named, is that; not in *it takes*, nor where there are two."""
-    if len(subjects) != 1 and not re.match(r"^[^@]*@0@[^@]*$", text.split(" it ")[0].split(" its ")[0]):
+    before = re.split(r" its? ", text, maxsplit=1)[0]
+    if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
     head, named, tail = text.partition("@0@")
     tail = re.sub(r"\bit\b(?! takes?)", "@0@", tail)
@@ -106,17 +109,23 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
     found: list[tuple[int, str, str]] = []
     for phrase, said in nouns.items():
-        noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""  # noqa: PLR2004
+        noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
         if not letter:
             names = {phrase.removeprefix("the ")} | (_others(noun, phrase, nouns) if len(said) == 1 else set())
             found += [(len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names]
             continue
-        alike = {noun} | next((group for group in NOUNS if noun in group), frozenset()) | ANYTHING | {"mass"}
+        alike = {noun} | _group(noun) | ANYTHING | {"mass"}
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group}) {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
-    found += [(2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)]
+    found += [
+        (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
+    ]
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _group(noun: str) -> frozenset[str]:
+    return next((group for group in NOUNS if noun in group), frozenset[str]())
 
 
 def _movers(words: Words) -> list[str]:
@@ -134,7 +143,9 @@ def _phrases(words: Words) -> list[str]:
 
 def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
     """Other nouns for the only thing that they can mean in a scene."""
-    taken = {said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase}
+    taken = {
+        said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase
+    }
     groups = [group for group in NOUNS if noun in group]
     other = {name for group in groups for name in group if not any({name, t} <= g for t in taken for g in NOUNS)}
     return (other - taken) | {noun} | (set(ANYTHING) if len(nouns) == 1 else set())
@@ -144,11 +155,11 @@ def _plurals(nouns: Mapping[str, list[str]]) -> Iterable[tuple[str, str]]:
     """All that share a noun and differ by their letters, at once."""
     alike: dict[str, list[str]] = {}
     for phrase, said in nouns.items():
-        if len(said) == 2:  # noqa: PLR2004
+        if len(said) == 2:
             alike.setdefault(said[0].lower(), []).append(phrase)
     for noun, phrases in alike.items():
         if len(phrases) > 1:
-            group = {noun} | next((group for group in NOUNS if noun in group), frozenset()) | ANYTHING
+            group = {noun} | _group(noun) | ANYTHING
             plural = "|".join("bodies" if name == "body" else f"{name}e?s" for name in sorted(group))
             yield f"{ALL} {' & '.join(phrases)}", f"(?:{plural})"
 

@@ -1,4 +1,4 @@
-"""What a question in ordinary English asks for: its main clause, each with what is found, of what, in which direction."""
+"""The main clauses of questions in ordinary English that ask for a value: what is found, of what, along which axis."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -22,6 +22,8 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
 FORCES = "tension", "rod force", "spring force"  # of what lies along a line
+
+
 def mains(question: str, heard: Heard) -> Iterator[Main]:
     """All that a main clause may ask for; nothing if it asks for nothing known."""
     for told, reader in frames().items():

@@ -15,7 +15,9 @@ from sim2reason.questions.targets import targets
 from sim2reason.questions.words import Words
 
 MOST = 3
-COMMON = frozenset("the a an of is what how find when at in it to and does do for by with that determine".split())
+COMMON = frozenset(
+    re.split(" ", "the a an of is what how find when at in it to and does do for by with that determine")
+)
 
 
 def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:

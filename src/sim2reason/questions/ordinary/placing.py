@@ -47,7 +47,9 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     if asked.find == "friction force":
         quantity = quantities_named(words.mechanism)[asked.find] if words.mechanism.contacts else None
         named = words.called(quantity.of) if quantity is not None else ()
-        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or ("",)
+        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or (
+            "",
+        )
     return ("",)
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from math import isclose
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,8 +35,8 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import resolved
 from sim2reason.questions.recurrence import ends_at_rest
+from sim2reason.questions.structured import resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
@@ -48,12 +49,22 @@ AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0
 LATER = 1.05  # times the end of what is over: so long at least it must have been
 
 
+class Case(NamedTuple):
+    """What a reading takes for granted of a subject in a motion, up to an instant that it asks about, s."""
+
+    who: str
+    followed: Followed
+    query: Query
+    then: float
+    words: Words
+
+
 def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
     """Why what is asked for without a moment is not one number, in a clause; empty if it is.
 
     It is if it does not change, its direction included if it is asked for as a `vector`; or until something happens,
-    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may also be
-    zero later: it `vanishes`.
+    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may be zero
+    later, too: it `vanishes`.
     """
     values = target.values(trace.scan)[:, None]
     if vector:
@@ -98,7 +109,7 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
                 yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
             else:
                 told, holds = OTHERS[way]
-                yield "" if holds(who, followed, query, then, words) else told.format(who=who)
+                yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
 
 
 def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State, words: Words) -> bool:
@@ -124,88 +135,88 @@ def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
     return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
 
 
-def _slower(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
-    state, name = followed.study.trace.at(then), _name(who, words)
+def _slower(case: Case) -> bool:
+    state, name = case.followed.study.trace.at(case.then), _name(case.who, case.words)
     return bool(name) and float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
 
 
-def _compressed(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
-    spring = resolved("of", who, words.called(Springs()))
-    return float(Extension.evaluate(followed.study.trace.at(then), spring)[0]) < 0.0
+def _compressed(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
 
 
-def _relaxed_at_rest(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _relaxed_at_rest(case: Case) -> bool:
     """Whether the only spring is neither stretched nor compressed in equilibrium."""
-    rest = equilibrium(words.mechanism)
-    springs = list(words.called(Springs()))
+    rest = equilibrium(case.words.mechanism)
+    springs = list(case.words.called(Springs()))
     if rest is None or rest.free or len(springs) != 1:
         return False
-    size = float(np.abs(Extension.evaluate(followed.study.trace.scan, springs[0])).max())
+    size = float(np.abs(Extension.evaluate(case.followed.study.trace.scan, springs[0])).max())
     return abs(float(Extension.evaluate(rest.state, springs[0])[0])) <= STEADY * size
 
 
-def _once(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
-    events = followed.study.trace.events
-    return sum(event.kind == "collision" and event.time <= then * (1.0 + EVEN) for event in events) == 1
+def _once(case: Case) -> bool:
+    events = case.followed.study.trace.events
+    return sum(event.kind == "collision" and event.time <= case.then * (1.0 + EVEN) for event in events) == 1
 
 
-def _only(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
-    return sum(event.kind == "collision" for event in followed.study.trace.events) == 1
+def _only(case: Case) -> bool:
+    return sum(event.kind == "collision" for event in case.followed.study.trace.events) == 1
 
 
-def _over(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _over(case: Case) -> bool:
     """Whether a functional is no greater at the end of what is known of a motion, and that is some time later."""
-    trace = followed.study.trace
-    if not isinstance(query, StretchQuery) or trace.stable_until < LATER * then:
+    trace = case.followed.study.trace
+    if not isinstance(case.query, StretchQuery) or trace.stable_until < LATER * case.then:
         return False
-    late = FUNCTIONALS[query.functional].loose_value(trace, query.name, trace.stable_until)
-    return late is not None and isclose(late, followed.answer or 0.0, rel_tol=STEADY)
+    late = FUNCTIONALS[case.query.functional].loose_value(trace, case.query.name, trace.stable_until)
+    return late is not None and isclose(late, case.followed.answer or 0.0, rel_tol=STEADY)
 
 
-def _rising(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _rising(case: Case) -> bool:
     """Whether the answer is a height that is not zero."""
-    scan = followed.study.trace.scan
-    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in words.called(Bodies()))
-    return (followed.answer or 0.0) > STEADY * moved
+    scan = case.followed.study.trace.scan
+    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.called(Bodies()))
+    return (case.followed.answer or 0.0) > STEADY * moved
 
 
-def _rolling(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _rolling(case: Case) -> bool:
     """Whether something that could slip has not, from the start."""
-    name, trace = _name(who, words), followed.study.trace
-    if name not in words.mechanism.contacts or not rolls(words, name):
+    name, trace = _name(case.who, case.words), case.followed.study.trace
+    if name not in case.words.mechanism.contacts or not rolls(case.words, name):
         return True
     scan = trace.scan
-    slipping = np.abs(slip(scan, name))[scan.times <= then]
+    slipping = np.abs(slip(scan, name))[scan.times <= case.then]
     return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
 
 
-def _rests(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _rests(case: Case) -> bool:
     """Whether all that moves is at rest for good."""
-    trace = followed.study.trace
-    return trace.stable_until > LATER * then and ends_at_rest(trace)
+    trace = case.followed.study.trace
+    return trace.stable_until > LATER * case.then and ends_at_rest(trace)
 
 
-def _lasts(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _lasts(case: Case) -> bool:
     """Whether a quantity keeps its value to the end of what is known of a motion, and that is some time later."""
-    trace = followed.study.trace
-    if query.target is None or trace.stable_until < LATER * then:
+    trace = case.followed.study.trace
+    if case.query.target is None or trace.stable_until < LATER * case.then:
         return False
-    late = query.target.values(trace.scan)[trace.scan.times >= then * (1.0 + EVEN)]
-    return bool(np.allclose(late, followed.answer or 0.0, rtol=STEADY, atol=0.0))
+    late = case.query.target.values(trace.scan)[trace.scan.times >= case.then * (1.0 + EVEN)]
+    return bool(np.allclose(late, case.followed.answer or 0.0, rtol=STEADY, atol=0.0))
 
 
-def _straight(who: str, followed: Followed, query: Query, then: float, words: Words) -> bool:
+def _straight(case: Case) -> bool:
     """Whether a body has gone straight ahead so far."""
-    name, scan = _name(who, words), followed.study.trace.scan
+    name, scan = _name(case.who, case.words), case.followed.study.trace.scan
     if not name:
         return False
-    velocities = Velocity.evaluate(scan, name)[scan.times <= then]
+    velocities = Velocity.evaluate(scan, name)[scan.times <= case.then]
     speeds = np.linalg.norm(velocities, axis=1)
     way = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
     return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
 
 
-OTHERS: Mapping[str, tuple[str, Callable[[str, Followed, Query, float, Words], bool]]] = {
+OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),

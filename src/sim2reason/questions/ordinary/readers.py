@@ -15,8 +15,8 @@ class Main:
     """What is found, of what, along which axis; what is taken for granted of ways; and the moment that it implies.
 
     `needs` says whether it asks for a value at a moment, which is steady where none is named; for something over a
-    stretch of the motion, up to a moment or the whole of it; for something *free* of moments; or only beside a clause. Those of a higher `rank`
-    are meant only where the scene has none of a lower one.
+    stretch of the motion, up to a moment or the whole of it; for something *free* of moments; or for a value only
+    beside a clause. Those of a higher `rank` are meant only where the scene has none of a lower one.
     """
 
     find: str

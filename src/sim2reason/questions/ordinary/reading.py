@@ -4,17 +4,20 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
-from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of, whens
+from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
 _AT_EVENT = r"((?:with |at )?what [a-z ]+?) (?:does |is |has |do |will )(@\d+@) (.+)"
 _TAKES = r"how (?:long|much time) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
-_GOES_ON = pattern("(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))")
+_GOES_ON = pattern(
+    "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
+)
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
 
@@ -77,7 +80,9 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
     for main in mains(question, heard):
         if not clause:
             yield from _alone(main)
-        elif main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause)):
+        elif (
+            main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
+        ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 yield _with(main, when)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None

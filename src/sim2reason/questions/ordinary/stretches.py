@@ -144,7 +144,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
-    "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |attained by ){s}[ ~reaches| ~reach]": _highest,
+    "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _gets,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
@@ -156,7 +156,9 @@ STRETCHES: Mapping[str, Reader] = {
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
     "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
-    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period("period"),
+    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period(
+        "period"
+    ),
     "ASK period of {s} 's (?:motion|oscillation|orbit|swing)": _period("period"),
     "ASK (?:orbital period|period of revolution) of {s}": _period("period"),
     "ASK frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration)]": _period("frequency"),

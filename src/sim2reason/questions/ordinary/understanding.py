@@ -10,8 +10,8 @@ from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.placing import numbers_wanted, placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
-from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.reading import Reading, readings
+from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion
@@ -51,7 +51,8 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
     """Those that can be asked, and why one that can is not what is meant."""
-    found, refused = [], ""
+    found: list[Understood] = []
+    refused = ""
     for reading in questions:
         try:
             question = posed(reading.asked, motion, words)

@@ -1,12 +1,13 @@
-"""Questions in ordinary English for a number of the scene: one that leads to a result, or from where on something happens."""
+"""Questions in ordinary English for a number of the scene: it leads to a result, or decides what happens."""
 
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
-from sim2reason.questions.ordinary.whens import CONNECTORS, When, whens
+from sim2reason.questions.ordinary.whens import CONNECTORS, When
 
 NUMBERS: Mapping[str, str] = {
     "mass": "mass",
@@ -41,6 +42,7 @@ ROLLING = {"slides": "slips rolling"}
 
 NUMBER = "number"  # what is found, until a scene tells its address
 _PARAMETER = "(?:(?P<own>@\\d+@) 's )?{p=NUMBERS}(?: of (?P<of>@\\d+@))?"
+_SUCH = "for which|with which|at which|such that|so that|that makes"
 _NEEDED = "needed|required|necessary"
 _FRAMES = (
     "what PARAMETER (?:would|must|should|does|will) {s} (?:need|have|require)[ in order](?: to|) (?P<rest>.+)",
@@ -48,23 +50,21 @@ _FRAMES = (
     "what (?:would|must|should) PARAMETER (?:have to be|be|need to be) (?:for|so that|if) (?P<rest>.+)",
     "what PARAMETER (?:would be|is) (?:NEEDED) (?:for|so that|to) (?P<rest>.+)",
     "(?:for|with|at) what PARAMETER (?:would|does|will|is|must) (?P<rest>.+)",
-    "(?:find|determine|calculate|what is) PARAMETER (?:for which|with which|at which|such that|so that|that makes) "
-    "(?P<rest>.+)",
+    "(?:find|determine|calculate|what is) PARAMETER SUCH (?P<rest>.+)",
     "how (?:long) (?:should|must|would) (?P<of>@\\d+@) (?:have to be|be) for (?P<rest>.+)",
 )
 _LIMITS = (
-    "(?:find|determine|calculate|what is) {size=SIZES} PARAMETER (?:for which|with which|at which|such that|so that|that "
-    "makes) {s} {clause=OUTCOMES}",
+    "(?:find|determine|calculate|what is) {size=SIZES} PARAMETER SUCH {s} {clause=OUTCOMES}",
     "what {size=SIZES} PARAMETER (?:does|must|would|should) {s} (?:need|have)[ in order] to {clause=OUTCOMES}",
     "what PARAMETER is just (?:enough|sufficient) to (?:set|make|get) {s} (?P<set>in motion|move|slide|slip|moving)",
     "(?:at|from|beyond|above) what PARAMETER (?:does|will|would) {s} (?:begin|start) (?P<set>to (?:slide|slip|move))",
 )
 _RESULTS = (
-    "{q=QUANTITY}[ (?:of|in) {t}] ~(?:to be|is|be|of|equal to|equals) {n}(?: (?P<connector>CONNECTORS) (?P<clause>.+)|)",
-    "{t} 's {q=QUANTITY} ~(?:is|to be|be) {n}(?: (?P<connector>CONNECTORS) (?P<clause>.+)|)",
+    "{q=QUANTITY}[ (?:of|in) {t}] ~(?:to be|is|be|of|equal to|equals) {n}(?: WHEN|)",
+    "{t} 's {q=QUANTITY} ~(?:is|to be|be) {n}(?: WHEN|)",
 )
 _ACCELERATES = "[{t} ]~(?:accelerate|accelerates) (?:at|with) {n}"
-_GIVES = "(?:give|gives) {t} {q=QUANTITY} of {n}(?: (?P<connector>CONNECTORS) (?P<clause>.+)|)"
+_GIVES = "(?:give|gives) {t} {q=QUANTITY} of {n}(?: WHEN|)"
 _GOES = (
     "(?:make )?[{t} ]~MOTION [exactly |just ]{n} (?P<connector>before|until) (?P<clause>.+)",
     "(?:make )?[{t} ]~(?P<clause>STOPS) (?:after|within|in) [exactly |just ]{n}",
@@ -110,7 +110,8 @@ def _compiled(told: str) -> re.Pattern[str]:
     told = told.replace("PARAMETER", _PARAMETER).replace("NEEDED", _NEEDED)
     for name, rows in (("NUMBERS", NUMBERS.values()), ("OUTCOMES", OUTCOMES), ("SIZES", ("GREATEST", "LEAST"))):
         told = re.sub(rf"\{{(\w+)={name}\}}", lambda found, rows=rows: f"(?P<{found[1]}>(?:{'|'.join(rows)}))", told)
-    return pattern(told.replace("CONNECTORS", "|".join(CONNECTORS)))
+    when = rf"(?P<connector>{'|'.join(CONNECTORS)}) (?P<clause>.+)"
+    return pattern(told.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
 
 
 def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[Wanted]:
@@ -131,7 +132,9 @@ def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> It
             quantity = "time" if number.endswith(" s") else "displacement"
         clause, side = groups.get("clause") or "", CONNECTORS.get(groups.get("connector") or "", "then")
         ends = whens(clause, heard, of, side) if clause else [When("")]
-        yield from (Wanted(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends)
+        yield from (
+            Wanted(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
+        )
 
 
 def _limits(found: re.Match[str], heard: Heard) -> Iterator[Wanted]:

@@ -15,9 +15,9 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
 from sim2reason.questions.moments import MOMENTS, Happening, Moment
+from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Query
-from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets

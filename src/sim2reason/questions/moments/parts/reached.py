@@ -18,6 +18,7 @@ from sim2reason.questions.targets import Target, quantities_named, target_named,
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
+
 _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 
