@@ -111,7 +111,8 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
         if not letter:
-            names = {phrase.removeprefix("the ")} | (_others(noun, phrase, nouns) if len(said) == 1 else set())
+            others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
+            names = {phrase.removeprefix("the ")} | others
             found += [(len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names]
             continue
         alike = {noun} | _group(noun) | ANYTHING | {"mass"}

@@ -63,8 +63,8 @@ def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector
     """Why what is asked for without a moment is not one number, in a clause; empty if it is.
 
     It is if it does not change, its direction included if it is asked for as a `vector`; or until something happens,
-    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may be zero
-    later, too: it `vanishes`.
+    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may be
+    zero later, too: it `vanishes`.
     """
     values = target.values(trace.scan)[:, None]
     if vector:

@@ -11,8 +11,8 @@ _SIDES: Mapping[str, str] = {
     BEFORE: "just before|immediately before|right before|shortly before|before|prior to",
     AFTER: "just after|immediately after|right after|directly after|shortly after|after|following",
     THEN: "at moment when|at instant when|at moment at which|at instant at which|at moment|at instant|at time when"
-    "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for|from release until"
-    "|at end of",
+    "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
+    "|from release until|at end of",
     DURING: "during|while|on",
 }
 CONNECTORS: Mapping[str, str] = {said: side for side, row in _SIDES.items() for said in row.split("|")}
