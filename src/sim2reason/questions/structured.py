@@ -28,8 +28,10 @@ class StructuredQuestion:
 
     `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
     scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, it is a number of the scene that makes
-    that so. With `change`, such as *ramp.speed = 5 m/s*, it is how what is found changes: the `compare` *ratio* of the
-    new value to the original one, or their *difference*.
+    that so; with *velocity = greatest* it is the one for which that is greatest. With `change`, such as *ramp.speed =
+    5 m/s*, it is how what is found changes: the `compare` *ratio* of the new value to the original one, or their
+    *difference*. With *ramp.angle = greatest* it is its greatest value, with *left.block.mass = infinity*, or *0*, what
+    it approaches.
     """
 
     find: str
