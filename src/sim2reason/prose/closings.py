@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from sim2reason.dsl.mechanism import ConstantTension, Inextensible
-from sim2reason.dsl.mobility import weighs
+from sim2reason.dsl.mobility import weighs, would_weigh
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
 
@@ -205,7 +205,7 @@ CLOSINGS: tuple[Closing, ...] = (
     ),
     Closing(
         "g",
-        lambda scene: weighs(scene.mechanism),
+        lambda scene: weighs(scene.mechanism) or (not scene.world.gravity and would_weigh(scene.mechanism)),
         (
             "take g = {world.gravity}.",
             "use g = {world.gravity}.",
