@@ -25,6 +25,7 @@ _UNIT = re.compile(
     r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
 )
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
+_INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -60,6 +61,7 @@ def hear(sentence: str, words: Words) -> Heard:
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
     text, numbers = _with_numbers(text)
     text = _ordered(text, subjects)
+    text = _INDIRECT.sub("", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
     if not any(subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)

@@ -6,7 +6,18 @@ from dataclasses import replace
 from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, MOMENT, STRETCH, Main, Reader, each, of_none, of_one
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    LANDING,
+    MOMENT,
+    STRETCH,
+    Main,
+    Reader,
+    each,
+    of_none,
+    of_one,
+)
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
@@ -14,6 +25,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     MOTIONS,
     ORIGIN,
     QUANTITIES,
+    RESTS,
     SLOWER,
     WAYS,
     meant,
@@ -72,6 +84,17 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         way = meant(WAYS, groups["way"]) if groups.get("way") else ""
         find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
         yield Main(find, of, along, ways=() if along else ways_of(found, of))
+
+
+def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far away something lands, along the ground."""
+    yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
+
+
+def _far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far something goes till it stays at rest."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
 
 
 def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -159,6 +182,12 @@ FRAMES: Mapping[str, Reader] = {
     "how far ~{s}[ and {t}] apart": of_none("distance"),
     "how far apart ~(?:centres of )?{s}[ and {t}]": of_none("distance"),
     "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,
+    "how far {s}": _far_flown,
+    "ASK stopping distance(?: of {s}|)": _far_stopped,
+    "ASK {s} 's stopping distance": _far_stopped,
+    "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": _far,
+    "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": _far,
+    "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
     "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
     "how far from (?:origin|its starting point|its starting position|start) ~{s}": of_one("displacement"),

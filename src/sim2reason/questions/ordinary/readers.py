@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.whens import When
 
-FREE, STRETCH, MOMENT, CLAUSED = "free", "stretch", "moment", "claused"  # what a clause beside it tells
+FREE, STRETCH, MOMENT, CLAUSED, LANDING = "free", "stretch", "moment", "claused", "landing"
+"""What a clause beside a main clause tells, for which see `Main`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +17,8 @@ class Main:
 
     `needs` says whether it asks for a value at a moment, which is steady where none is named; for something over a
     stretch of the motion, up to a moment or the whole of it; for something *free* of moments; or for a value only
-    beside a clause. Those of a higher `rank` are meant only where the scene has none of a lower one.
+    beside a clause, that of a landing at most. Those of a higher `rank` are meant only where the scene has none of a
+    lower one.
     """
 
     find: str

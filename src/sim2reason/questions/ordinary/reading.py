@@ -7,17 +7,18 @@ from dataclasses import dataclass, replace
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, MOMENT, STRETCH, Main
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
-_AT_EVENT = r"((?:with |at )?what [a-z ]+?) (?:does |is |has |do |will )(@\d+@) (.+)"
-_TAKES = r"how (?:long|much time) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
+_AT_EVENT = r"((?:with |at )?what [a-z ]+?|how fast|how far|how far away) (?:does |is |has |do |will )(@\d+@) (.+)"
+_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _GOES_ON = pattern(
     "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
+_LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
 
@@ -64,7 +65,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     yield from split(text)
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
-        yield f"{at_event[1]} {at_event[2]}", f"{at_event[2]} {at_event[3]}", THEN
+        question = f"{at_event[1].removesuffix(' away')} {at_event[2]}"
+        yield question, f"{at_event[2]} {at_event[3]}", THEN
     takes = re.fullmatch(_TAKES, text)
     if takes is not None:
         yield "when", f"{takes[1]} {takes[2]}", THEN
@@ -84,7 +86,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
-                yield _with(main, when)
+                if main.needs != LANDING or _LANDED.search(when.told):
+                    yield _with(main, when)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
             who = heard.subject(going["s"]) or main.of
@@ -110,7 +113,7 @@ def _alone(main: Main) -> Iterator[Reading]:
         yield _with(main, main.when)
     elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
         yield from _whole(main)
-    elif main.find != "time" and main.needs != CLAUSED:
+    elif main.find != "time" and main.needs not in (CLAUSED, LANDING):
         yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
 
 

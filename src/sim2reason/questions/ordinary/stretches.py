@@ -104,6 +104,11 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
     "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
     "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _extreme("greatest"),
+    "ASK {s} 's GREATEST distance from {t}": _at_once("greatest distance"),
+    "ASK {s} 's LEAST distance from {t}": _at_once("least distance"),
+    "ASK GREATEST distance of {s} from {t}": _at_once("greatest distance"),
+    "ASK LEAST distance of {s} from {t}": _at_once("least distance"),
+    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)[ above its starting point]": _gets,
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
@@ -151,7 +156,7 @@ STRETCHES: Mapping[str, Reader] = {
     "with what period ~{s} OSCILLATES": _period("period"),
     "with what frequency ~{s} OSCILLATES": _period("frequency"),
     "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
-    "[for ]how long ~{s} in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
@@ -165,8 +170,7 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK angular frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit)]": _period(
         "angular frequency"
     ),
-    "(?:TIME|how long ~) [for ]{s} [to ](?:complete|make|take to go|take to complete) (?:one|full|one full) "
-    "(?:revolution|turn|oscillation|swing|round|orbit|circle)": _period("period"),
+    "(?:TIME|how long ~) [for ]{s} [to ](?:COMPLETES) (?:one|full|one full) ROUND": _period("period"),
     "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
     "|complete one round|go once around|go around once)": _period("period"),
     "how many (?:revolutions|oscillations|swings) per second ~{s} (?:make|complete)": _period("frequency"),

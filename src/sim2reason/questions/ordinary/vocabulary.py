@@ -55,7 +55,7 @@ QUANTITIES: Mapping[str, str] = {
     "compression": "compression",
     "height": "height|altitude",
     "distance": "distance|separation",
-    "force": "force",
+    "force": "force|pull",
     "length": "length",
     "moment of inertia": "moment of inertia",
     "mass": "mass",
@@ -66,7 +66,8 @@ MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
     "gone going cover covers covered pulled dragged fly flies flown flying",
     "roll": "roll rolls rolled rolling",
-    "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending",
+    "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending "
+    "sink sinks sunk sank sinking",
     "rise": "rise rises risen rising climb climbs climbed climbing ascend ascends ascended",
     "turn": "turn turns turned turning rotate rotates rotated rotating spin spins spun spinning swing swings swung "
     "swinging",
@@ -101,7 +102,8 @@ PHRASES: Mapping[str, str] = {
     "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required|ASK time taken"
     "|after what time|after how much time|after how long",
     "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
-    "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop",
+    "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop|turns round|turns back|turn back|turn round"
+    "|turns around|reverses|reverses direction|changes direction",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
     "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE",
     "BOUNCES": "bounce|bounces|bounced|bouncing|rebounds|rebound",
@@ -109,7 +111,12 @@ PHRASES: Mapping[str, str] = {
     "DONE": "do|does|did|done",
     "HITS": "hit|hits|strike|strikes|meets|runs into|collides with|collide with|catches up with|bumps into|reaches",
     "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
-    "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact|collision with each other",
+    "COMPLETES": "complete|make|take to go|take to complete|take for|take to make",
+    "PASSES": "reach|reaches|reached|at|get to|gets to|passes through|passes|passing|pass through|pass|goes through"
+    "|go through|swings through|swing through|arrives at|moves through|passing through|is at",
+    "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
+    "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
+    "|collision with each other|crash|crashes|bump into each other",
     "TOP": "highest point|top|peak|apex|maximum height|greatest height|highest position",
     "BOTTOM": "lowest point|bottom|lowest position",
     "PATH": "path|flight|circle|swing|trajectory|motion|arc|orbit|circular path",
@@ -118,11 +125,12 @@ PHRASES: Mapping[str, str] = {
     "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
     "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
     "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
-    "|begin to roll without slipping|stop slipping|stop sliding|stop skidding",
+    "|begin to roll without slipping|stop slipping|stop sliding|stop skidding"
+    "|starts to roll purely|starts pure rolling|begins to roll purely",
     "SLIPS": "slipping|sliding|skidding|slips|slides|skids|is slipping|is sliding|is skidding|slide|slip|skid",
     "NATURAL": "has its natural length|is at its natural length|reaches its natural length|at its natural length"
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length",
-    "FIRST_TIME": "for first time",
+    "FIRST_TIME": "for first time|first time",
     "START": "start|release|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
     "|BODY is launched|BODY starts|BODY begins to move",
     "BODY": r"it|@\d+@",
@@ -138,7 +146,7 @@ WAYS: Mapping[str, str] = {
     "down": "down|downwards|downward|down SURFACE|vertically downwards",
     "right": "to right",
     "left": "to left",
-    "horizontal": "horizontally|in horizontal direction",
+    "horizontal": "horizontal|horizontally|in horizontal direction",
     "vertical": "vertically|in vertical direction",
     "x": "in x direction|in positive x direction|along x axis|in x-direction",
     "y": "in y direction|in positive y direction|along y axis|in y-direction",
@@ -163,6 +171,8 @@ def _macro(name: str) -> str:
         return either(" ".join(MOTIONS.values()).split())
     if name == "QUANTITY":
         return either("|".join(QUANTITIES.values()).split("|"))
+    if name == "HORIZONTAL":
+        return "horizontal"
     if name == "WAY":
         return either("|".join(WAYS.values()).split("|"))
     return either(WORDS[name].split()) if name in WORDS else either(PHRASES[name].split("|"))
