@@ -94,6 +94,15 @@ def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
     yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
 
 
+def _rather(reader: Reader) -> Reader:
+    """The same, only where the scene has nothing else that is called so."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
+
+    return read
+
+
 def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """How far something has gone."""
     who, number = _who(found, heard, subject), heard.number(found["n"])
@@ -196,8 +205,18 @@ CLAUSES: Mapping[str, Reader] = {
     "{number=ORDINAL} collision": _jump("collided"),
     "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": _meet,
     "[pure ]rolling (?:sets in|begins|starts)": simply("stopped slipping"),
-    "[its ](?:farthest|furthest) point[ from {t}]": _apsis("farthest"),
-    "[its ](?:closest|nearest) point[ to {t}]": _apsis("closest"),
+    "{number=ORDINAL} collision (?:take|takes|took) place": _jump("collided"),
+    "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": _jump("collided"),
+    "(?:their|its) {number=ORDINAL} collision": _jump("collided"),
+    "{s} ~HITS wall[ FIRST_TIME]": _jump("bounced"),
+    "[{s} ]~[PASSES ][its ](?:farthest|furthest) point[ from {t}]": _apsis("farthest"),
+    "[{s} ]~[PASSES ][its ](?:closest|nearest) point[ to {t}]": _apsis("closest"),
+    "{s} ~(?:most strongly|most|fully) compressed": simply("most compressed"),
+    "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": simply("most stretched"),
+    "{s} ~PASSES [its ]GREATEST compression": simply("most compressed"),
+    "{s} ~PASSES [its ]GREATEST extension": simply("most stretched"),
+    "all collisions[ ~over]": _alone("last collision"),
+    "[its ]impact": _rather(_landed),
     "last collision": _alone("last collision"),
     "{s} ~HITS {t}[ FIRST_TIME]": _meet,
     "{s} and {t} ~COLLIDE[ FIRST_TIME]": _meet,

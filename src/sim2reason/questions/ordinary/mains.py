@@ -153,7 +153,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": _quantity,
-    "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ][SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
+    "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ]~[SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
     "[ by SURFACE]": _quantity,
     "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
     "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),

@@ -10,6 +10,8 @@ from sim2reason.questions.ordinary.whens import AFTER, When
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
+TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
+"""By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
 
 
 def _extreme(size: str) -> Reader:
@@ -23,6 +25,8 @@ def _extreme(size: str) -> Reader:
             yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH, ways=ways)
             if name == "height" and size == "greatest":
                 yield from _rise(of)
+            if turn := TURNS.get(f"{size} {name}"):
+                yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
     return read
 
@@ -141,6 +145,15 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": implied(
+        "number of collisions", "last collision"
+    ),
+    "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
+    "ASK GREATEST angle [that ]~{s} ~(?:make|makes) with [downward ]vertical": of_one(
+        "greatest deflection", needs=STRETCH
+    ),
+    "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
+    "ASK orbital period": _period("period"),
     "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     # heights

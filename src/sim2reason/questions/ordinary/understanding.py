@@ -73,6 +73,8 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
+    if reading.asked.find == "speed" and followed.answer < 0.0:
+        return "along that axis it has a velocity with a sign; ask for that"
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
         during, vector = reading.side == DURING, reading.asked.find == VECTOR

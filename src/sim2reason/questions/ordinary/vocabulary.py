@@ -113,7 +113,7 @@ PHRASES: Mapping[str, str] = {
     "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
     "COMPLETES": "complete|make|take to go|take to complete|take for|take to make",
     "PASSES": "reach|reaches|reached|at|get to|gets to|passes through|passes|passing|pass through|pass|goes through"
-    "|go through|swings through|swing through|arrives at|moves through|passing through|is at",
+    "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at|moves through|passing through|is at",
     "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
     "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
     "|collision with each other|crash|crashes|bump into each other",
@@ -121,7 +121,7 @@ PHRASES: Mapping[str, str] = {
     "BOTTOM": "lowest point|bottom|lowest position",
     "PATH": "path|flight|circle|swing|trajectory|motion|arc|orbit|circular path",
     "BURNOUT": "fuel is used up|fuel runs out|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
-    "|fuel is burnt|fuel is gone|engine burns out",
+    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cuts out|engine shuts off|engine burns out",
     "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
     "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
     "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
@@ -129,7 +129,8 @@ PHRASES: Mapping[str, str] = {
     "|starts to roll purely|starts pure rolling|begins to roll purely",
     "SLIPS": "slipping|sliding|skidding|slips|slides|skids|is slipping|is sliding|is skidding|slide|slip|skid",
     "NATURAL": "has its natural length|is at its natural length|reaches its natural length|at its natural length"
-    "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length",
+    "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length"
+    "|return to its natural length|regains its natural length|regain its natural length",
     "FIRST_TIME": "for first time|first time",
     "START": "start|release|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
     "|BODY is launched|BODY starts|BODY begins to move",

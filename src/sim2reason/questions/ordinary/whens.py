@@ -38,6 +38,9 @@ class When:
 def split(text: str) -> Iterator[tuple[str, str, str]]:
     """The question and the clause with its side, for every way to part a sentence; the whole of it first."""
     yield text, "", ""
+    for ending in (" initially", " at first"):
+        if text.endswith(ending):
+            yield text.removesuffix(ending), "start", THEN
     for found in _LATER.finditer(text):
         if found.start() > 0:
             yield text[: found.start()].strip(" ,"), text[found.start() :].strip(), THEN
