@@ -26,6 +26,7 @@ _UNIT = re.compile(
 )
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
+_RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -67,6 +68,9 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _CENTER.sub(r"\1", text)
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+    if words.released:
+        text = _RELEASED.sub("", text)
+    text = re.sub(r"^which (?=[a-z]+ )", "what ", text)
     return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
 
 
@@ -100,7 +104,7 @@ def _without_pronouns(text: str, subjects: list[str]) -> str:
     if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
     head, named, tail = text.partition("@0@")
-    tail = re.sub(r"\bit\b(?! takes?)", "@0@", tail)
+    tail = re.sub(r"\bthey\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
     tail = _OWN.sub("@0@ 's ", tail)
     return head + named + tail
 

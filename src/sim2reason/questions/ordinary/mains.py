@@ -97,6 +97,11 @@ def _far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
 
 
+def _balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity where all would stay at rest."""
+    yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in _quantity(found, heard))
+
+
 def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """A quantity just after the start."""
     yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
@@ -165,6 +170,10 @@ FRAMES: Mapping[str, Reader] = {
     "ASK {s} 's initial {q=QUANTITY}": _initial,
     "ASK [SIZE ]{s} force": of_one(*FORCES),
     "ASK [final ]common (?:speed|velocity) of {s}": _common,
+    "ASK common {q=QUANTITY} of {s}": _quantity,
+    "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
+    "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
+    "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
     "ASK [SIZE ]friction[ force] between {s}[ and {t}]": of_none("friction force"),
     "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
     "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,

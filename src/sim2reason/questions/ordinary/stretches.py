@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
@@ -21,10 +22,10 @@ def _extreme(size: str) -> Reader:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
         for of in each(heard, found.groupdict().get("s")):
-            ways = (("", RISING),) if name == "height" else ()
-            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH, ways=ways)
             if name == "height" and size == "greatest":
-                yield from _rise(of)
+                yield from _gets(found, heard)
+                continue
+            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
             if turn := TURNS.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
@@ -52,11 +53,16 @@ def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How high something gets: of what starts on the ground that means one thing."""
+    """How high something gets: above the ground, or above where it starts; if that is there, it means one thing."""
+    yield from _above_start(found, heard)
+    yield from (replace(main, rank=main.rank + 1) for main in _highest(found, heard))
+
+
+def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets above where it starts."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
-        yield from _highest(found, heard)
 
 
 def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -81,6 +87,17 @@ def _in_collision(*finds: str) -> Reader:
         for find in finds:
             yield Main(find, needs=STRETCH)
             yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
+
+    return read
+
+
+def _most(name: str) -> Reader:
+    """The greatest strain of a spring, in a motion that repeats itself or up to when it has it."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main(name, of, needs=STRETCH)
+            yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
 
     return read
 
@@ -112,7 +129,8 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK {s} 's LEAST distance from {t}": _at_once("least distance"),
     "ASK GREATEST distance of {s} from {t}": _at_once("greatest distance"),
     "ASK LEAST distance of {s} from {t}": _at_once("least distance"),
-    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)[ above its starting point]": _gets,
+    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)": _gets,
+    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb) above its starting point": _above_start,
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
@@ -142,12 +160,15 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),
+    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": _in_collision("impulse of a collision"),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
     "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": implied(
         "number of collisions", "last collision"
     ),
+    "how much ~{s} compressed at most": _most("greatest compression"),
+    "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
     "ASK GREATEST angle [that ]~{s} ~(?:make|makes) with [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH
@@ -163,7 +184,7 @@ STRETCHES: Mapping[str, Reader] = {
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
-    "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _gets,
+    "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
     "with what period ~{s} OSCILLATES": _period("period"),

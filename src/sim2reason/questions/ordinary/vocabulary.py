@@ -91,7 +91,7 @@ WORDS: Mapping[str, str] = {
 """Words of which any one may stand."""
 
 PHRASES: Mapping[str, str] = {
-    "ASK": "what is|what are|what was|what will be|find|determine|calculate|compute|work out|obtain|give"
+    "ASK": "which is|what is|what are|what was|what will be|find|determine|calculate|compute|work out|obtain|give"
     "|how large is|how big is|how great is|how strong is|how much is",
     "SIZE": "magnitude of|size of|value of",
     "TIME": "when|at what time|at what moment|at what instant|how long is it until|how long is it before"
@@ -113,7 +113,8 @@ PHRASES: Mapping[str, str] = {
     "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
     "COMPLETES": "complete|make|take to go|take to complete|take for|take to make",
     "PASSES": "reach|reaches|reached|at|get to|gets to|passes through|passes|passing|pass through|pass|goes through"
-    "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at|moves through|passing through|is at",
+    "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at"
+    "|moves through|passing through|is at",
     "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
     "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
     "|collision with each other|crash|crashes|bump into each other",

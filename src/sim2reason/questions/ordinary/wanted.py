@@ -29,7 +29,7 @@ NUMBERS: Mapping[str, str] = {
 
 OUTCOMES: Mapping[str, tuple[str, ...]] = {
     "gets over TOP|goes over TOP|get over TOP|makes full turn|goes right round|makes full circle|completes full circle"
-    "|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
+    "|reach TOP|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
     "slips|slides|starts to slip|begins to slip|starts to slide|begins to slide|starts to move|begins to move"
     "|slip|slide|move|starts moving|begins sliding": ("slides", "yes"),
     "does not slip|does not slide|does not move|stays at rest|remains at rest|rolls without slipping"
@@ -56,6 +56,7 @@ _FRAMES = (
 _LIMITS = (
     "(?:find|determine|calculate|what is) {size=SIZES} PARAMETER SUCH {s} {clause=OUTCOMES}",
     "what {size=SIZES} PARAMETER (?:does|must|would|should) {s} (?:need|have)[ in order] to {clause=OUTCOMES}",
+    "what PARAMETER (?:would|does|must|should) {s} (?:need|have) [in order ]to just {clause=OUTCOMES}",
     "what PARAMETER is just (?:enough|sufficient) to (?:set|make|get) {s} (?P<set>in motion|move|slide|slip|moving)",
     "(?:at|from|beyond|above) what PARAMETER (?:does|will|would) {s} (?:begin|start) (?P<set>to (?:slide|slip|move))",
 )
