@@ -4,6 +4,7 @@ import json
 from collections import Counter
 from functools import cache
 from pathlib import Path
+from time import perf_counter
 from typing import NamedTuple
 
 import pytest
@@ -15,6 +16,7 @@ from sim2reason.questions import Words
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.ordinary.reading import readings
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
 from sim2reason.scene_files import load
@@ -135,3 +137,20 @@ def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
 def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> None:
     """With other nouns for the only thing that they can mean."""
     assert hear(question, scene("atwood")[1]).text == text
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How far " + "is " * 130,
+        "How fast is board A " + "moving " * 50,
+        "What is the speed of board A " + "when board A moves " * 18,
+        "How fast is board A after 1 s" + "?" * 400,
+        "",
+    ],
+)
+def test_a_hostile_question_is_read_at_once(question: str) -> None:
+    """And not understood; what is too long is not read in part."""
+    began = perf_counter()
+    assert readings(hear(question, scene("plank")[1])) == ()
+    assert perf_counter() - began < 2.0

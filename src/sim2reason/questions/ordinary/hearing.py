@@ -50,7 +50,9 @@ class Heard:
 
 def hear(sentence: str, words: Words) -> Heard:
     """A question with tokens for whatever the scene has; pronouns stand for the first that is named."""
-    text = plainly(sentence[:LONGEST], words.units).replace(" ", " ").strip().rstrip("?.!")
+    if len(sentence) > LONGEST:
+        return Heard("", (), ())
+    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
