@@ -158,7 +158,7 @@ def test_it_wants_a_scene_or_an_id(args: tuple[str, ...]) -> None:
 
 def test_a_question_in_ordinary_english_is_answered_and_told_back(scene: Path) -> None:
     """How it was read stands beside the answer."""
-    told = call(scene, "--question", "How fast is block A moving after half a second?")
+    told = call(scene, "--question", "How fast is the block moving after half a second?")
     assert told.exit_code == 0, told.output
-    assert "Read as: How fast is block A moving 0.50 s after release?" in told.output
+    assert "Read as: How fast is the block moving at t = 0.50 s?" in told.output
     assert "From the motion: " in told.output

@@ -38,7 +38,7 @@ LEVELS = "medium", "easy", "hard"
 SEEDS = 12  # scenes of each recipe
 
 
-class Example(NamedTuple):
+class AskedExample(NamedTuple):
     """A question in words, and its parts as options of *solve*."""
 
     sentence: str
@@ -49,11 +49,11 @@ class Example(NamedTuple):
 class Examples:
     """By the name of a registry's member, its first example."""
 
-    quantities: dict[str, Example] = field(default_factory=dict[str, Example])
-    functionals: dict[str, Example] = field(default_factory=dict[str, Example])
-    moments: dict[str, Example] = field(default_factory=dict[str, Example])
-    outcomes: dict[str, Example] = field(default_factory=dict[str, Example])
-    kinds: dict[str, Example] = field(default_factory=dict[str, Example])
+    quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    moments: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    outcomes: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    kinds: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
 
 
 def examples() -> Examples:
@@ -107,7 +107,7 @@ def _is_something(query: Query, motion: FollowedMotion) -> bool:
 def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> None:
     """An example in parts alone of what the library has no words for in these scenes."""
     for registry, named in (("quantities", QUANTITIES), ("functionals", FUNCTIONALS)):
-        table: dict[str, Example] = vars(found)[registry]
+        table: dict[str, AskedExample] = vars(found)[registry]
         for name, member in named.items():
             if name in table:
                 continue
@@ -116,7 +116,7 @@ def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> Non
                 with suppress(TextError, KeyError, IndexError, StopIteration):
                     answer = KINDS[(query := posed(asked, motion, words).query).kind].answer(query, motion.study)
                     if answer is not None:
-                        table[name] = Example("", _options(asked))
+                        table[name] = AskedExample("", _options(asked))
                         break
 
 
@@ -150,7 +150,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) 
     if not sentence or not alike:
         return
     for registry, name in new:
-        table[registry][name] = Example(sentence, _options(asked))
+        table[registry][name] = AskedExample(sentence, _options(asked))
 
 
 def _names(query: Query) -> list[tuple[str, str]]:

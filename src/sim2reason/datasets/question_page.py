@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from sim2reason.datasets.question_examples import Example, examples, scenes
+from sim2reason.datasets.question_examples import AskedExample, examples, scenes
 from sim2reason.dsl.connection import CONNECTIONS
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.measures import show_unit
@@ -65,12 +65,12 @@ def _page() -> Iterator[str]:
 
 
 def _section(
-    title: str, key: str, said: Mapping[str, str], found: Mapping[str, Example], what: str = "what"
+    title: str, key: str, said: Mapping[str, str], found: Mapping[str, AskedExample], what: str = "what"
 ) -> Iterator[str]:
     """A table of the members of a registry, each with its example; without one where no scene has it."""
     yield from (f"## {title}", "", f"| `{key}` | {what} | in words | in parts |", "| --- | --- | --- | --- |")
     for name in sorted(said):
-        example = found.get(name, Example("", ""))
+        example = found.get(name, AskedExample("", ""))
         parts = f"`{example.parts}`" if example.parts else ""
         yield f"| {name.replace('_', ' ')} | {_cell(said[name])} | {_cell(example.sentence)} | {_cell(parts)} |"
     yield ""

@@ -15,6 +15,7 @@ from sim2reason.questions.words import Words
 from sim2reason.registry import nearest
 
 START = "at start"
+EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
 LONGEST = 200  # characters of a part
 _NUMBER = re.compile(r"([+-]?(?:\d{1,15}(?:\.\d{0,15})?|\.\d{1,15})(?:[eE][+-]?\d{1,3})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}

@@ -10,11 +10,11 @@ from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.change import SAME
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import EQUILIBRIUM, Kind, kind
+from sim2reason.questions.kinds import Kind, kind
 from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words

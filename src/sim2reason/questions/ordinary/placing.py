@@ -12,7 +12,7 @@ from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.wanted import Wanted, wanted
+from sim2reason.questions.ordinary.wanted import WantedNumber, wanted
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -109,7 +109,7 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
             yield Reading(asked, found.when.side, rank=found.when.rank)
 
 
-def _path(found: Wanted, scene: Scene, words: Words) -> str:
+def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
     """The address of a number that a scene has but once, or its owner has; empty if there is no such one."""
     given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
     owners = [address for address, said in words.mentions.items() if said == found.owner]

@@ -75,7 +75,7 @@ _AT_TIME = "[{t} ]~(?P<clause>.+?) (?:after|at t =) {n}"
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class WantedNumber:
     """A number of the scene: its name and whose it is; the result that it leads to, of what, and when.
 
     Or the outcome that it decides, `does`, whether that happens, and at which end of those numbers.
@@ -91,7 +91,7 @@ class Wanted:
     least: bool | None = None
 
 
-def wanted(heard: Heard) -> Iterator[Wanted]:
+def wanted(heard: Heard) -> Iterator[WantedNumber]:
     """All numbers that a sentence may want."""
     for told in _FRAMES:
         found = _compiled(told).fullmatch(heard.text)
@@ -115,7 +115,7 @@ def _compiled(told: str) -> re.Pattern[str]:
     return pattern(told.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
 
 
-def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[Wanted]:
+def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[WantedNumber]:
     """The results that a clause states."""
     for told in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
         found = _compiled(told).fullmatch(rest)
@@ -134,11 +134,11 @@ def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> It
         clause, side = groups.get("clause") or "", CONNECTORS.get(groups.get("connector") or "", "then")
         ends = whens(clause, heard, of, side) if clause else [When("")]
         yield from (
-            Wanted(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
+            WantedNumber(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
         )
 
 
-def _limits(found: re.Match[str], heard: Heard) -> Iterator[Wanted]:
+def _limits(found: re.Match[str], heard: Heard) -> Iterator[WantedNumber]:
     groups = found.groupdict()
     name = meant(NUMBERS, groups["p"])
     does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
@@ -146,7 +146,7 @@ def _limits(found: re.Match[str], heard: Heard) -> Iterator[Wanted]:
     least = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
     for outcome in (does, ROLLING.get(does, "")):
         if outcome:
-            yield Wanted(name, owner, who, does=outcome, happens=happens == "yes", least=least)
+            yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=least)
 
 
 def _row(clause: str) -> str:
