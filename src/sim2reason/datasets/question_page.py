@@ -16,7 +16,7 @@ from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.scene_files import dump
 from sim2reason.scene_files.schema import summary
 
-COMMAND = "sim2reason schema --questions -o docs/questions.md"
+COMMAND = "sim2reason schema --reference -o docs/questions.md"
 HEAD = f"""\
 # Questions
 
