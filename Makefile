@@ -123,6 +123,7 @@ docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
 	$(BIN)/sim2reason figure docs/images/scene.yaml -o docs/images/scene.svg --numbers
 	$(BIN)/sim2reason plot docs/images/scene.yaml -o docs/images/traces.png
 	$(BIN)/sim2reason schema --page -o docs/scene-format.md
+	$(BIN)/sim2reason schema --reference -o docs/questions.md
 	$(BIN)/python docs/grading_examples.py
 	$(BIN)/python docs/gallery.py
 	$(BIN)/python tests/support/readme.py README.md --write

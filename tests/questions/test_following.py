@@ -10,8 +10,10 @@ from sim2reason.prose.description import describe
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
-from sim2reason.scene_files import load
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.scene_files import load, loads
 
 MOON = 1.62
 FORM = r" Give your answer in {}, to three significant figures, inside \boxed{{}}."
@@ -60,6 +62,44 @@ def test_nearly_equal_masses_move_slowly() -> None:
     assert found.answer == pytest.approx(sqrt(2.0 / (0.1 * G / 10.1)), rel=1e-9)
 
 
+DAMPED = """scene:
+  entities:
+  - name: rail
+    type: SpringMassChain
+    parameters:
+      track: {tilt: 0.0}
+      carts: [{mass: 1.0}]
+      ends: left
+      springs: [{stiffness: 20.0}]
+      damping: 0.5
+      strain: {spring: 0, way: stretched, by: 0.2}
+"""
+
+
+@pytest.mark.parametrize("when", ["moved 0.5 m", "extension = 0.3 m"])
+def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
+    """A motion that dies away neither repeats itself nor ends: it has turned back on both sides."""
+    scene = loads(DAMPED)
+    motion, words = motion_of(scene), words_of(describe(scene))
+    found = posed(StructuredQuestion("time", when=when), motion, words).followed(motion)
+    assert found.answer is None
+    assert "has no energy to come any farther" in found.reason
+
+
+def test_a_place_within_its_turning_points_is_reached() -> None:
+    """Before it has turned back on both sides, or never."""
+    scene = loads(DAMPED)
+    motion, words = motion_of(scene), words_of(describe(scene))
+    asked = StructuredQuestion("time", when="moved 0.3 m")
+    assert posed(asked, motion, words).followed(motion).answer == pytest.approx(0.4989, rel=1e-3)
+
+
+def test_there_is_as_much_room_as_it_takes() -> None:
+    """Lengths that a text keeps to itself end no motion: 90 m are more than any string has by default."""
+    found = asked(atwood(), "Find the time from release until block A has moved 90 m.")
+    assert found.answer == pytest.approx(sqrt(180.0 / (0.2 * G)), rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("scene", "question", "reason"),
     [
@@ -78,7 +118,7 @@ def test_nearly_equal_masses_move_slowly() -> None:
             "How long does the planet take to complete one orbit, counted from t = 0?",
             "flies off for ever",
         ),
-        (atwood(), "Find the time from release until block A has moved 90 m.", "the description of the motion ends"),
+        (atwood(), "Find the time from release until block A has moved 900 m.", "the description of the motion ends"),
         (planet(5.0), "How long after t = 0 is the planet first 9.0 au from its starting point?", "repeats itself"),
     ],
 )

@@ -62,6 +62,9 @@ def found(scene: Scene, **parts: str) -> Followed:
         (row((2.0,), (50.0,), "left", speed=1.5), {"find": "greatest extension"}, 0.3),
         (row((2.0,), (50.0,), "left", speed=1.5), {"find": "frequency"}, 2.5 / pi),
         (swing(60.0), {"find": "tension", "when": "lowest point"}, 0.5 * G * 2.0),
+        (SLIDING, {"find": "displacement", "when": "velocity = 3 m/s"}, 16.0 / (0.1 * G)),
+        (SLIDING, {"find": "energy dissipated by friction", "when": "velocity = 3 m/s"}, 16.0),
+        (SLIDING, {"find": "acceleration", "when": "stopped before"}, 0.05 * G),
     ],
 )
 def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str], answer: float) -> None:
@@ -88,6 +91,7 @@ def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str],
         ({"fnd": "velocity"}, "did you mean: find"),
         ({"of": "block"}, "it does not say what to find"),
         ({"find": "x" * 300}, "it is no short text"),
+        ({"find": "velocity", "when": "velocity = 3 kg"}, "is not measured in m/s"),
     ],
 )
 def test_what_means_nothing_is_one_error_with_its_place(parts: dict[str, str], said: str) -> None:
@@ -101,6 +105,12 @@ def test_a_sentence_is_one_writing_of_the_same_query() -> None:
     for parts in ({"find": "velocity", "when": "moved 0.5 m"}, {"find": "time", "when": "stopped"}):
         question, words = read(SLIDING, **parts)
         assert parse_question(question.sentence(words), motion_of(SLIDING).study, words) == question.query
+
+
+def test_what_no_text_gives_is_not_found() -> None:
+    """The length of a spring of which the text tells the extension alone hangs on a number of the library's own."""
+    with pytest.raises(TextError, match="the text does not give the length"):
+        found(row((2.0,), (50.0,), "left", speed=1.5), find="spring length", when="1 s")
 
 
 @pytest.mark.parametrize("recipe", list(RECIPES))
@@ -125,7 +135,7 @@ def test_every_quantity_and_functional_of_a_scene_can_be_found(recipe: str) -> N
         try:
             question = posed(StructuredQuestion(name, when="at 0.1 s"), motion, words)
         except TextError as error:
-            assert error.place == "of", error  # several have it  # noqa: PT017
+            assert error.place == "of" or "the text does not give" in str(error), error  # several have it  # noqa: PT017
         else:
             assert question.query.kind == "state"
 

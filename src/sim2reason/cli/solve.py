@@ -20,6 +20,7 @@ Example:
     sim2reason solve --id pulley-easy-numeric-0-4
     sim2reason solve scene.yaml --seed 3
     sim2reason solve scene.yaml --question "What is the tension in the string just after release?"
+    sim2reason solve scene.yaml --question "How fast is the block after 2 s?"
     sim2reason solve scene.yaml --find velocity --of ramp.block --when "moved 0.5 m"
     sim2reason solve scene.yaml --find ramp.speed --given "displacement = 25 m" --when stopped
 """
@@ -28,7 +29,7 @@ Example:
 @click.command("solve", epilog=EXAMPLE)
 @click.argument("scene", metavar="[SCENE]", required=False, type=click.Path(path_type=Path, allow_dash=True))
 @options.identity("The problem of this id, made again from its name.")
-@click.option("--question", help="A question about the scene, in the words of the library; else one is drawn.")
+@click.option("--question", help="A question about the scene, in English; else one is drawn.")
 @click.option(
     "--find",
     help="What to find: a quantity, as list quantities has them, a functional, time, or an address.",
@@ -90,6 +91,8 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
     """The problem, its worked solution, and of a scene the answer as the motion has it, which is not rounded."""
     found = solved.solution
     click.echo(solved.problem)
+    if solved.read_as:
+        click.echo(f"\nRead as: {solved.read_as}")
     if found.answer is not None:
         click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}")
     if of_scene and solved.answer is not None:
@@ -110,6 +113,7 @@ def _document(solved: "SolvedProblem") -> dict[str, object]:
     found = solved.solution
     return {
         "problem": solved.problem,
+        "read_as": solved.read_as,
         "strategy": found.strategy,
         "answer": found.answer if found.answer is not None else solved.answer,
         "unit": solved.unit,

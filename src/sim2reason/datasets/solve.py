@@ -13,12 +13,15 @@ from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
-from sim2reason.questions import KINDS, MODES
-from sim2reason.questions.following import eventful, follow, motion_of
+from sim2reason.questions import MODES, StatedResult, Words
+from sim2reason.questions.following import Followed, eventful, follow, motion_of
+from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.targets import targets
 from sim2reason.scene_files import SceneLike, given_scene, question_of
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
@@ -29,7 +32,8 @@ TRIES = 20
 class SolvedProblem(NamedTuple):
     """A problem's text, its worked solution, and its answer in a unit, as the motion itself has it.
 
-    A solution without an answer says why. So does `reason` where there is none at all.
+    A solution without an answer says why. So does `reason` where there is none at all. `read_as` tells how a question
+    in ordinary English was read.
     """
 
     problem: str
@@ -37,6 +41,7 @@ class SolvedProblem(NamedTuple):
     answer: float | None
     unit: str
     reason: str = ""
+    read_as: str = ""
 
 
 def solve(  # noqa: PLR0913 - the parts of a question, by name
@@ -55,9 +60,9 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
 ) -> SolvedProblem:
     """Solve the problem of an item or an `id`, made again from its name, or a question about a scene, in steps.
 
-    A `question` is in the words of the library, or it has the parts of a `StructuredQuestion`, which may also be given
-    one by one: what to `find`, `of` what, and `when`. Without any, that of the scene's file is taken, or one is drawn.
-    Another seed, other words.
+    A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`,
+    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, that of the scene's file is
+    taken, or one is drawn. Another seed, other words.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
@@ -92,6 +97,7 @@ def _of_request(request: Request) -> SolvedProblem:
 
 
 def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
+    """The problem of a sentence, in the words of the library or in ordinary English; without one it is drawn."""
     motion = motion_of(scene)
     search = QuestionSearch(eventful(motion).study, seed)
     if question is None:
@@ -102,27 +108,40 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
         query, question = drawn.question.query, drawn.question.text
     else:
         query = parse_question(question, search.study, search.words)
-        if query is None:
-            raise TextError("--question", "it asks nothing that this library asks", "see: sim2reason ask SCENE")
-    problem, found = f"{search.description.text} {question}", follow(query, motion)
-    unit = search.words.units.spell(KINDS[query.kind].measured(query).unit)
-    if found.answer is None:
-        return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
-    setting = Setting(search.study.scene, search.words, search.description.symbols, found.study, query)
-    return SolvedProblem(problem, solved(setting), found.answer, unit)
+    problem = f"{search.description.text} {question}"
+    if query is not None:
+        return _answered(problem, search, PosedQuestion(query), follow(query, motion))
+    meant = understood(question, motion, search.words)
+    if meant is None:
+        raise TextError("question", f"{question!r} is not understood", nearest_said(question, motion, search.words))
+    read_as = meant.posed.sentence(search.words) or meant.asked.told
+    return _answered(problem, search, meant.posed, meant.followed)._replace(read_as=read_as)
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
-    """The problem of a question in parts; its worked solution, where the library has a sentence for it."""
+    """The problem of a question in parts; told in a sentence, where the library has one for it."""
     motion = motion_of(scene)
     search = QuestionSearch(motion.study, seed)
     asked = StructuredQuestion.read(parts)
     question = posed(asked, motion, search.words)
-    found, unit = question.followed(motion), question.unit(search.words)
-    sentence = question.sentence(search.words)
-    problem = f"{search.description.text} {sentence or asked.told}"
-    solution = Solution("", reason=found.reason or "no sentence of the library asks this")
-    if sentence and found.answer is not None:
-        setting = Setting(scene, search.words, search.description.symbols, found.study, question.query)
-        solution = solved(setting)
-    return SolvedProblem(problem, solution, found.answer, unit, found.reason)
+    problem = f"{search.description.text} {question.sentence(search.words) or asked.told}"
+    return _answered(problem, search, question, question.followed(motion))
+
+
+def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: Followed) -> SolvedProblem:
+    """A problem with its answer, and its worked solution where a strategy has a way to it."""
+    unit = question.unit(search.words)
+    if found.answer is None:
+        return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
+    target = question.query.target
+    if target is not None and target not in targets(search.words):
+        return SolvedProblem(problem, Solution("", reason="no sentence of the library asks this"), found.answer, unit)
+    symbols, study, unknown = search.description.symbols, found.study, question.unknown
+    if unknown is None:
+        setting = Setting(study.scene, search.words, symbols, study, question.query)
+    else:
+        study = follow(question.query, motion_of(study.scene.having(unknown.path, found.answer))).study
+        stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
+        words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
+        setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)
+    return SolvedProblem(problem, solved(setting), found.answer, unit)

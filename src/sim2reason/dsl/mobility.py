@@ -69,8 +69,11 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
 
 def weighs(mechanism: Mechanism) -> bool:
     """Whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
-    if mechanism.gravity == ZERO:
-        return False
+    return mechanism.gravity != ZERO and would_weigh(mechanism)
+
+
+def would_weigh(mechanism: Mechanism) -> bool:
+    """Whether g could matter if there were gravity: that there is none must be said of such a mechanism."""
     if mechanism.contacts:
         return True
     frames = start(mechanism)

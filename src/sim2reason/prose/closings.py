@@ -8,7 +8,7 @@ from math import hypot
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Meeting
-from sim2reason.dsl.mobility import weighs
+from sim2reason.dsl.mobility import weighs, would_weigh
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
 from sim2reason.dsl.triples import minus, product
@@ -235,7 +235,7 @@ CLOSINGS: tuple[Closing, ...] = (
     ),
     Closing(
         "g",
-        lambda scene: weighs(scene.mechanism),
+        lambda scene: weighs(scene.mechanism) or (not scene.world.gravity and would_weigh(scene.mechanism)),
         (
             "take g = {world.gravity}.",
             "use g = {world.gravity}.",

@@ -7,6 +7,7 @@ import numpy as np
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError
+from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
 from sim2reason.questions.never import why_never
@@ -18,6 +19,7 @@ SAMPLES = 41
 GROWTH = 2.0  # times as long is a motion followed that has not yet led to an answer
 DOUBLINGS, FEWER = 40, 12  # at most; and of what is integrated, where they cost more and more
 SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and how often
+ROOM = "reach"  # what ends a motion for which lengths that the text does not say are too short
 BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
 
 
@@ -64,6 +66,18 @@ def follow(query: Query, begun: FollowedMotion) -> Followed:
 
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
+    found = _followed(query, begun)
+    if (
+        found.answer is None
+        and found.study.trace.cut == ROOM
+        and (scene := roomy(begun.study.scene)) != begun.study.scene
+    ):
+        longer = _followed(query, motion_of(scene))  # the text says that there is ample room
+        return longer if longer.answer is not None else found
+    return found
+
+
+def _followed(query: Query, begun: FollowedMotion) -> Followed:
     study, limit = begun
     ahead = query.moment.ahead if query.moment is not None else None
     if ahead is not None and BEYOND * ahead > _end(study) and not limit:

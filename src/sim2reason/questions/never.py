@@ -5,10 +5,14 @@ import numpy as np
 from sim2reason.dsl.constancy import changing
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.recurrence import ends_at_rest, first_return, flies_off
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.recurrence import ends_at_rest, first_return, flies_off, is_autonomous
 from sim2reason.simulation.trace import Trace, ending
 
 EVENTLESS = 1e3  # times the time of the last event: where nothing bends, nothing new comes after it
+PLACES = ("displacement", "extension", "spring length", "deflection", "angle turned")  # given by coordinates alone
+BOTH = 2  # times that a motion turns back: once on each side
 TURNED = 1e-3  # of the greatest excursion: what comes back has not turned all the way round
 
 
@@ -28,11 +32,26 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
         f"everything is at rest for good from {last} on": ends_at_rest(trace),
         f"the motion repeats itself every {period or 0.0:.6g} {unit}": period is not None
         and trace.stable_until > (getattr(moment, "number", 1) + 1) * period,
+        "it has turned back on both sides, and has no energy to come any farther": confined(moment, trace),
         "what it is about flies off for ever": flies_away(moment, trace),
         f"it has not by {until}, and from {last} on no acceleration changes any more": not changing(trace.mechanism)
         and trace.stable_until > EVENTLESS * max(_last_change(trace), _own(trace)),
     }
     return next((f"it never happens: {reason}" for reason, holds in reasons.items() if holds), "")
+
+
+def confined(moment: Moment | None, trace: Trace) -> bool:
+    """Whether a place is never reached since a motion of one coordinate has turned back on both sides of its start.
+
+    A force that hangs on that coordinate alone has a potential, and whatever else acts takes energy away: where it has
+    turned back its energy was the potential there, so that it never passes that place again.
+    """
+    mechanism = trace.mechanism
+    placed = isinstance(moment, Threshold) or (isinstance(moment, Reached) and moment.target.quantity in PLACES)
+    if not placed or len(mechanism.coordinates) != 1 or not is_autonomous(mechanism) or mechanism.meetings:
+        return False
+    turns = [event for event in trace.events if event.kind == "turn" and event.time <= trace.stable_until]
+    return len(turns) >= BOTH and all(event.kind == "turn" for event in trace.events)
 
 
 def flies_away(moment: Moment | None, trace: Trace) -> bool:

@@ -15,6 +15,8 @@ from sim2reason.parsing.assembly import untold
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
 from sim2reason.questions.following import FollowedMotion, follow, motion_of
+from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
@@ -103,12 +105,15 @@ def parse_prompt(
     """
     body, unit = without_form(text)
     refused: list[TextError] = []
-    for told in in_si(body):
-        for shape, draft in _drafts(told):
-            try:
-                return _understood(_stated(draft, given), unit, shape, rng, given)
-            except TextError as error:
-                refused.append(error)
+    for read in (_understood, _in_ordinary_english):
+        refused, before = [], refused
+        for told in in_si(body):
+            for shape, draft in _drafts(told):
+                try:
+                    return read(_stated(draft, given), unit, shape, rng, given)
+                except TextError as error:
+                    refused.append(error)
+        refused = [*(error for error in refused if error.place == "prompt"), *before]
     if not refused:
         raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
     raise min(refused, key=lambda error: ("prompt", "text", error.place).index(error.place))  # what was read farthest
@@ -155,6 +160,22 @@ def _understood(
         return ParsedPrompt(reading, study, found, unit, shape)
     followed = follow(found.query, motion)
     return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
+
+
+def _in_ordinary_english(
+    draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
+) -> ParsedPrompt:
+    """What a draft means whose question is not in the words of the library; TextError for one that means nothing."""
+    reading = parse_scene(draft.story, rng, draft.given, startless=True)
+    if given or reading.unknown or "start" in reading.without:
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
+    motion, words = motion_of(reading.scene), _words(reading)
+    meant = understood(draft.question, motion, words)
+    if meant is None or meant.posed.unknown is not None:
+        near = nearest_said(draft.question, motion, words)
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
+    asked = ParsedQuestion("numeric", meant.posed.query)
+    return ParsedPrompt(reading, meant.followed.study, asked, unit, shape, meant.followed.reason)
 
 
 def _begun(reading: ParsedScene) -> FollowedMotion:

@@ -7,14 +7,21 @@ from sim2reason.questions.following import Followed, FollowedMotion, follow
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
+from sim2reason.questions.kinds.limit import MASS, LimitQuery
+from sim2reason.questions.kinds.optimum import OptimumQuery
+from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.parts.reached import stated
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, measured, one_of
+from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
+from sim2reason.questions.study import Study
 from sim2reason.questions.targets import targets
 from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.words import Words
 
+EXTREMES = "greatest", "least"
+LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
+"""Of a mass, in a change: whether it grows without bound, or vanishes."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
 
@@ -31,6 +38,10 @@ class PosedQuestion:
         return (
             self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
         )
+
+    def given_unit(self, words: Words) -> str:
+        """The unit of the result that is given."""
+        return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
     def followed(self, motion: FollowedMotion) -> Followed:
         """The answer, with the motion that has it, or the reason why there is none."""
@@ -63,7 +74,7 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
     find = one_of("find", asked.find, findable(words))
     if asked.change:
         inner = posed(replace(asked, change=""), motion, words).query
-        return PosedQuestion(compared(inner, asked, motion.study, words))
+        return PosedQuestion(_changed(inner, asked, motion.study, words))
     kinds = (kind for kind in KINDS.values() if find in kind.finds(words))
     query = next((query for kind in kinds if (query := kind.posed(asked, motion.study, words)) is not None), None)
     if query is None:
@@ -78,9 +89,31 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
     paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
     offered = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
     unknown = offered[one_of("find", asked.find, offered)]
-    if asked.given.partition("=")[0].strip() == "time":
+    result, _, value = (part.strip() for part in asked.given.partition("="))
+    if value in EXTREMES:
+        inner = posed(replace(asked, find=result, given=""), motion, words).query
+        return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == EXTREMES[0]))
+    if result == "time":
         query = posed(replace(asked, find="time", given=""), motion, words).query
-        return PosedQuestion(query, unknown, measured("given", asked.given.partition("=")[2], words.units.time))
-    target, value = stated(asked, asked.given, words, "given")
+        return PosedQuestion(query, unknown, measured("given", value, words.units.time))
+    target, wanted = stated(asked, asked.given, words, "given")
     inner = replace(asked, find=target.quantity, of=target.subject, given="")
-    return PosedQuestion(posed(inner, motion, words).query, unknown, value)
+    return PosedQuestion(posed(inner, motion, words).query, unknown, wanted)
+
+
+def _changed(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> Query:
+    """How an answer changes with a number; what it approaches as a mass grows or vanishes; or its extreme value."""
+    number, _, value = (part.strip() for part in asked.change.partition("="))
+    if value in (*LIMITS, *EXTREMES):
+        held = {p.path: p for p in study.scene.parameters if p.value}
+        path = resolved("change", number, {path: words.named.get(path, path) for path in held})
+        if value in EXTREMES:
+            return _optimum(inner, path, study, greatest=value == EXTREMES[0], asks_place=False)
+        if held[path].measure.unit == MASS:
+            return LimitQuery("limit", inner.target, inner.moment, stripped(inner), path, large=LIMITS[value])
+    return compared(inner, asked, study, words)
+
+
+def _optimum(inner: Query, path: str, study: Study, *, greatest: bool, asks_place: bool = True) -> OptimumQuery:
+    unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
+    return OptimumQuery("optimum", inner.target, inner.moment, stripped(inner), path, unit, greatest, asks_place)

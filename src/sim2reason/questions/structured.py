@@ -8,12 +8,14 @@ from typing import Any, Self, cast
 from sim2reason.dsl.units import UnitError, parse_unit
 from sim2reason.errors import TextError
 from sim2reason.quantities.subjects import Sense
-from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.moments import MOMENTS, Happening, Moment
+from sim2reason.questions.moments.parts.just_before import JustBefore
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.words import Words
 from sim2reason.registry import nearest
 
 START = "at start"
+EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
 LONGEST = 200  # characters of a part
 _NUMBER = re.compile(r"([+-]?(?:\d{1,15}(?:\.\d{0,15})?|\.\d{1,15})(?:[eE][+-]?\d{1,3})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
@@ -27,8 +29,10 @@ class StructuredQuestion:
 
     `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
     scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, it is a number of the scene that makes
-    that so. With `change`, such as *ramp.speed = 5 m/s*, it is how what is found changes: the `compare` *ratio* of the
-    new value to the original one, or their *difference*.
+    that so; with *velocity = greatest* it is the one for which that is greatest. With `change`, such as *ramp.speed =
+    5 m/s*, it is how what is found changes: the `compare` *ratio* of the new value to the original one, or their
+    *difference*. With *ramp.angle = greatest* it is its greatest value, with *left.block.mass = infinity*, or *0*, what
+    it approaches.
     """
 
     find: str
@@ -140,8 +144,9 @@ def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
     rest = " ".join(part for part in (before, after) if part)
     held = {field.name: field.type for field in fields(cast("Any", cls))}
     values: dict[str, object] = {}
-    if "after" in held and held["after"] is bool:
-        values["after"] = _BEFORE.search(rest) is None
+    sided, side = held.get("after") is bool, _BEFORE.search(rest) is None
+    if sided or (not side and issubclass(cls, Happening)):
+        values |= {"after": side} if sided else {}
         before, after = (_AFTER.sub("", _BEFORE.sub("", part)).strip() for part in (before, after))
     for field, unit in _measures(cls, words).items():
         if after or held[field] is float:
@@ -151,11 +156,14 @@ def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
     if "name" in held:
         candidates = cast("Any", cls).candidates(words)
         values["name"] = resolved("when", before or _same(asked.of, candidates), candidates)
-    return cls(**values)
+    moment = cls(**values)
+    return moment if sided or side or not isinstance(moment, Happening) else JustBefore(moment)
 
 
 def moment_told(moment: Moment, words: Words) -> str:
     """How `moment_named` is told a moment: what it is about by its address, then its name, its numbers and its side."""
+    if isinstance(moment, JustBefore):
+        return f"{moment_told(moment.inner, words)} before"
     name = next(name for name, cls in MOMENTS.items() if cls is type(moment)).replace("_", " ")
     held: dict[str, Any] = {field.name: getattr(moment, field.name) for field in fields(cast("Any", moment))}
     values = [f"{held[field]:.15g} {unit}" for field, unit in _measures(type(moment), words).items()]

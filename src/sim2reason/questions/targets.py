@@ -107,7 +107,13 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     quantity = quantities_named(mechanism)[asked.find]
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
-    name = resolved("of", asked.of, names)
+    told = {name: said for name, said in names.items() if name in called}
+    name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
+    if not _told(quantity, name, words):
+        needed = ", ".join(quantity.needs)
+        raise TextError(
+            "find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one"
+        )
     if quantity.sense is not None or not asked.along:
         return Target(quantity.name, name, quantity.sense)
     senses = quantity.of.senses(mechanism, name)
@@ -135,8 +141,11 @@ def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
 
 def _askable(quantity: Quantity, name: str, words: Words) -> bool:
     """Whether a subject has a quantity, and the text gives all that this needs."""
-    given = (quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
-    return quantity.present(words.mechanism, name) and all(given)
+    return quantity.present(words.mechanism, name) and _told(quantity, name, words)
+
+
+def _told(quantity: Quantity, name: str, words: Words) -> bool:
+    return all(quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
 
 
 def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:

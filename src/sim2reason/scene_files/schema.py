@@ -30,8 +30,8 @@ BASIC: dict[object, Json] = {
     types.NoneType: {"type": "null"},
 }
 QUESTION: Json = {
-    "type": "object",
-    "description": "What solve finds of the scene, of what, and when; the parts are those of its options.",
+    "type": ["object", "string"],
+    "description": "What solve finds of the scene: a sentence, or what, of what, and when, as its options have it.",
     "required": ["find"],
     "additionalProperties": {"type": ["string", "number"]},
 }

@@ -12,9 +12,10 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import bears_from, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, moment_named
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
@@ -22,8 +23,6 @@ from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import AT_ONCE
-
-EQUILIBRIUM = "equilibrium"  # when, in a structured question: no moment of a motion
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,8 +225,8 @@ class ValueKind(Kind):
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
         """The quantity at a moment of this kind."""
         del study
-        moment = moment_named(asked, words) if asked.when != EQUILIBRIUM else None
-        asks = moment is not None and KINDS[moment.kind] is self
+        moment = moment_of(asked, words) if asked.when != EQUILIBRIUM else None
+        asks = moment and KINDS[moment.kind] is self
         return Query(self.name, target_named(asked, words), moment) if asks else None
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:

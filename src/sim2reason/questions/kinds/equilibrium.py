@@ -6,14 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.change import SAME
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import EQUILIBRIUM, Kind, kind
+from sim2reason.questions.kinds import Kind, kind
 from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
@@ -122,8 +123,13 @@ class EquilibriumKind(Kind):
         """The quantity in equilibrium."""
         if asked.when != EQUILIBRIUM:
             return None
-        rest = equilibrium(study.mechanism)
-        return EquilibriumQuery(self.name, target_named(asked, words), stable=rest is not None and not rest.linear)
+        rest, target = equilibrium(study.mechanism), target_named(asked, words)
+        if rest is None:
+            problem = "this scene has no place at which all would stay at rest"
+            raise TextError("when", problem, "name a moment of the motion, see: sim2reason list moments")
+        if not np.any(target.values(rest.state)) and target.unit.endswith("/s"):
+            raise TextError("find", "in equilibrium nothing moves", "find a length, an angle or a force there")
+        return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity that is named."""

@@ -11,11 +11,11 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.quantities.subjects.turners import TurningBodies
-from sim2reason.questions.kinds import EQUILIBRIUM, Kind, Measured, kind
+from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import Repetition
-from sim2reason.questions.structured import StructuredQuestion, resolved
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words

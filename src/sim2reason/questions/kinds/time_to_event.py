@@ -6,9 +6,9 @@ import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
 from sim2reason.questions.moments import Happening, Moment
-from sim2reason.questions.moments.parts.reached import reached
+from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, moment_named
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
@@ -93,7 +93,7 @@ class TimeToEventKind(Kind):
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
         """When a moment comes, or a quantity first has a stated value."""
         del study
-        return Query(self.name, None, reached(asked, words) or moment_named(asked, words))
+        return Query(self.name, None, moment_of(asked, words))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Whatever it names that can happen."""

@@ -15,9 +15,10 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
 from sim2reason.questions.moments import MOMENTS, Happening, Moment
+from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, moment_named, resolved
+from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
@@ -158,7 +159,7 @@ class StretchKind(Kind):
         found, moment = FUNCTIONALS[asked.find], MOMENTS["whole_motion"]()
         called = words.called(found.of)
         names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
-        end = moment_named(asked, words) if asked.when else moment
+        end = moment_of(asked, words) if asked.when else moment
         return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:

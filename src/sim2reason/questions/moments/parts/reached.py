@@ -1,5 +1,6 @@
 """The first time that any quantity has a stated value."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
@@ -10,13 +11,15 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.given import StatedResult
-from sim2reason.questions.moments import Clause, Happening
-from sim2reason.questions.structured import StructuredQuestion, measured, one_of
+from sim2reason.questions.moments import Clause, Happening, Moment
+from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target, quantities_named, target_named, targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
+
+_TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +105,9 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     return target, measured(place, right, words.units.spell(target.unit))
 
 
-def reached(asked: StructuredQuestion, words: Words) -> Reached | None:
-    """The moment at which a quantity first has a value, if a structured question states one; None if it does not."""
-    if "=" not in asked.when or asked.when.startswith("t"):
-        return None
+def moment_of(asked: StructuredQuestion, words: Words) -> Moment:
+    """When a structured question asks: at a moment by its name, or when a quantity first has a stated value."""
+    if "=" not in asked.when or _TIME.match(asked.when):
+        return moment_named(asked, words)
     target, value = stated(asked, asked.when, words, "when")
     return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)))

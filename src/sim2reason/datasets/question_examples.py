@@ -1,0 +1,222 @@
+"""An example of everything that can be asked, in words and in parts, found in scenes that the recipes draw."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.datasets.example_scenes import OWN
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import TextError
+from sim2reason.prose.description import describe
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import KINDS, MOMENTS, Query, Words
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds import by_cause
+from sim2reason.questions.kinds.comparison import ComparisonQuery
+from sim2reason.questions.kinds.limit import LimitQuery
+from sim2reason.questions.kinds.optimum import OptimumQuery
+from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.outcomes import OUTCOMES
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion, moment_told
+from sim2reason.questions.targets import targets
+from sim2reason.recipes import RECIPES
+from sim2reason.scene_files import loads
+
+LEVELS = "medium", "easy", "hard"
+SEEDS = 12  # scenes of each recipe
+
+
+class AskedExample(NamedTuple):
+    """A question in words, and its parts as options of *solve*."""
+
+    sentence: str
+    parts: str
+
+
+@dataclass
+class Examples:
+    """By the name of a registry's member, its first example."""
+
+    quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    moments: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    outcomes: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    kinds: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+
+
+def examples() -> Examples:
+    """All that some scenes have, each the first time that it is found; always the same."""
+    found = Examples()
+    for number, scene in enumerate(scenes()):
+        motion, words = motion_of(scene), words_of(describe(scene, number))
+        for query in _queries(motion, words, np.random.default_rng(number), found):
+            _enter(query, motion, words, found)
+    for scene in scenes():
+        _without_words(motion_of(scene), words_of(describe(scene)), found)
+    return found
+
+
+@cache
+def scenes() -> tuple[Scene, ...]:
+    """Those in which examples are looked for: some that show what is seldom drawn, then some of every recipe."""
+    drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
+    return (*map(loads, OWN), *drawn)
+
+
+def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
+    """Of a scene: every quantity, every moment, and what each kind draws that is not found yet."""
+    study, offered = motion.study, targets(words)
+    moments = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]
+    for moment in moments:
+        if isinstance(moment, Happening) and moment.clause(words) is not None:
+            yield Query("time_to_event", None, moment)
+        if moment.kind in ("state", "event"):
+            asked = (Query(moment.kind, target, moment) for target in offered)
+            yield from (query for query in asked if _is_something(query, motion))
+    yield from _stretches(moments, motion, words, found)
+    for cls in OUTCOMES.values():
+        for outcome in cls.found(words):
+            yield from (
+                ThresholdQuery("threshold", None, None, outcome, unknown.path, unknown.unit)
+                for unknown in words.unknowns
+            )
+    for name, kind in KINDS.items():
+        query = kind.draw(study, words, offered, rng) if name == "start" or name not in found.kinds else None
+        if query is not None:
+            yield query
+
+
+def _is_something(query: Query, motion: FollowedMotion) -> bool:
+    """Whether the answer is not zero, nor as good as that."""
+    found = KINDS[query.kind].answer(query, motion.study)
+    return found is not None and abs(found) > KINDS[query.kind].measured(query).least
+
+
+def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> None:
+    """An example in parts alone of what the library has no words for in these scenes."""
+    for registry, named in (("quantities", QUANTITIES), ("functionals", FUNCTIONALS)):
+        table: dict[str, AskedExample] = vars(found)[registry]
+        for name, member in named.items():
+            if name in table:
+                continue
+            for of in member.of.names(words.mechanism):
+                asked = StructuredQuestion(name, of, "at 0.5 s" if registry == "quantities" else "")
+                with suppress(TextError, KeyError, IndexError, StopIteration):
+                    answer = KINDS[(query := posed(asked, motion, words).query).kind].answer(query, motion.study)
+                    if answer is not None:
+                        table[name] = AskedExample("", _options(asked))
+                        break
+
+
+def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
+    """Every functional that is not found yet, up to the first moment that it can be asked to."""
+    for functional in FUNCTIONALS.values():
+        named = words.called(functional.of) if functional.name not in found.functionals else ()
+        for name in named:
+            if not functional.present(words, name):
+                continue
+            for moment in moments:
+                query = StretchQuery(functional.kind, None, moment, functional.name, name)
+                if functional.when(moment, words, name) and KINDS[query.kind].answer(query, motion.study):
+                    yield query
+
+
+def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) -> None:
+    """An example under each name that still has none, if its parts are read as the same query."""
+    entries = _names(query)
+    table = vars(found)
+    new = [(registry, name) for registry, name in entries if name not in table[registry]]
+    asked = _in_parts(query, motion, words) if new else None
+    if asked is None:
+        return
+    try:
+        question = posed(asked, motion, words)
+    except TextError:
+        return
+    sentence = question.sentence(words)
+    alike = question.query == query or isinstance(query, ThresholdQuery)
+    if not sentence or not alike:
+        return
+    for registry, name in new:
+        table[registry][name] = AskedExample(sentence, _options(asked))
+
+
+def _names(query: Query) -> list[tuple[str, str]]:
+    """What a query is an example of: registries and names."""
+    names = [("kinds", query.kind)]
+    if isinstance(query, StretchQuery):
+        names.append(("functionals", query.functional))
+    elif query.target is not None and not isinstance(query, NestedQuery):
+        names.append(("quantities", query.target.quantity))
+    if isinstance(query, ThresholdQuery) and query.outcome is not None:
+        names.append(("outcomes", next(name for name, cls in OUTCOMES.items() if cls is type(query.outcome))))
+    if query.moment is not None:
+        names += [("moments", name) for name, cls in MOMENTS.items() if cls is type(query.moment)]
+    return names
+
+
+def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """The parts of a query; None if it has none of the kinds that this can tell."""
+    if isinstance(query, NestedQuery):
+        return _nested(query, motion, words)
+    when = _when(query.moment, words)
+    if isinstance(query, ThresholdQuery):
+        outcome = query.outcome
+        name = next((name for name, cls in OUTCOMES.items() if cls is type(outcome)), "").replace("_", " ")
+        return StructuredQuestion(query.parameter, when=f"{outcome.name if outcome else ''} {name}")
+    if isinstance(query, PeriodQuery):
+        of = query.of[0] if len(query.of) == 1 else ""
+        return StructuredQuestion(query.measure, of, "equilibrium" if query.small else "")
+    if isinstance(query, StretchQuery):
+        return StructuredQuestion(query.functional, query.name, "" if when == "whole motion" else when)
+    target = query.target
+    if target is None:
+        return StructuredQuestion("time", when=when) if query.kind == "time_to_event" else None
+    along = target.sense.axis or target.sense.positive if target.sense is not None else ""
+    return StructuredQuestion(target.quantity, target.subject, when or "equilibrium", along)
+
+
+def _when(moment: Moment | None, words: Words) -> str:
+    return moment_told(moment, words) if moment is not None else ""
+
+
+def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """The parts of the other question, and how it changes."""
+    inner = _in_parts(query.inner, motion, words)
+    if inner is None:
+        return None
+    parts = {"of": inner.of, "when": inner.when, "along": inner.along}
+    if isinstance(query, OptimumQuery):
+        extreme = "greatest" if query.greatest else "least"
+        if query.asks_place:
+            return StructuredQuestion(query.path, **parts, given=f"{inner.find} = {extreme}")
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} = {extreme}")
+    if isinstance(query, LimitQuery):
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} = {'infinity' if query.large else 0}")
+    if isinstance(query, ComparisonQuery):
+        compare = "ratio" if query.ratio else "difference"
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} × {query.factor:g}", compare=compare)
+    return None
+
+
+def _options(asked: StructuredQuestion) -> str:
+    """As they stand on a command line."""
+    parts = {"find": asked.find, "of": asked.of, "when": asked.when, "along": asked.along, "given": asked.given}
+    parts |= {"change": asked.change, "compare": asked.compare if asked.compare != "ratio" else ""}
+    return " ".join(f"--{name} {_quoted(part)}" for name, part in parts.items() if part)
+
+
+def _quoted(part: str) -> str:
+    return f'"{part}"' if set(part) & set(" &=×*;()") else part

@@ -1,0 +1,143 @@
+"""The page on questions, ``docs/questions.md``, written from the registries with an example of everything."""
+
+from collections.abc import Iterator, Mapping
+
+from sim2reason.datasets.question_examples import AskedExample, examples, scenes
+from sim2reason.dsl.connection import CONNECTIONS
+from sim2reason.dsl.entity import ENTITIES
+from sim2reason.dsl.measures import show_unit
+from sim2reason.dsl.mechanism import Coordinate
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import KINDS, MOMENTS
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.ordinary.vocabulary import MOTIONS
+from sim2reason.questions.ordinary.vocabulary import QUANTITIES as CALLED
+from sim2reason.questions.outcomes import OUTCOMES
+from sim2reason.scene_files import dump
+from sim2reason.scene_files.schema import summary
+
+COMMAND = "sim2reason schema --reference -o docs/questions.md"
+HEAD = f"""\
+# Questions
+
+This page is written by `{COMMAND}`, from the registries of the library. Every example is of a scene that a recipe
+draws; `sim2reason solve SCENE` takes both of its forms, and a file may have either under `question`.
+
+A question has **parts**: what to `find`, `of` what, and `when`.
+
+- `find`: a quantity, what a stretch of the motion adds up to, `time`, `period`, or the address of a number.
+- `of`: what the text calls it, or its address; it may be left out where there is only one.
+- `when`: a moment by its name, with its subject before and its number after it; a time, `2 s`; `QUANTITY = VALUE`, the
+  first time that it has that value; `equilibrium`. `before` after a moment is the instant just before it.
+- `along`: a component, by its axis, or by what is positive.
+- `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`.
+- `change`: `ADDRESS = VALUE`, or `ADDRESS × 2`: by what factor, or by how much (`compare`), that changes what is found;
+  `ADDRESS = greatest` finds its extreme value, `ADDRESS = infinity` or `0` what it approaches as a mass grows or
+  vanishes.
+
+A **sentence** is one writing of the same. Besides those of the tables, ordinary English is read: *How far does the
+block slide before it stops?* A sentence with a word that is not understood, or with two readings whose answers differ,
+or one that takes for granted what is not so, is refused, and the nearest questions are offered. `solve` says how a
+sentence was read. A motion is followed until what is asked has happened; else the reason is said why it never does.
+"""
+
+
+def format_page() -> str:
+    """The whole page."""
+    return "\n".join([HEAD, *_page()]) + "\n"
+
+
+def _page() -> Iterator[str]:
+    found = examples()
+    yield from _section(
+        "Kinds of questions", "kind", {name: summary(type(kind)) for name, kind in KINDS.items()}, found.kinds
+    )
+    units = {name: f"{quantity.of.name}, {_unit(quantity.unit)}" for name, quantity in QUANTITIES.items()}
+    yield from _section("Quantities", "find", units, found.quantities, "of, in")
+    units = {name: f"{functional.of.name}, {_unit(functional.unit)}" for name, functional in FUNCTIONALS.items()}
+    yield from _section("Over a stretch of the motion", "find", units, found.functionals, "of, in")
+    said = {name: summary(cls) for name, cls in MOMENTS.items()}
+    yield from _section("Moments", "when", said, found.moments)
+    yield from _section("Outcomes", "when", {name: summary(cls) for name, cls in OUTCOMES.items()}, found.outcomes)
+    yield from _synonyms()
+    yield from _coordinates()
+    yield from _connections()
+
+
+def _section(
+    title: str, key: str, said: Mapping[str, str], found: Mapping[str, AskedExample], what: str = "what"
+) -> Iterator[str]:
+    """A table of the members of a registry, each with its example; without one where no scene has it."""
+    yield from (f"## {title}", "", f"| `{key}` | {what} | in words | in parts |", "| --- | --- | --- | --- |")
+    for name in sorted(said):
+        example = found.get(name, AskedExample("", ""))
+        parts = f"`{example.parts}`" if example.parts else ""
+        yield f"| {name.replace('_', ' ')} | {_cell(said[name])} | {_cell(example.sentence)} | {_cell(parts)} |"
+    yield ""
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _unit(unit: str) -> str:
+    return show_unit(unit) or "a number"
+
+
+def _synonyms() -> Iterator[str]:
+    """The nouns and verbs of ordinary English for what is found."""
+    yield from ("## Words of ordinary English", "", "| what | how it may be called |", "| --- | --- |")
+    for name, row in CALLED.items():
+        yield f"| {name} | {', '.join(row.split('|'))} |"
+    for name, row in MOTIONS.items():
+        yield f"| to {name} | {', '.join(row.split())} |"
+    yield ""
+
+
+def _coordinates() -> Iterator[str]:
+    """Of the columns of `trace.state.q`, one for each coordinate of the scene's mechanism, in its order."""
+    yield "## Coordinates of a trace"
+    yield ""
+    yield "`trace.state.q[:, n]` is the coordinate `scene.mechanism.coordinates[n]`, counted from where it starts, and"
+    yield "`trace.state.v[:, n]` its rate. A slide counts metres along its axis, a hinge radians about it; the first of"
+    yield "each class of entities in those scenes shows its own. `z` points up."
+    yield from ("", "| entity | coordinate | counts | axis |", "| --- | --- | --- | --- |")
+    shown: set[str] = set()
+    for scene in scenes():
+        for named in scene.entities:
+            cls = type(named.entity).__name__
+            own = [c for c in scene.mechanism.coordinates if c.name.startswith(f"{named.name}.")]
+            if cls not in shown and own:
+                shown.add(cls)
+                yield from (
+                    f"| {cls} | {c.name.removeprefix(f'{named.name}.')} | {_counts(c)} | {_axis(c)} |" for c in own
+                )
+    none = sorted(cls.__name__ for cls in ENTITIES.values() if cls.__name__ not in shown)
+    yield from ("", f"Of their own these have none, or are not among those scenes: {', '.join(none)}.", "")
+
+
+def _counts(coordinate: Coordinate) -> str:
+    return "m" if coordinate.kind == "slide" else "rad"
+
+
+def _axis(coordinate: Coordinate) -> str:
+    return f"({', '.join(f'{part + 0.0:.3g}' for part in coordinate.axis)})"
+
+
+def _connections() -> Iterator[str]:
+    """One of each, as a file has it."""
+    yield from ("## Connections", "")
+    for name in CONNECTIONS:
+        lines = next((found for scene in scenes() if (found := _of_connection(dump(scene), name))), list[str]())
+        yield from (f"### `{name}`", "", "```yaml", "connections:", *lines, "```", "")
+
+
+def _of_connection(text: str, name: str) -> list[str]:
+    """The lines of the first connection of a kind in a file; none if it has none."""
+    lines = text.splitlines()
+    start = next((n for n, line in enumerate(lines) if line.strip().startswith(f"- {name}:")), None)
+    if start is None:
+        return []
+    indent = len(lines[start]) - len(lines[start].lstrip())
+    ends = (n for n in range(start + 1, len(lines)) if not lines[n].startswith(" " * (indent + 1)))
+    return [line[indent:] for line in lines[start : next(ends, len(lines))]]

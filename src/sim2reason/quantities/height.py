@@ -1,0 +1,49 @@
+"""How high a body is above the ground, where the scene has one."""
+
+from math import inf
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects.bodies import Bodies
+
+UPRIGHT = 1.0 - 1e-9
+
+
+@quantity
+class Height(Quantity):
+    """The height above the ground of a body that flies; it is asked for in parts, and never drawn."""
+
+    name, unit, symbol = "height above the ground", "m", "h"
+    of = Bodies()
+    floor = 0.1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """How far the ground is below it, (n,)."""
+        mechanism = state.mechanism
+        number = _falling(mechanism, subject)
+        if number is not None:
+            return state.q[:, number] - mechanism.coordinates[number].lower
+        gap = next(met for met in mechanism.meetings if met.a is None and met.names == (subject,))
+        return state.vector(state.frames.center(subject).place) @ np.array(gap.normal) - gap.distance
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Bodies that come down to the ground, or bounce from it."""
+        names = self.of.names(mechanism)
+        return tuple(name for name in names if _falling(mechanism, name) is not None or _bounces(mechanism, name))
+
+
+def _falling(mechanism: Mechanism, name: str) -> int | None:
+    """The coordinate of a body that ends at the ground."""
+    for coordinate in mechanism.body[name].coordinates:
+        if coordinate.kind == "slide" and coordinate.axis[2] > UPRIGHT and coordinate.lower > -inf:
+            return mechanism.number[coordinate.name]
+    return None
+
+
+def _bounces(mechanism: Mechanism, name: str) -> bool:
+    met = (gap for gap in mechanism.meetings if gap.a is None and gap.names == (name,))
+    return any(gap.normal is not None and gap.normal[2] > UPRIGHT for gap in met)

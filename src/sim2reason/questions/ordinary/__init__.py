@@ -1,0 +1,1 @@
+"""Questions in ordinary English, read as questions in parts."""

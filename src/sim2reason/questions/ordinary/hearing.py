@@ -1,0 +1,177 @@
+"""A sentence as the reader hears it: tokens for what the scene has and for numbers, the rest in lower case."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from sim2reason.quantities import QUANTITIES as REGISTERED
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
+from sim2reason.questions.spellings import plainly
+from sim2reason.questions.words import Words
+
+LONGEST = 400  # characters of a question
+ALL = "all"  # what is told of several at once
+_NUMBER = re.compile(
+    r"(?<![\w.#@])(\d{1,15}(?:\.\d{1,15})?(?:[eE][+-]?\d{1,2})?)"
+    r"(°|\s?(?:[a-zA-Zµμ%Ω][\w/·^²³⁻*]*))?(?![\w.]*\d)"
+)
+_UNITS = {
+    "metres per second": "m/s", "meters per second": "m/s", "m/s2": "m/s²", "newtons": "N", "newton": "N",
+    "joules": "J", "joule": "J", "kilograms": "kg", "kilogram": "kg", "degrees": "°", "deg": "°", "radians": "rad",
+    "watts": "W", "hertz": "Hz",
+}  # fmt: skip
+_UNIT = re.compile(
+    r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
+)
+_CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
+_INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
+_RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
+_OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
+_ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """A sentence with its tokens, and what they stand for: phrases of the text, and numbers with their unit."""
+
+    text: str
+    subjects: tuple[str, ...]
+    numbers: tuple[str, ...]
+
+    def subject(self, token: str | None) -> str:
+        """What the text calls the one that a token stands for; empty without a token."""
+        return self.subjects[int(token.strip("@"))] if token else ""
+
+    def number(self, token: str) -> str:
+        """The number with its unit."""
+        return self.numbers[int(token.strip("#"))]
+
+
+def hear(sentence: str, words: Words) -> Heard:
+    """A question with tokens for whatever the scene has; pronouns stand for the first that is named."""
+    if len(sentence) > LONGEST:
+        return Heard("", (), ())
+    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!")
+    subjects: list[str] = []
+
+    def token(phrase: str) -> str:
+        if phrase not in subjects:
+            subjects.append(phrase)
+        return f"@{subjects.index(phrase)}@"
+
+    for phrase, called in _patterns(words):
+        text = called.sub(lambda _, phrase=phrase: token(phrase), text)
+    text, numbers = _with_numbers(text)
+    text = _ordered(text, subjects)
+    text = _INDIRECT.sub("", text)
+    text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
+    if not any(subject.startswith(f"{ALL} ") for subject in subjects):
+        text = _CENTER.sub(r"\1", text)
+    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
+        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+    if words.released:
+        text = _RELEASED.sub("", text)
+    text = re.sub(r"^which (?=[a-z]+ )", "what ", text)
+    return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
+
+
+def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
+    for said, unit in _UNITS.items():
+        text = re.sub(rf"(?<=[\d ]){said}\b", unit, text)
+    numbers: list[str] = []
+
+    def told(found: re.Match[str]) -> str:
+        value, unit = found[1], (found[2] or "").strip()
+        after = ""
+        if unit and not _UNIT.fullmatch(unit):
+            after, unit = found[2] or "", ""
+        numbers.append(f"{value} {unit}".strip())
+        return f"#{len(numbers) - 1}#{after}"
+
+    return _NUMBER.sub(told, text), tuple(numbers)
+
+
+def _ordered(text: str, subjects: list[str]) -> str:
+    """With the subjects numbered in the order in which they are named."""
+    order = list(dict.fromkeys(re.findall(r"@(\d+)@", text)))
+    text = re.sub(r"@(\d+)@", lambda found: f"@{order.index(found[1])}@", text)
+    subjects[:] = [subjects[int(number)] for number in order]
+    return text
+
+
+def _without_pronouns(text: str, subjects: list[str]) -> str:
+    """*It*, and *its*, after something that has been named, is that; not in *it takes*, nor where there are two."""
+    before = re.split(r" its? ", text, maxsplit=1)[0]
+    if len(subjects) != 1 and before.count("@") != len("@@"):
+        return text
+    head, named, tail = text.partition("@0@")
+    tail = re.sub(r"\bthey\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
+    tail = _OWN.sub("@0@ 's ", tail)
+    return head + named + tail
+
+
+def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
+    """What the text calls each thing, and what that may be called in a question, the narrower first."""
+    phrases = _phrases(words)
+    nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
+    found: list[tuple[int, str, str]] = []
+    for phrase, said in nouns.items():
+        noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
+        if not letter:
+            others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
+            names = {phrase.removeprefix("the ")} | others
+            found += [(len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names]
+            continue
+        alike = {noun} | _group(noun) | ANYTHING | {"mass"}
+        group = "|".join(_ignoring_case(name) for name in sorted(alike))
+        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group}) {letter}\b"))
+        found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
+    found += [
+        (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
+    ]
+    return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _group(noun: str) -> frozenset[str]:
+    return next((group for group in NOUNS if noun in group), frozenset[str]())
+
+
+def _movers(words: Words) -> list[str]:
+    return list(words.called(Bodies()).values())
+
+
+def _phrases(words: Words) -> list[str]:
+    """What the text calls whatever quantities are of, and all bodies but what others lie on."""
+    kinds = {quantity.of.name: quantity.of for quantity in REGISTERED.values()}
+    called = [phrase for kind in kinds.values() if kind.name != "pair" for phrase in words.called(kind).values()]
+    surfaces = set(WORDS["SURFACE"].split()) | {"start"}
+    bodies = [said for said in words.mentions.values() if said.split()[-1] not in surfaces]
+    return list(dict.fromkeys([*called, *bodies]))
+
+
+def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
+    """Other nouns for the only thing that they can mean in a scene."""
+    taken = {
+        said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase
+    }
+    groups = [group for group in NOUNS if noun in group]
+    other = {name for group in groups for name in group if not any({name, t} <= g for t in taken for g in NOUNS)}
+    return (other - taken) | {noun} | (set(ANYTHING) if len(nouns) == 1 else set())
+
+
+def _plurals(nouns: Mapping[str, list[str]]) -> Iterable[tuple[str, str]]:
+    """All that share a noun and differ by their letters, at once."""
+    alike: dict[str, list[str]] = {}
+    for phrase, said in nouns.items():
+        if len(said) == 2:
+            alike.setdefault(said[0].lower(), []).append(phrase)
+    for noun, phrases in alike.items():
+        if len(phrases) > 1:
+            group = {noun} | _group(noun) | ANYTHING
+            plural = "|".join("bodies" if name == "body" else f"{name}e?s" for name in sorted(group))
+            yield f"{ALL} {' & '.join(phrases)}", f"(?:{plural})"
+
+
+def _ignoring_case(name: str) -> str:
+    return f"[{name[0].upper()}{name[0].lower()}]{re.escape(name[1:])}"

@@ -1,0 +1,213 @@
+"""The main clauses of questions in ordinary English that ask for a value: what is found, of what, along which axis."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    LANDING,
+    MOMENT,
+    STRETCH,
+    Main,
+    Reader,
+    each,
+    of_none,
+    of_one,
+)
+from sim2reason.questions.ordinary.stretches import STRETCHES
+from sim2reason.questions.ordinary.vocabulary import (
+    COMPRESSED,
+    LASTS,
+    MOTIONS,
+    ORIGIN,
+    QUANTITIES,
+    RESTS,
+    SLOWER,
+    WAYS,
+    meant,
+    pattern,
+)
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+
+FORCES = "tension", "rod force", "spring force"  # of what lies along a line
+
+
+def mains(question: str, heard: Heard) -> Iterator[Main]:
+    """All that a main clause may ask for; nothing if it asks for nothing known."""
+    for told, reader in frames().items():
+        found = pattern(told).fullmatch(question)
+        if found is not None:
+            yield from reader(found, heard)
+
+
+@cache
+def frames() -> Mapping[str, Reader]:
+    """All frames of main clauses."""
+    return {**FRAMES, **STRETCHES}
+
+
+def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity by its noun."""
+    groups = found.groupdict()
+    name = meant(QUANTITIES, groups["q"])
+    axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
+    along = axis if axis in AXES else ""
+    for of in each(heard, groups.get("s")):
+        ways = ways_of(found, of) if not along else ()
+        yield from _named(name, of, along, ways)
+
+
+AXES = ("horizontal", "vertical", "x", "y")
+
+
+def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
+    if name == "force":
+        yield from (Main(force, of) for force in FORCES)
+    elif name == "deceleration":
+        yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
+    elif name == "compression":
+        yield Main("extension", of, ways=((of, COMPRESSED),))
+    elif name == "length":
+        yield Main("spring length", of)
+    elif name not in ("height", "distance"):
+        yield Main(name, of, along, ways=ways)
+
+
+def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    groups = found.groupdict()
+    turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
+    for of in each(heard, groups["s"]):
+        way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+        find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
+        yield Main(find, of, along, ways=() if along else ways_of(found, of))
+
+
+def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far away something lands, along the ground."""
+    yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
+
+
+def _far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far something goes till it stays at rest."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
+
+
+def _balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity where all would stay at rest."""
+    yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in _quantity(found, heard))
+
+
+def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """A quantity just after the start."""
+    yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
+
+
+def _final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What a quantity is at last, from the last happening on that changes it."""
+    for main in _quantity(found, heard):
+        for when in ("burned out", "stopped slipping", "collided", "last collision"):
+            last = ((main.of, LASTS),)
+            yield replace(main, needs=FREE, ways=(*main.ways, *last), when=When(when, AFTER))
+
+
+def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """The speed of what moves together at last."""
+    for of in each(heard, found["s"]):
+        yield Main("speed", of, needs=CLAUSED)
+        yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
+
+
+def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Of what starts at the origin, along an axis."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
+
+
+def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    yield from (Main("height above the ground", of) for of in each(heard, found["s"]))
+
+
+def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far something moves: as far as it is from its starting point, if it has not gone farther than that."""
+    groups = found.groupdict()
+    way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    for of in each(heard, groups["s"]):
+        if way in AXES:
+            yield Main("displacement", of, way, needs=STRETCH)
+        else:
+            yield Main("displacement", of, needs=STRETCH, ways=ways_of(found, of))
+            yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
+
+
+def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    del found, heard
+    yield Main("time", needs=STRETCH)
+
+
+FRAMES: Mapping[str, Reader] = {
+    "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
+    "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
+    "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
+    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~have| ~has| ~moving| ~{motion=MOTION}]"
+    "[ {way=WAY}]": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": _quantity,
+    "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ]~[SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
+    "[ by SURFACE]": _quantity,
+    "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
+    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
+    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
+    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_none("distance"),
+    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_none("relative speed"),
+    "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": _initial,
+    "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
+    "ASK {s} 's initial {q=QUANTITY}": _initial,
+    "ASK [SIZE ]{s} force": of_one(*FORCES),
+    "ASK [final ]common (?:speed|velocity) of {s}": _common,
+    "ASK common {q=QUANTITY} of {s}": _quantity,
+    "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
+    "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
+    "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
+    "ASK [SIZE ]friction[ force] between {s}[ and {t}]": of_none("friction force"),
+    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
+    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
+    "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
+    "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": _far,
+    "ASK distance [that ](?:covered|travelled|traveled|moved) by {s}[ {way=WAY}]": _far,
+    "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": _far,
+    "(?:ASK|what) final {q=QUANTITY}[ of {s}]": _final,
+    "ASK {s} 's final {q=QUANTITY}": _final,
+    "how high[ above SURFACE] ~{s}[ above SURFACE]": _high,
+    "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
+    "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
+    "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
+    "how far ~{s}[ and {t}] apart": of_none("distance"),
+    "how far apart ~(?:centres of )?{s}[ and {t}]": of_none("distance"),
+    "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,
+    "how far {s}": _far_flown,
+    "ASK stopping distance(?: of {s}|)": _far_stopped,
+    "ASK {s} 's stopping distance": _far_stopped,
+    "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": _far,
+    "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": _far,
+    "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
+    "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
+    "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
+    "how far from (?:origin|its starting point|its starting position|start) ~{s}": of_one("displacement"),
+    "how far ~{s} from (?:its starting point|its starting position|start)": of_one("displacement"),
+    "how far from {t} ~{s}": of_none("distance"),
+    "how long ~{s}": of_one("spring length"),
+    "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
+    "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
+    "ASK energy stored in {s}": of_one("spring energy"),
+    "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
+    "TIME": _time,
+}
+"""By what a main clause is like: what reads it."""

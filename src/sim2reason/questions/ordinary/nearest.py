@@ -1,0 +1,47 @@
+"""Questions that a scene can be asked, nearest to one that is not understood."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.questions.following import FollowedMotion, eventful
+from sim2reason.questions.kinds import KINDS, by_cause
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.posing import PosedQuestion
+from sim2reason.questions.query import Query
+from sim2reason.questions.targets import targets
+from sim2reason.questions.words import Words
+
+MOST = 3
+COMMON = frozenset(
+    re.split(" ", "the a an of is what how find when at in it to and does do for by with that determine")
+)
+
+
+def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:
+    """What to ask instead: the sentences that share most words with one that is not understood."""
+    said = _words(sentence)
+    offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
+    ranked = sorted((told for told in offered if told), key=lambda told: -len(said & _words(told)) / len(_words(told)))
+    near = [told for told in ranked if said & _words(told)][:MOST]
+    if not near:
+        return "see: sim2reason ask SCENE"
+    return f"did you mean: {' or: '.join(near)}"
+
+
+def _words(sentence: str) -> set[str]:
+    return set(re.findall(r"[a-z]+", sentence.lower())) - COMMON
+
+
+def _offered(motion: FollowedMotion, words: Words) -> Iterator[PosedQuestion]:
+    """Every quantity, at a time and when something happens; and when that is."""
+    study = eventful(motion).study
+    rng = np.random.default_rng(0)
+    moments: list[Moment] = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]
+    for moment in moments:
+        if isinstance(moment, Happening) and moment.clause(words) is not None:
+            yield PosedQuestion(Query("time_to_event", None, moment))
+        if isinstance(moment, Happening | AtTime) and KINDS[moment.kind].finds(words):
+            yield from (PosedQuestion(Query(moment.kind, target, moment)) for target in targets(words))

@@ -1,0 +1,119 @@
+"""Readings in a scene: its axes, the one subject that can be meant, and the addresses of its numbers."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import TextError
+from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.wanted import WantedNumber, wanted
+from sim2reason.questions.period_words import movers
+from sim2reason.questions.structured import START, StructuredQuestion, resolved
+from sim2reason.questions.targets import quantities_named
+from sim2reason.questions.words import Words
+
+EVEN = 1e-9
+SIGNED = ("velocity",)
+BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
+PERIODS = ("period", "frequency", "angular frequency")
+
+
+def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
+    """Readings with the names of the scene; one for each subject that may be meant where none is said."""
+    for reading in found:
+        for of in _subjects(reading.asked, words):
+            asked = replace(reading.asked, of=of)
+            asked = replace(asked, along=axis_named(asked.along, asked, words))
+            asked = replace(asked, when=_met(asked.when, words))
+            if reading.steady:
+                asked = replace(asked, when=asked.when or START)
+            yield replace(reading, asked=asked)
+
+
+def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    if asked.of:
+        return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
+    if asked.find in PERIODS:
+        return tuple(movers(words)) or ("",)
+    functional = FUNCTIONALS.get(asked.find)
+    if functional is not None and functional.name.endswith("friction"):
+        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name)) or ("",)
+    if asked.find == "friction force":
+        quantity = quantities_named(words.mechanism)[asked.find] if words.mechanism.contacts else None
+        named = words.called(quantity.of) if quantity is not None else ()
+        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or (
+            "",
+        )
+    return ("",)
+
+
+def _met(told: str, words: Words) -> str:
+    """A moment of two bodies that are named, with the name of their pair."""
+    found = re.match(r"(.+?) & (.+?) (collided.*)", told)
+    if found is None:
+        return told
+    for name in words.called(Pairs()):
+        if {words.mentions.get(member, member) for member in members(name)} == {found[1], found[2]}:
+            return f"{name} {found[3]}"
+    return told
+
+
+def _carries(of: str, words: Words) -> bool:
+    """Whether something lies on a body, so that a force of contact on it may be that force, too."""
+    named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
+    return any(words.mechanism.body[name].parent in named for name in words.mechanism.contacts)
+
+
+def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
+    """The name of the axis that is said: of the vertical, and of the only horizontal one, whatever the text calls it.
+
+    A velocity on a track along which places are counted has a sign: it is the component to the right.
+    """
+    quantity = quantities_named(words.mechanism).get(asked.find)
+    if quantity is None or said not in ("horizontal", "vertical", *(("",) if asked.find in SIGNED else ())):
+        return said
+    called = words.called(quantity.of)
+    names = {name: called.get(name, name) for name in quantity.subjects(words.mechanism)}
+    try:
+        senses = quantity.of.senses(words.mechanism, resolved("of", asked.of, names))
+    except TextError:
+        return said
+    if not said:
+        return RIGHT if [sense.positive for sense in senses] == [RIGHT] else ""
+    along = [sense for sense in senses if _upright(sense) == (said == "vertical")]
+    return (along[0].axis or along[0].positive) if len(along) == 1 else said
+
+
+def _upright(sense: Sense) -> bool:
+    return abs(sense.vector[2]) > 1.0 - EVEN
+
+
+def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
+    """Questions for a number of the scene, by its address."""
+    for found in wanted(heard):
+        path = _path(found, scene, words)
+        if not path:
+            continue
+        if found.does:
+            for rank, who in enumerate(dict.fromkeys((found.of, ""))):
+                asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
+                yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
+        else:
+            asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
+            yield Reading(asked, found.when.side, rank=found.when.rank)
+
+
+def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
+    """The address of a number that a scene has but once, or its owner has; empty if there is no such one."""
+    given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
+    owners = [address for address, said in words.mentions.items() if said == found.owner]
+    named = [path for path in given if path.rpartition(".")[2] == found.name]
+    if found.owner:
+        named = [path for path in named if path.rpartition(".")[0] in owners]
+    return named[0] if len(named) == 1 else ""

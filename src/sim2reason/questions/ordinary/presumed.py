@@ -1,0 +1,232 @@
+"""What a question in ordinary English takes for granted: that something is steady, that a body goes up, or slows."""
+
+from collections.abc import Callable, Iterator, Mapping
+from math import isclose
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.state import State
+from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
+from sim2reason.quantities.height import Height
+from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.quantities.springs import Extension
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.questions.following import Followed
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.parts.slip_change import rolls, slip
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.vocabulary import (
+    COMPRESSED,
+    LASTS,
+    ONCE,
+    ONLY,
+    ORIGIN,
+    OVER,
+    RELAXED,
+    RESTS,
+    RISING,
+    ROLLING,
+    SLOWER,
+    STRAIGHT,
+)
+from sim2reason.questions.ordinary.whens import AFTER
+from sim2reason.questions.query import Query
+from sim2reason.questions.recurrence import ends_at_rest
+from sim2reason.questions.structured import resolved
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Target
+from sim2reason.questions.words import Words
+from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.simulation.trace import Trace
+
+STEADY, EVEN = 1e-6, 1e-9  # relative
+EARLY = 0.5  # of a stretch: then it goes the way that it goes
+AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
+LATER = 1.05  # times the end of what is over: so long at least it must have been
+
+
+class Case(NamedTuple):
+    """What a reading takes for granted of a subject in a motion, up to an instant that it asks about, s."""
+
+    who: str
+    followed: Followed
+    query: Query
+    then: float
+    words: Words
+
+
+def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
+    """Why what is asked for without a moment is not one number, in a clause; empty if it is.
+
+    It is if it does not change, its direction included if it is asked for as a `vector`; or until something happens,
+    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may be
+    zero later, too: it `vanishes`.
+    """
+    values = target.values(trace.scan)[:, None]
+    if vector:
+        values = QUANTITIES[target.quantity].evaluate(trace.scan, target.subject)
+    times, changed = trace.scan.times, np.linalg.norm(values - values[0], axis=1)
+    first = min((event.time for event in trace.events if event.changes_motion and event.time > 0.0), default=np.inf)
+    early, late = times < first * (1.0 - EVEN), times > first * (1.0 + EVEN)
+    size = float(np.linalg.norm(values[early], axis=1).max(initial=0.0))
+    if float(changed[early].max(initial=0.0)) > STEADY * size:
+        return "it changes with time, and no moment is named"
+    fastest = float(np.abs(trace.scan.v).max(initial=0.0))
+    rests = float(np.abs(trace.scan.v[late]).max(initial=0.0)) <= STEADY * fastest
+    gone = vanishes and float(np.linalg.norm(values[late], axis=1).max(initial=0.0)) <= STEADY * size
+    same = float(changed.max(initial=0.0)) <= STEADY * size
+    return "" if during or rests or gone or same else "it changes when something happens, and no moment is named"
+
+
+def two_sided(query: Query, study: Study, side: str) -> bool:
+    """Whether a quantity jumps at a moment of which no side is named."""
+    moment, target = query.moment, query.target
+    if moment is None or target is None or moment.sided is not None or moment.ahead is not None or side == AFTER:
+        return False
+    time = study.time(moment)
+    if time is None:
+        return False
+    before, then = (target.value(study.trace.at(instant)) for instant in (float(np.nextafter(time, 0.0)), time))
+    return abs(before - then) > STEADY * max(abs(before), abs(then))
+
+
+def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:
+    """What a reading takes for granted that is not so, in clauses; empty ones for what is."""
+    trace = followed.study.trace
+    time = followed.study.time(query.moment) if query.moment is not None else None
+    events = (event.time for event in trace.events if event.time > 0.0)
+    early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
+    then = early if not time else float(np.nextafter(time, 0.0))
+    for kind, ways in ((Displacement, reading.gone), (Velocity, reading.moving)):
+        for who, way in ways:
+            if way in AXES:
+                yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
+            elif way.startswith(ORIGIN):
+                yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+            else:
+                told, holds = OTHERS[way]
+                yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
+
+
+def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State, words: Words) -> bool:
+    name = _name(who, words)
+    found = kind.evaluate(state, name)[0] if name else np.zeros(3)
+    return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found))
+
+
+def _name(who: str, words: Words) -> str:
+    try:
+        return resolved("of", who, words.called(Bodies()))
+    except TextError:
+        return ""
+
+
+def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
+    """Whether its distance from its starting point along an axis is its coordinate: no ground has another origin."""
+    name = _name(who, words)
+    if not name or Height().subjects(words.mechanism):
+        return False
+    place = start.vector(start.frames.center(name).place)[0]
+    sense = next((sense for sense in Bodies().senses(words.mechanism, name) if sense.axis == axis), None)
+    return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
+
+
+def _slower(case: Case) -> bool:
+    state, name = case.followed.study.trace.at(case.then), _name(case.who, case.words)
+    return bool(name) and float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
+
+
+def _compressed(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
+
+
+def _relaxed_at_rest(case: Case) -> bool:
+    """Whether the only spring is neither stretched nor compressed in equilibrium."""
+    rest = equilibrium(case.words.mechanism)
+    springs = list(case.words.called(Springs()))
+    if rest is None or rest.free or len(springs) != 1:
+        return False
+    size = float(np.abs(Extension.evaluate(case.followed.study.trace.scan, springs[0])).max())
+    return abs(float(Extension.evaluate(rest.state, springs[0])[0])) <= STEADY * size
+
+
+def _once(case: Case) -> bool:
+    events = case.followed.study.trace.events
+    return sum(event.kind == "collision" and event.time <= case.then * (1.0 + EVEN) for event in events) == 1
+
+
+def _only(case: Case) -> bool:
+    return sum(event.kind == "collision" for event in case.followed.study.trace.events) == 1
+
+
+def _over(case: Case) -> bool:
+    """Whether a functional is no greater at the end of what is known of a motion, and that is some time later."""
+    trace = case.followed.study.trace
+    if not isinstance(case.query, StretchQuery) or trace.stable_until < LATER * case.then:
+        return False
+    late = FUNCTIONALS[case.query.functional].loose_value(trace, case.query.name, trace.stable_until)
+    return late is not None and isclose(late, case.followed.answer or 0.0, rel_tol=STEADY)
+
+
+def _rising(case: Case) -> bool:
+    """Whether the answer is a height that is not zero."""
+    scan = case.followed.study.trace.scan
+    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.called(Bodies()))
+    return (case.followed.answer or 0.0) > STEADY * moved
+
+
+def _rolling(case: Case) -> bool:
+    """Whether something that could slip has not, from the start."""
+    name, trace = _name(case.who, case.words), case.followed.study.trace
+    if name not in case.words.mechanism.contacts or not rolls(case.words, name):
+        return True
+    scan = trace.scan
+    slipping = np.abs(slip(scan, name))[scan.times <= case.then]
+    return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
+
+
+def _rests(case: Case) -> bool:
+    """Whether all that moves is at rest for good."""
+    trace = case.followed.study.trace
+    return trace.stable_until > LATER * case.then and ends_at_rest(trace)
+
+
+def _lasts(case: Case) -> bool:
+    """Whether a quantity keeps its value to the end of what is known of a motion, and that is some time later."""
+    trace = case.followed.study.trace
+    if case.query.target is None or trace.stable_until < LATER * case.then:
+        return False
+    late = case.query.target.values(trace.scan)[trace.scan.times >= case.then * (1.0 + EVEN)]
+    return bool(np.allclose(late, case.followed.answer or 0.0, rtol=STEADY, atol=0.0))
+
+
+def _straight(case: Case) -> bool:
+    """Whether a body has gone straight ahead so far."""
+    name, scan = _name(case.who, case.words), case.followed.study.trace.scan
+    if not name:
+        return False
+    velocities = Velocity.evaluate(scan, name)[scan.times <= case.then]
+    speeds = np.linalg.norm(velocities, axis=1)
+    way = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
+    return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
+
+
+OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    SLOWER: ("{who} does not slow down", _slower),
+    COMPRESSED: ("{who} is not compressed", _compressed),
+    RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
+    ONCE: ("it is not the first collision", _once),
+    ONLY: ("it is not the only collision", _only),
+    STRAIGHT: ("{who} does not go straight ahead", _straight),
+    RESTS: ("it does not stay at rest", _rests),
+    LASTS: ("it changes after that", _lasts),
+    RISING: ("nothing rises above where it starts", _rising),
+    ROLLING: ("{who} slips", _rolling),
+    OVER: ("it goes on after that", _over),
+}
+"""By what is taken for granted: what is said where it is not so, and whether it is."""

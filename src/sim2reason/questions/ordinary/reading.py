@@ -1,0 +1,132 @@
+"""The readings of a question in ordinary English: all questions in parts that it may be."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from sim2reason.questions.ordinary.clauses import whens
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.mains import mains
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
+from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
+from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
+from sim2reason.questions.structured import StructuredQuestion
+
+_AT_EVENT = r"((?:with |at )?what [a-z ]+?|how fast|how far|how far away) (?:does |is |has |do |will )(@\d+@) (.+)"
+_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
+_LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
+_GOES_ON = pattern(
+    "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
+)
+_LANDED = re.compile(r"\b(?:landed|bounced)\b")
+_SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A question in parts; on which side of its moment it asks; and what it takes for granted.
+
+    That is which ways bodies have `gone` till then, and are `moving` then. One that is `steady` names no moment: it
+    asks for what does not change. Those of a higher `rank` are meant only where the scene has none of a lower one.
+    Where a number of the scene decides an outcome, it is the `least` or the greatest for which that `happens`, or not.
+    """
+
+    asked: StructuredQuestion
+    side: str = THEN
+    gone: tuple[tuple[str, str], ...] = ()
+    moving: tuple[tuple[str, str], ...] = ()
+    steady: bool = False
+    rank: int = 0
+    least: bool | None = None
+    happens: bool = True
+
+
+def readings(heard: Heard) -> tuple[Reading, ...]:
+    """All that a sentence may ask; empty if it is not understood."""
+    found = (reading for parts in _parts(heard.text) for reading in _of_parts(*parts, heard))
+    return tuple(dict.fromkeys(each for reading in found for each in _of_each(reading)))
+
+
+def _of_each(reading: Reading) -> Iterator[Reading]:
+    """One for each of several that do the same."""
+    several = _SEVERAL.search(reading.asked.when)
+    if several is None or "collided" in reading.asked.when:
+        yield reading
+        return
+    for who in several[0].removeprefix(f"{ALL} ").split(" & "):
+        when = reading.asked.when.replace(several[0], who)
+        gone = tuple((who if said == several[0] else said, way) for said, way in reading.gone)
+        yield replace(reading, asked=replace(reading.asked, when=when), gone=gone)
+
+
+def _parts(text: str) -> Iterator[tuple[str, str, str]]:
+    """The main clause, the clause beside it and its side, however they are put."""
+    text = re.sub(r" (?:,)$", "", text)
+    yield from split(text)
+    at_event = re.fullmatch(_AT_EVENT, text)
+    if at_event is not None:
+        question = f"{at_event[1].removesuffix(' away')} {at_event[2]}"
+        yield question, f"{at_event[2]} {at_event[3]}", THEN
+    takes = re.fullmatch(_TAKES, text)
+    if takes is not None:
+        yield "when", f"{takes[1]} {takes[2]}", THEN
+    lasts = re.fullmatch(_LASTS, text)
+    if lasts is not None:
+        yield "when", lasts[3], THEN
+    time = pattern("TIME[ for] (?P<clause>.+)").fullmatch(text)
+    if time is not None:
+        yield "when", re.sub(pattern("~").pattern, "", time["clause"], count=1), THEN
+
+
+def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+    for main in mains(question, heard):
+        if not clause:
+            yield from _alone(main)
+        elif (
+            main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
+        ):
+            for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
+                if main.needs != LANDING or _LANDED.search(when.told):
+                    yield _with(main, when)
+        going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
+        if going is not None:
+            who = heard.subject(going["s"]) or main.of
+            ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
+            yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+
+
+def _whole(main: Main) -> Iterator[Reading]:
+    """What is asked up to no moment: till the end of a flight, or till it rests; on its way up, till it turns back."""
+    way = next((way for _, way in main.ways if way in ("up", "down")), "")
+    for rank, when in enumerate(("landed", "bounced", "stopped")):
+        told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
+        yield _with(replace(main, rank=main.rank + rank), told)
+
+
+def _late(clause: str) -> bool:
+    """Whether a clause names what happens: what is asked for *after* it does not begin at the start."""
+    return "#" not in clause
+
+
+def _alone(main: Main) -> Iterator[Reading]:
+    if main.when is not None:
+        yield _with(main, main.when)
+    elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
+        yield from _whole(main)
+    elif main.find != "time" and main.needs not in (CLAUSED, LANDING):
+        yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
+
+
+def _with(main: Main, when: When) -> Reading:
+    side = AFTER if main.needs == STRETCH else when.side
+    told = when.told.removesuffix(" before") if main.find == "time" else when.told
+    if main.needs == STRETCH and main.find != "time":
+        told = told.removesuffix(" before")
+    elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
+        told = f"{told} before"
+    gone, moving = ((), main.ways) if main.needs == MOMENT else (main.ways, ())
+    return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
+
+
+def _asked(main: Main, when: str) -> StructuredQuestion:
+    return StructuredQuestion(main.find, main.of, when, main.along)

@@ -1,0 +1,212 @@
+"""Main clauses that ask for what a stretch of the motion adds up to, for its extremes, and for periods."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant
+from sim2reason.questions.ordinary.whens import AFTER, When
+
+NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
+"""What functionals call a quantity otherwise."""
+TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
+"""By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
+
+
+def _extreme(size: str) -> Reader:
+    """The greatest or least of a quantity over a stretch of the motion."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        name = meant(QUANTITIES, found.groupdict()["q"])
+        name = NAMES.get(name, name)
+        for of in each(heard, found.groupdict().get("s")):
+            if name == "height" and size == "greatest":
+                yield from _gets(found, heard)
+                continue
+            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
+            if turn := TURNS.get(f"{size} {name}"):
+                yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
+
+    return read
+
+
+def _rise(of: str) -> Iterator[Main]:
+    """How high something gets above where it starts; of what comes down that is where it turns back."""
+    for rank, when in enumerate(("highest point", "stopped"), start=1):
+        yield Main("greatest height", of, needs=FREE, ways=((of, "up"),), when=When(f"{of} {when}"), rank=rank)
+
+
+def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets above the ground."""
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
+        yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
+
+
+def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far from where it is thrown something lands, along the ground."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed"))
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced"), rank=1)
+
+
+def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets: above the ground, or above where it starts; if that is there, it means one thing."""
+    yield from _above_start(found, heard)
+    yield from (replace(main, rank=main.rank + 1) for main in _highest(found, heard))
+
+
+def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How high something gets above where it starts."""
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
+        yield from _rise(of)
+
+
+def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What friction dissipates: up to a moment, or in all, which is until nothing slips any more."""
+    del found, heard
+    yield Main("energy dissipated by friction", needs=STRETCH)
+    for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
+        yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+
+
+def _lost(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """What a body loses in a collision: the only one so far."""
+    del found, heard
+    yield Main("energy lost in collisions", needs=STRETCH, ways=(("", ONCE),))
+
+
+def _in_collision(*finds: str) -> Reader:
+    """Something of a collision, the first if none is named: it must be the only one."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        del found, heard
+        for find in finds:
+            yield Main(find, needs=STRETCH)
+            yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
+
+    return read
+
+
+def _most(name: str) -> Reader:
+    """The greatest strain of a spring, in a motion that repeats itself or up to when it has it."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main(name, of, needs=STRETCH)
+            yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
+
+    return read
+
+
+def _at_once(*finds: str) -> Reader:
+    """Something of the only pair, or of one body, that happens in a collision."""
+    return of_none(*finds, needs=STRETCH)
+
+
+def _period(name: str) -> Reader:
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found.groupdict().get("s")):
+            yield Main(name, of, needs=FREE)
+
+    return read
+
+
+STRETCHES: Mapping[str, Reader] = {
+    # extremes
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} (?:reaches|reach|attains|attain|gets|get|has)": (
+        _extreme("greatest")
+    ),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _extreme("greatest"),
+    "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
+    "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
+    "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _extreme("greatest"),
+    "ASK {s} 's GREATEST distance from {t}": _at_once("greatest distance"),
+    "ASK {s} 's LEAST distance from {t}": _at_once("least distance"),
+    "ASK GREATEST distance of {s} from {t}": _at_once("greatest distance"),
+    "ASK LEAST distance of {s} from {t}": _at_once("least distance"),
+    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)": _gets,
+    "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb) above its starting point": _above_start,
+    "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
+    "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
+    "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
+    "how far ~{s} (?:get|gets|go) from (?:origin|its starting point|start)[ at most]": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    "how far at most ~{s} (?:get|gets|go) from (?:origin|its starting point|start)": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    # energy
+    "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
+    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
+    "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
+    "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
+    "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
+    "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
+        "work of an electric field", needs=STRETCH
+    ),
+    "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
+        "work of an electric field", needs=STRETCH
+    ),
+    "how much work ~{t} ~DONE on {s}": of_none("work of a tension", needs=STRETCH),
+    # collisions
+    "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
+    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
+    "how much kinetic energy ~{s} lose": _lost,
+    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
+        "impulse of a collision"
+    ),
+    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": _in_collision("impulse of a collision"),
+    "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
+        "impulse of an impact", needs=STRETCH
+    ),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": implied(
+        "number of collisions", "last collision"
+    ),
+    "how much ~{s} compressed at most": _most("greatest compression"),
+    "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
+    "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
+    "ASK GREATEST angle [that ]~{s} ~(?:make|makes) with [downward ]vertical": of_one(
+        "greatest deflection", needs=STRETCH
+    ),
+    "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
+    "ASK orbital period": _period("period"),
+    "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
+    "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
+    # heights
+    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets) above SURFACE": _highest,
+    "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
+    "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
+    # times and periods
+    "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
+    "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
+    "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
+    "ASK [horizontal ]range of {s}": _range,
+    "ASK {s} 's [horizontal ]range": _range,
+    "with what period ~{s} OSCILLATES": _period("period"),
+    "with what frequency ~{s} OSCILLATES": _period("frequency"),
+    "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
+    "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
+    "how long ~{s} burn": implied("time", "burned out"),
+    "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
+    "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
+    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period(
+        "period"
+    ),
+    "ASK period of {s} 's (?:motion|oscillation|orbit|swing)": _period("period"),
+    "ASK (?:orbital period|period of revolution) of {s}": _period("period"),
+    "ASK frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration)]": _period("frequency"),
+    "ASK angular frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit)]": _period(
+        "angular frequency"
+    ),
+    "(?:TIME|how long ~) [for ]{s} [to ](?:COMPLETES) (?:one|full|one full) ROUND": _period("period"),
+    "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
+    "|complete one round|go once around|go around once)": _period("period"),
+    "how many (?:revolutions|oscillations|swings) per second ~{s} (?:make|complete)": _period("frequency"),
+}
+"""By what a main clause is like: what reads it. See `mains` for those that ask for a value."""

@@ -1,0 +1,104 @@
+"""What a question in ordinary English asks of a motion: all its readings must come to the same answer."""
+
+from dataclasses import dataclass
+from math import isclose
+
+from sim2reason.errors import TextError
+from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.placing import numbers_wanted, placed
+from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
+from sim2reason.questions.ordinary.reading import Reading, readings
+from sim2reason.questions.ordinary.vocabulary import SLOWER
+from sim2reason.questions.ordinary.whens import DURING
+from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.words import Words
+
+VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
+SAME = 1e-6  # relative: answers that differ by less are one
+
+
+@dataclass(frozen=True)
+class Understood:
+    """What a sentence asks, in parts and as a query, and the answer with the motion that has it."""
+
+    asked: StructuredQuestion
+    posed: PosedQuestion
+    followed: Followed
+
+
+def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
+    """What a sentence asks, and its answer; None if it is none that is understood.
+
+    Raises:
+        TextError: it can be read in several ways, which have different answers; or what it takes for granted is not so.
+    """
+    heard = hear(sentence, words)
+    questions = [*placed(readings(heard), words), *numbers_wanted(heard, motion.study.scene, words)]
+    for rank in sorted({reading.rank for reading in questions}):
+        found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
+        answered = [each for each in found if each.followed.answer is not None]
+        if refused and not answered:
+            raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
+        _agree(answered, words)
+        if answered or any(each.posed.query.moment != WholeMotion() for each in found):
+            return next(iter([*answered, *found]))
+    return None
+
+
+def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
+    """Those that can be asked, and why one that can is not what is meant."""
+    found: list[Understood] = []
+    refused = ""
+    for reading in questions:
+        try:
+            question = posed(reading.asked, motion, words)
+        except TextError:
+            continue
+        followed = question.followed(motion)
+        reason = _unfit(reading, question, followed, words)
+        refused = refused or reason
+        if not reason:
+            found.append(Understood(reading.asked, question, followed))
+    return found, refused
+
+
+def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:
+    """Why a reading can't be what is meant; empty if it can."""
+    if followed.answer is None:
+        return ""
+    if question.unknown is not None or isinstance(question.query, ThresholdQuery):
+        return _wrong_end(reading, question)
+    query, study = question.query, followed.study
+    if reading.asked.find == "speed" and followed.answer < 0.0:
+        return "along that axis it has a velocity with a sign; ask for that"
+    if reading.steady and query.target is not None:
+        vanishes = any(way == SLOWER for _, way in reading.moving)
+        during, vector = reading.side == DURING, reading.asked.find == VECTOR
+        reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
+        if reason:
+            return reason
+    elif query.target is not None and query.moment is not None and two_sided(query, study, reading.side):
+        return "it changes at once at that moment; ask just before it, or just after it"
+    return next((reason for reason in presumed(reading, followed, query, words) if reason), "")
+
+
+def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
+    """Why a number is not the least or the greatest that is wanted; empty if it is, or neither is asked for."""
+    query = question.query
+    if reading.least is None or not isinstance(query, ThresholdQuery):
+        return ""
+    below = query.greatest if reading.happens else not query.greatest  # whether what is wanted comes about below it
+    return "it comes about on the other side of that number" if below == reading.least else ""
+
+
+def _agree(found: list[Understood], words: Words) -> None:
+    """Refuse a sentence whose readings differ, with all of them."""
+    answers = [each.followed.answer for each in found]
+    if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=SAME, abs_tol=1e-12) for answer in answers):
+        return
+    told = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in found)
+    raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told)}")

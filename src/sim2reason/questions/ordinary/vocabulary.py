@@ -1,0 +1,194 @@
+"""What people call things: the words of ordinary English that the reader knows, each table for one meaning.
+
+Its patterns stand for whole questions on lower-case text without articles, with tokens for subjects (``@0@``) and for
+numbers with their unit (``#0#``). A sentence with a word that no pattern has is not understood, so that no word is
+passed over that could matter, a *not* or a *half* above all.
+"""
+
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+
+NOUNS: tuple[frozenset[str], ...] = tuple(
+    frozenset(group.split())
+    for group in (
+        "block box crate load parcel",
+        "ball bob sphere stone projectile marble",
+        "cart trolley glider car truck wagon",
+        "board plank slab block",
+        "probe rocket spacecraft spaceship craft",
+        "bead particle ion ball",
+        "string rope cord cable thread",
+        "puck disc disk",
+        "planet moon comet asteroid satellite",
+        "cylinder roller drum",
+        "hoop ring",
+        "pipe tube",
+        "rod bar stick",
+        "star sun",
+    )
+)
+"""Nouns that may stand for one another where only one thing in a scene can be meant."""
+ANYTHING = frozenset({"body", "object"})
+
+QUANTITIES: Mapping[str, str] = {
+    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation",
+    "translational kinetic energy": "translational kinetic energy",
+    "kinetic energy": "kinetic energy|total kinetic energy",
+    "spring energy": "elastic energy|elastic potential energy|spring energy|energy stored|energy is stored",
+    "angular velocity": "angular velocity|angular speed|rate of rotation",
+    "angular acceleration": "angular acceleration",
+    "friction force": "force of friction|friction force|frictional force|static friction|kinetic friction"
+    "|static friction force|kinetic friction force|force of static friction|force of kinetic friction",
+    "normal force": "normal force|normal reaction",
+    "net force": "net force|resultant force",
+    "tension": "tension|tension force",
+    "spring force": "spring force",
+    "relative speed": "relative speed",
+    "displacement": "displacement",
+    "speed": "speed",
+    "velocity": "velocity",
+    "acceleration": "acceleration",
+    "deceleration": "deceleration|retardation",
+    "momentum": "momentum",
+    "extension": "extension|elongation",
+    "compression": "compression",
+    "height": "height|altitude",
+    "distance": "distance|separation",
+    "force": "force|pull",
+    "length": "length",
+    "moment of inertia": "moment of inertia",
+    "mass": "mass",
+}
+"""By what is found, how people call it; some of it stands for a quantity only beside certain words: see `mains`."""
+
+MOTIONS: Mapping[str, str] = {
+    "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
+    "gone going cover covers covered pulled dragged fly flies flown flying",
+    "roll": "roll rolls rolled rolling",
+    "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending "
+    "sink sinks sunk sank sinking",
+    "rise": "rise rises risen rising climb climbs climbed climbing ascend ascends ascended",
+    "turn": "turn turns turned turning rotate rotates rotated rotating spin spins spun spinning swing swings swung "
+    "swinging",
+}
+"""By a verb of motion, the forms of all that mean it."""
+DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
+
+SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
+ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
+RISING, ROLLING, RESTS, LASTS, STRAIGHT = "rising", "rolling", "rests", "lasts", "straight"
+"""What is taken for granted beside ways, by a name: see `presumed`."""
+
+WORDS: Mapping[str, str] = {
+    "AUX": "is are was were be been being has have had having does do did will would to it still",
+    "GREATEST": "greatest maximum maximal largest highest biggest",
+    "LEAST": "least minimum minimal smallest lowest",
+    "SURFACE": "plane slope incline ramp floor ground table track surface lane hill",
+    "ORDINAL": "first second third fourth fifth sixth",
+    "AGAIN": "again",
+}
+"""Words of which any one may stand."""
+
+PHRASES: Mapping[str, str] = {
+    "ASK": "which is|what is|what are|what was|what will be|find|determine|calculate|compute|work out|obtain|give"
+    "|how large is|how big is|how great is|how strong is|how much is",
+    "SIZE": "magnitude of|size of|value of",
+    "TIME": "when|at what time|at what moment|at what instant|how long is it until|how long is it before"
+    "|how long does it take|how long will it take|how long does it take until|how long does it take for"
+    "|how long after start|how long after release|how long after launch|how much time passes until"
+    "|after how many seconds|in how many seconds|how many seconds does it take|how many seconds pass until"
+    "|how much time does it take|how long until|find how long it takes|determine how long it takes"
+    "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required|ASK time taken"
+    "|after what time|after how much time|after how long",
+    "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
+    "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop|turns round|turns back|turn back|turn round"
+    "|turns around|reverses|reverses direction|changes direction",
+    "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
+    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE",
+    "BOUNCES": "bounce|bounces|bounced|bouncing|rebounds|rebound",
+    "BECOMES": "has fallen to|reaches|has dropped to|has risen to|becomes|falls to|drops to|rises to|has reached",
+    "DONE": "do|does|did|done",
+    "HITS": "hit|hits|strike|strikes|meets|runs into|collides with|collide with|catches up with|bumps into|reaches",
+    "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
+    "COMPLETES": "complete|make|take to go|take to complete|take for|take to make",
+    "PASSES": "reach|reaches|reached|at|get to|gets to|passes through|passes|passing|pass through|pass|goes through"
+    "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at"
+    "|moves through|passing through|is at",
+    "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
+    "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
+    "|collision with each other|crash|crashes|bump into each other",
+    "TOP": "highest point|top|peak|apex|maximum height|greatest height|highest position",
+    "BOTTOM": "lowest point|bottom|lowest position",
+    "PATH": "path|flight|circle|swing|trajectory|motion|arc|orbit|circular path",
+    "BURNOUT": "fuel is used up|fuel runs out|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
+    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cuts out|engine shuts off|engine burns out",
+    "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
+    "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
+    "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
+    "|begin to roll without slipping|stop slipping|stop sliding|stop skidding"
+    "|starts to roll purely|starts pure rolling|begins to roll purely",
+    "SLIPS": "slipping|sliding|skidding|slips|slides|skids|is slipping|is sliding|is skidding|slide|slip|skid",
+    "NATURAL": "has its natural length|is at its natural length|reaches its natural length|at its natural length"
+    "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length"
+    "|return to its natural length|regains its natural length|regain its natural length",
+    "FIRST_TIME": "for first time|first time",
+    "START": "start|release|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
+    "|BODY is launched|BODY starts|BODY begins to move",
+    "BODY": r"it|@\d+@",
+    "ALONG_IT": "along SURFACE|along straight line",
+    "HEAT": "heat|energy|kinetic energy|mechanical energy|thermal energy",
+    "LOST": "lost|dissipated|generated|produced|lost to friction|dissipated by friction|generated by friction"
+    "|produced by friction|turned into heat|converted into heat|lost due to friction|lost through friction",
+}
+"""Phrases of which any one may stand; words in capitals are those of the other tables."""
+
+WAYS: Mapping[str, str] = {
+    "up": "up|upwards|upward|up SURFACE|vertically upwards",
+    "down": "down|downwards|downward|down SURFACE|vertically downwards",
+    "right": "to right",
+    "left": "to left",
+    "horizontal": "horizontal|horizontally|in horizontal direction",
+    "vertical": "vertically|in vertical direction",
+    "x": "in x direction|in positive x direction|along x axis|in x-direction",
+    "y": "in y direction|in positive y direction|along y axis|in y-direction",
+}
+"""By a way, or an axis, how people tell it."""
+
+
+def either(phrases: Iterable[str]) -> str:
+    """A group that matches any of some phrases, the longest first, with the words of the tables in them."""
+    longest = sorted(dict.fromkeys(phrases), key=len, reverse=True)
+    return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda found: _macro(found[0]), phrase) for phrase in longest)})"
+
+
+def meant(tables: Mapping[str, str], said: str, parted: str = "|") -> str:
+    """Which entry of a table is said; empty if none is."""
+    return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), said)), "")
+
+
+@cache
+def _macro(name: str) -> str:
+    if name == "MOTION":
+        return either(" ".join(MOTIONS.values()).split())
+    if name == "QUANTITY":
+        return either("|".join(QUANTITIES.values()).split("|"))
+    if name == "HORIZONTAL":
+        return "horizontal"
+    if name == "WAY":
+        return either("|".join(WAYS.values()).split("|"))
+    return either(WORDS[name].split()) if name in WORDS else either(PHRASES[name].split("|"))
+
+
+@cache
+def pattern(told: str) -> re.Pattern[str]:
+    """What matches a whole text that is told so: words in capitals stand for those of a table, as a group or not.
+
+    ``{s}`` and ``{t}`` are subjects, ``{n}`` is a number with its unit; ``{way=WAY}`` is a named group of a table.
+    What stands in square brackets may be left out, and ``~`` stands for any auxiliaries.
+    """
+    told = told.replace("{s}", r"(?P<s>@\d+@)").replace("{t}", r"(?P<t>@\d+@)").replace("{n}", r"(?P<n>#\d+#)")
+    told = re.sub(r"\{([a-z]+)=([A-Z_]+)\}", lambda found: f"(?P<{found[1]}>{_macro(found[2])})", told)
+    told = re.sub(r"(?<![<\\])\b[A-Z_]{2,}\b", lambda found: _macro(found[0]), told)
+    told = told.replace("[", "(?:").replace("]", ")?").replace("~", f"(?:{_macro('AUX')} )*")
+    return re.compile(told)

@@ -1,0 +1,153 @@
+"""Questions in ordinary English for a number of the scene: it leads to a result, or decides what happens."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sim2reason.questions.ordinary.clauses import whens
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
+from sim2reason.questions.ordinary.whens import CONNECTORS, When
+
+NUMBERS: Mapping[str, str] = {
+    "mass": "mass",
+    "speed": "initial speed|initial velocity|launch speed|starting speed|speed|velocity",
+    "friction": "coefficient of friction|friction coefficient|coefficient of kinetic friction"
+    "|coefficient of static friction",
+    "force": "force|pull|pulling force|steady force|constant force",
+    "length": "length",
+    "restitution": "coefficient of restitution|restitution",
+    "stiffness": "stiffness|spring constant|force constant",
+    "strength": "field strength|magnetic field|electric field|strength of field|magnetic field strength"
+    "|electric field strength",
+    "angle": "angle|inclination|angle of SURFACE|inclination of SURFACE|launch angle|angle of inclination|slope angle",
+    "height": "initial height|starting height|height",
+    "exhaust": "exhaust speed",
+    "rate": "burn rate",
+}
+"""By the last part of its address, how people call a number of a scene."""
+
+OUTCOMES: Mapping[str, tuple[str, ...]] = {
+    "gets over TOP|goes over TOP|get over TOP|makes full turn|goes right round|makes full circle|completes full circle"
+    "|reach TOP|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
+    "slips|slides|starts to slip|begins to slip|starts to slide|begins to slide|starts to move|begins to move"
+    "|slip|slide|move|starts moving|begins sliding": ("slides", "yes"),
+    "does not slip|does not slide|does not move|stays at rest|remains at rest|rolls without slipping"
+    "|not slip|not slide": ("slides", "no"),
+    "goes slack|becomes slack|go slack": ("goes slack", "yes"),
+    "stays taut|remains taut|does not go slack": ("goes slack", "no"),
+}
+"""By clauses for it, an outcome by its name, and whether it happens."""
+ROLLING = {"slides": "slips rolling"}
+
+NUMBER = "number"  # what is found, until a scene tells its address
+_PARAMETER = "(?:(?P<own>@\\d+@) 's )?{p=NUMBERS}(?: of (?P<of>@\\d+@))?"
+_SUCH = "for which|with which|at which|such that|so that|that makes"
+_NEEDED = "needed|required|necessary"
+_FRAMES = (
+    "what PARAMETER (?:would|must|should|does|will) {s} (?:need|have|require)[ in order](?: to|) (?P<rest>.+)",
+    "what PARAMETER (?:would|must|should|will) (?P<rest>(?:make|give) {s} .+)",
+    "what (?:would|must|should) PARAMETER (?:have to be|be|need to be) (?:for|so that|if) (?P<rest>.+)",
+    "what PARAMETER (?:would be|is) (?:NEEDED) (?:for|so that|to) (?P<rest>.+)",
+    "(?:for|with|at) what PARAMETER (?:would|does|will|is|must) (?P<rest>.+)",
+    "(?:find|determine|calculate|what is) PARAMETER SUCH (?P<rest>.+)",
+    "how (?:long) (?:should|must|would) (?P<of>@\\d+@) (?:have to be|be) for (?P<rest>.+)",
+)
+_LIMITS = (
+    "(?:find|determine|calculate|what is) {size=SIZES} PARAMETER SUCH {s} {clause=OUTCOMES}",
+    "what {size=SIZES} PARAMETER (?:does|must|would|should) {s} (?:need|have)[ in order] to {clause=OUTCOMES}",
+    "what PARAMETER (?:would|does|must|should) {s} (?:need|have) [in order ]to just {clause=OUTCOMES}",
+    "what PARAMETER is just (?:enough|sufficient) to (?:set|make|get) {s} (?P<set>in motion|move|slide|slip|moving)",
+    "(?:at|from|beyond|above) what PARAMETER (?:does|will|would) {s} (?:begin|start) (?P<set>to (?:slide|slip|move))",
+)
+_RESULTS = (
+    "{q=QUANTITY}[ (?:of|in) {t}] ~(?:to be|is|be|of|equal to|equals) {n}(?: WHEN|)",
+    "{t} 's {q=QUANTITY} ~(?:is|to be|be) {n}(?: WHEN|)",
+)
+_ACCELERATES = "[{t} ]~(?:accelerate|accelerates) (?:at|with) {n}"
+_GIVES = "(?:give|gives) {t} {q=QUANTITY} of {n}(?: WHEN|)"
+_GOES = (
+    "(?:make )?[{t} ]~MOTION [exactly |just ]{n} (?P<connector>before|until) (?P<clause>.+)",
+    "(?:make )?[{t} ]~(?P<clause>STOPS) (?:after|within|in) [exactly |just ]{n}",
+)
+_AT_SPEED = "[{t} ]~(?P<clause>.+?) (?:at|with) [speed of ]{n}"
+_AT_TIME = "[{t} ]~(?P<clause>.+?) (?:after|at t =) {n}"
+
+
+@dataclass(frozen=True, slots=True)
+class WantedNumber:
+    """A number of the scene: its name and whose it is; the result that it leads to, of what, and when.
+
+    Or the outcome that it decides, `does`, whether that happens, and at which end of those numbers.
+    """
+
+    name: str
+    owner: str = ""
+    of: str = ""
+    given: str = ""
+    when: When = When("")  # noqa: RUF009 - frozen
+    does: str = ""
+    happens: bool = True
+    least: bool | None = None
+
+
+def wanted(heard: Heard) -> Iterator[WantedNumber]:
+    """All numbers that a sentence may want."""
+    for told in _FRAMES:
+        found = _compiled(told).fullmatch(heard.text)
+        if found is not None:
+            groups = found.groupdict()
+            name = meant(NUMBERS, groups["p"]) if groups.get("p") else "length"
+            owner = heard.subject(groups.get("own") or groups.get("of"))
+            rest = re.sub(r"^it\b", groups.get("s") or "it", groups["rest"])
+            yield from _results(name, owner, rest, heard, heard.subject(groups.get("s")))
+    for told in _LIMITS:
+        found = _compiled(told).fullmatch(heard.text)
+        if found is not None:
+            yield from _limits(found, heard)
+
+
+def _compiled(told: str) -> re.Pattern[str]:
+    told = told.replace("PARAMETER", _PARAMETER).replace("NEEDED", _NEEDED)
+    for name, rows in (("NUMBERS", NUMBERS.values()), ("OUTCOMES", OUTCOMES), ("SIZES", ("GREATEST", "LEAST"))):
+        told = re.sub(rf"\{{(\w+)={name}\}}", lambda found, rows=rows: f"(?P<{found[1]}>(?:{'|'.join(rows)}))", told)
+    when = rf"(?P<connector>{'|'.join(CONNECTORS)}) (?P<clause>.+)"
+    return pattern(told.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
+
+
+def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[WantedNumber]:
+    """The results that a clause states."""
+    for told in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
+        found = _compiled(told).fullmatch(rest)
+        if found is None:
+            continue
+        groups = found.groupdict()
+        number = heard.number(groups["n"])
+        of = heard.subject(groups.get("t")) or subject
+        quantity = meant(QUANTITIES, groups["q"]) if groups.get("q") else ""
+        if told == _ACCELERATES:
+            quantity = "acceleration"
+        elif told == _AT_SPEED:
+            quantity = "velocity"
+        elif told in _GOES:
+            quantity = "time" if number.endswith(" s") else "displacement"
+        clause, side = groups.get("clause") or "", CONNECTORS.get(groups.get("connector") or "", "then")
+        ends = whens(clause, heard, of, side) if clause else [When("")]
+        yield from (
+            WantedNumber(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
+        )
+
+
+def _limits(found: re.Match[str], heard: Heard) -> Iterator[WantedNumber]:
+    groups = found.groupdict()
+    name = meant(NUMBERS, groups["p"])
+    does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
+    who, owner = heard.subject(groups["s"]), heard.subject(groups.get("own") or groups.get("of"))
+    least = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
+    for outcome in (does, ROLLING.get(does, "")):
+        if outcome:
+            yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=least)
+
+
+def _row(clause: str) -> str:
+    return next(row for row in OUTCOMES if pattern(f"(?:{row})").fullmatch(clause))

@@ -1,0 +1,64 @@
+"""When a question in ordinary English asks: a moment in structured form, and where its clause stands in a sentence."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, meant
+
+BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
+_SIDES: Mapping[str, str] = {
+    BEFORE: "just before|immediately before|right before|shortly before|before|prior to",
+    AFTER: "just after|immediately after|right after|directly after|shortly after|after|following",
+    THEN: "at moment when|at instant when|at moment at which|at instant at which|at moment|at instant|at time when"
+    "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
+    "|from release until|at end of",
+    DURING: "during|while|on",
+}
+CONNECTORS: Mapping[str, str] = {said: side for side, row in _SIDES.items() for said in row.split("|")}
+"""By what a clause begins with: on which side of what it names it asks."""
+_CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, reverse=True))})(?= )")
+_LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
+
+
+@dataclass(frozen=True, slots=True)
+class When:
+    """A moment as a structured question names it, the side of it that is meant, and which ways bodies go till then.
+
+    `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of what is taken for granted. Those
+    of a higher `rank` are meant only where the scene has none of a lower one.
+    """
+
+    told: str
+    side: str = THEN
+    ways: tuple[tuple[str, str], ...] = ()
+    rank: int = 0
+
+
+def split(text: str) -> Iterator[tuple[str, str, str]]:
+    """The question and the clause with its side, for every way to part a sentence; the whole of it first."""
+    yield text, "", ""
+    for ending in (" initially", " at first"):
+        if text.endswith(ending):
+            yield text.removesuffix(ending), "start", THEN
+    for found in _LATER.finditer(text):
+        if found.start() > 0:
+            yield text[: found.start()].strip(" ,"), text[found.start() :].strip(), THEN
+        elif " , " in text:
+            clause, _, question = text.partition(" , ")
+            yield question.strip(), clause.strip(), THEN
+    for found in _CONNECTED.finditer(text):
+        if found.start() > 0:
+            yield text[: found.start()].strip().rstrip(" ,"), text[found.end() :].strip(), CONNECTORS[found[0]]
+        elif " , " in text:
+            clause, _, question = text[found.end() :].partition(" , ")
+            yield question.strip(), clause.strip(), CONNECTORS[found[0]]
+
+
+def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
+    """Which ways a subject goes, as a verb and what stands beside it tell."""
+    groups = found.groupdict()
+    verb = meant(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
+    told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
+    beside = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    return tuple((who, way) for way in dict.fromkeys((*told, *((beside,) if beside else ()))))

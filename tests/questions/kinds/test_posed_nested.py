@@ -1,0 +1,63 @@
+"""Optima, limits and equilibria asked in parts."""
+
+from math import atan, degrees, sqrt
+
+import pytest
+
+from plain_scenes import G, atwood, ramp, row
+from sim2reason.bodies.ball import Ball
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
+from sim2reason.errors import TextError
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
+
+FLIGHT = Scene(
+    entities=(Named(name="throw", entity=Projectile(ball=Ball(mass=0.5), height=20.0, speed=15.0, angle=40.0)),)
+)
+BEST = 15.0 / sqrt(15.0**2 + 2.0 * G * 20.0)
+
+
+def answer(scene: Scene, **parts: str) -> float | None:
+    """Of a question in parts."""
+    motion, words = motion_of(scene), words_of(describe(scene))
+    return posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+
+
+@pytest.mark.parametrize(
+    ("scene", "parts", "value"),
+    [
+        (
+            FLIGHT,
+            {"find": "throw.angle", "given": "displacement = greatest", "along": "x", "when": "landed"},
+            degrees(atan(BEST)),
+        ),
+        (
+            FLIGHT,
+            {"find": "displacement", "change": "throw.angle = greatest", "along": "x", "when": "landed"},
+            15.0**2 / G / BEST,
+        ),
+        (atwood(), {"find": "acceleration", "of": "block A", "change": "one.system.blocks.0.mass = infinity"}, G),
+        (atwood(), {"find": "tension", "change": "other.system.blocks.0.mass = infinity"}, 6.0 * G),
+    ],
+)
+def test_optima_and_limits_have_a_structured_form(scene: Scene, parts: dict[str, str], value: float) -> None:
+    """The best angle of a throw from a height, and a very heavy block."""
+    assert answer(scene, **parts) == pytest.approx(value, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("scene", "find", "told"),
+    [
+        (ramp(angle=0.0, friction=0.2, speed=3.0), "displacement", "no place at which all would stay at rest"),
+        (row((2.0,), (50.0,), "left", speed=1.5), "velocity", "in equilibrium nothing moves"),
+    ],
+)
+def test_what_is_not_found_in_equilibrium_says_why(scene: Scene, find: str, told: str) -> None:
+    """And what to ask instead."""
+    with pytest.raises(TextError, match=told):
+        answer(scene, find=find, when="equilibrium")

@@ -1,0 +1,156 @@
+"""Questions in ordinary English: what is understood has the right answer, and nothing is misread."""
+
+import json
+from collections import Counter
+from functools import cache
+from pathlib import Path
+from time import perf_counter
+from typing import NamedTuple
+
+import pytest
+
+from sim2reason.dsl.units import parse_unit
+from sim2reason.errors import TextError
+from sim2reason.prose.description import describe
+from sim2reason.questions import Words
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.ordinary.reading import readings
+from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.prompt import words_of
+from sim2reason.scene_files import load
+
+DATA = Path(__file__).parents[2] / "data"
+EXACT = 1e-6  # relative
+ENOUGH = 0.8  # of the questions
+
+
+class Asked(NamedTuple):
+    """A question about a scene, with its answer by a closed form."""
+
+    scene: str
+    question: str
+    value: float = 0.0
+    unit: str = "1"
+    signed: bool = False
+
+
+@cache
+def questions() -> list[Asked]:
+    """All questions that were written before anyone had read the reader's tables."""
+    rows = (json.loads(line) for line in (DATA / "ordinary_questions.jsonl").read_text("utf-8").splitlines())
+    return [Asked(row["scene"], row["question"], row["value"], row["unit"], row.get("signed", False)) for row in rows]
+
+
+@cache
+def traps() -> list[Asked]:
+    """Questions that are near others, and ask for something else, or for nothing."""
+    rows = (json.loads(line) for line in (DATA / "ordinary_traps.jsonl").read_text("utf-8").splitlines())
+    return [Asked(row["scene"], row["question"]) for row in rows]
+
+
+@cache
+def scene(name: str) -> tuple[FollowedMotion, Words]:
+    """A scene's motion, and its words."""
+    own = DATA / "ordinary_scenes" / f"{name}.yaml"
+    read = load(own if own.exists() else DATA / "textbook_scenes" / f"{name}.yaml")
+    return motion_of(read), words_of(describe(read))
+
+
+def outcome(asked: Asked) -> str:
+    """Whether a question is answered *right* or *wrong*, or refused."""
+    motion, words = scene(asked.scene)
+    try:
+        found = understood(asked.question, motion, words)
+    except TextError:
+        return "refused"
+    if found is None or found.followed.answer is None:
+        return "refused"
+    own, wanted = (parse_unit(unit.replace("1", "") or "") for unit in (found.posed.unit(words), asked.unit))
+    got = found.followed.answer * (own.factor_to(wanted) or float("nan"))
+    got, value = (got, asked.value) if asked.signed else (abs(got), abs(asked.value))
+    return "right" if got == pytest.approx(value, rel=EXACT) else f"wrong: {asked.question} {got} {found.asked.told}"
+
+
+SCENES = sorted({asked.scene for asked in questions()})
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_nothing_is_misread(name: str) -> None:
+    """Neither a question, nor one that differs from it in a word."""
+    found = [outcome(asked) for asked in questions() if asked.scene == name]
+    assert [told for told in found if told.startswith("wrong")] == []
+    assert [asked.question for asked in traps() if asked.scene == name and outcome(asked) != "refused"] == []
+
+
+def test_most_questions_are_understood() -> None:
+    """At least four of five, each right."""
+    found = Counter(outcome(asked) for asked in questions())
+    assert len(questions()) >= 300
+    assert found["right"] >= ENOUGH * len(questions()), found
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "told"),
+    [
+        ("atwood", "How fast is the second block after 1 s?", "How fast is block"),
+        ("skid", "How quick is the block when it halts?", "How fast is the block"),
+        ("orbit", "What is the eccentricity of the orbit of the planet?", "planet"),
+    ],
+)
+def test_the_nearest_questions_are_offered(name: str, question: str, told: str) -> None:
+    """In sentences that are understood."""
+    motion, words = scene(name)
+    said = nearest_said(question, motion, words)
+    assert said.startswith("did you mean: ")
+    assert told in said
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "told"),
+    [
+        ("skid", "How far does the block slide to the left before it stops?", "does not go left"),
+        ("ramp", "What is the deceleration of the block?", "does not slow down"),
+        ("pendulum", "What is the tension in the string?", "changes with time"),
+        ("atwood", "What is the total kinetic energy of the two blocks after 1 s?", "in several ways; did you mean"),
+        ("rocket", "What is the acceleration of the probe when the fuel runs out?", "just before it, or just after it"),
+    ],
+)
+def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
+    """A question that takes for granted what is not so is refused with that."""
+    motion, words = scene(name)
+    with pytest.raises(TextError, match=told):
+        understood(question, motion, words)
+
+
+@pytest.mark.parametrize(
+    ("question", "text"),
+    [
+        ("How fast is block A moving after 2 m?", "how fast is @0@ moving after #0#"),
+        ("When its speed is 3 m/s, how far has box B gone?", "when its speed is #0# , how far has @0@ gone"),
+        ("What is block B's speed when it has fallen 2 metres?", "what is @0@ 's speed when @0@ has fallen #0#"),
+        ("How fast are the blocks going?", "how fast are @0@ going"),
+        ("What is the tension in the rope?", "what is tension in @0@"),
+    ],
+)
+def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> None:
+    """With other nouns for the only thing that they can mean."""
+    assert hear(question, scene("atwood")[1]).text == text
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How far " + "is " * 130,
+        "How fast is board A " + "moving " * 50,
+        "What is the speed of board A " + "when board A moves " * 18,
+        "How fast is board A after 1 s" + "?" * 400,
+        "",
+    ],
+)
+def test_a_hostile_question_is_read_at_once(question: str) -> None:
+    """And not understood; what is too long is not read in part."""
+    began = perf_counter()
+    assert readings(hear(question, scene("plank")[1])) == ()
+    assert perf_counter() - began < 2.0
