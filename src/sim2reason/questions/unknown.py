@@ -88,7 +88,10 @@ def _keeps_routes(scene: Scene, path: str) -> bool:
         other = scene.having(path, float(scene.value(path)) * NUDGE)
     except (SceneError, ValueError):  # it has its greatest value
         return True
-    return other.mechanism.routes == scene.mechanism.routes
+    try:
+        return other.mechanism.routes == scene.mechanism.routes
+    except SceneError:  # as where a spring joins two slopes, which must have the same angle
+        return False
 
 
 def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
