@@ -35,3 +35,30 @@ def test_what_leaves_nothing_to_ask_is_told_why() -> None:
     """Nothing holds a massless part."""
     scene = load((Path(__file__).parents[2] / "examples/olympiad/fma_2024_17.yaml").read_text())
     assert "nothing holds a massless part" in asked(scene, "numeric", 3, 0).reason
+
+
+FACING = """
+scene:
+  name: planes
+  entities:
+  - name: lower
+    type: StackedMassPlane
+    parameters: {plane: {angle: 30.0, friction: 0.0}, lower: {mass: 2.0}, upper: {mass: 1.0}, friction: 0.3}
+  - name: upper
+    type: StackedMassPlane
+    parameters: {plane: {angle: 30.0, friction: 0.0}, lower: {mass: 1.5}, upper: {mass: 0.7}, friction: 0.3}
+  connections:
+  - spring: [{entity: lower, direction: lower_right}, {entity: upper, direction: lower_left}]
+    stiffness: 120.0
+    free: 0.5
+    strained: stretched
+    by: 0.1
+"""
+
+
+def test_an_angle_that_a_straight_spring_fixes_is_not_asked_for() -> None:
+    """Both slopes have it: with another one the spring could not run straight."""
+    scene = load(FACING)
+    found = ask(scene, mode="reverse", items=3, all=True)
+    assert found
+    assert all("the angle" not in item.prompt.partition("Find")[2] for item in found)
