@@ -16,6 +16,8 @@ SCENES = 70  # of each difficulty: some 200 of a recipe
 
 OFTEN = 12  # times that something must be there before it is called constant
 
+ROUGH = "Plane", "StackedMassPlane", "Prism", "Box", "Rough", "RoughTrack", "Wedge"  # two coefficients of friction can be said
+
 ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
     "only a row of blocks without strings is sent off with a speed": {
         "TwoSideMassPlane.speed presence": ("hybrid", "mixed"),
@@ -42,6 +44,15 @@ ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
         "RollingEntity.start presence": ("mixed",),
         "RollingEntity.start type": ("mixed",),
     },
+    "a scene of one's own may say what no recipe draws": dict.fromkeys(
+        [
+            *(f"{name}.static_friction presence" for name in ROUGH),
+            *(f"TwoDCollisionPlane.{side} presence" for side in ("left", "right", "bottom", "top")),
+            *(f"Projectile.{name} presence" for name in ("angle", "speed")),
+            "OscillatingElectric.phase presence",
+        ],
+        tuple(RECIPES),
+    ),
 }
 """What a recipe fixes, by the reason: which aspect, in which recipes or cells."""
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import pytest
 from click.testing import CliRunner
 
-from sim2reason import registries
+from sim2reason import registries, registry
 from sim2reason.cli import main
 from sim2reason.registry import Registry
 
@@ -25,6 +25,7 @@ def work() -> None:
 
 @pytest.fixture
 def fakes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(registry, "_further", {})  # workers of later tests need not know these
     things: Registry[object] = Registry("things")
     monkeypatch.setattr(things, "_filled", True)
     things.add("work", work)

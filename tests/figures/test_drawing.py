@@ -269,5 +269,5 @@ def test_a_missing_extra_is_said_with_the_remedy(
     scenes: list[Scene], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
-    with pytest.raises(MissingExtraError, match=r"pip install 'sim2reason\[figures\]'"):
+    with pytest.raises(MissingExtraError, match=r"pip install 'matplotlib"):
         draw(drawing(scenes[0]), tmp_path / "scene.svg")

@@ -106,14 +106,12 @@ def parse_prompt(
     body, unit = without_form(text)
     refused: list[TextError] = []
     for read in (_understood, _in_ordinary_english):
-        refused, before = [], refused
         for told in in_si(body):
             for shape, draft in _drafts(told):
                 try:
                     return read(_stated(draft, given), unit, shape, rng, given)
                 except TextError as error:
                     refused.append(error)
-        refused = [*(error for error in refused if error.place == "prompt"), *before]
     if not refused:
         raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
     raise min(refused, key=lambda error: ("prompt", "text", error.place).index(error.place))  # what was read farthest
@@ -167,6 +165,8 @@ def _in_ordinary_english(
 ) -> ParsedPrompt:
     """What a draft means whose question is not in the words of the library; TextError for one that means nothing."""
     reading = parse_scene(draft.story, rng, draft.given, startless=True)
+    if len(reading.unknown) > 1:
+        raise untold(reading.unknown.values())
     if given or reading.unknown or "start" in reading.without:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     motion, words = motion_of(reading.scene), _words(reading)
