@@ -60,3 +60,9 @@ def test_a_limit_says_how_the_energy_changes_with_the_number_that_is_limited() -
 def test_the_velocity_at_the_top_of_a_flight_is_the_horizontal_one_of_its_beginning() -> None:
     text = solution_text("pendulum-hard-choice-301923-0")
     assert "the horizontal velocity stays $v_x$, and the vertical one is zero at the highest point." in text
+
+
+def test_a_ball_on_a_string_is_not_said_to_swing_to_and_fro() -> None:
+    """With k = 0.74 the string would go slack on the other side, above the horizontal."""
+    text = solution_text("pendulum-easy-multipart-301924-4")
+    assert "As $k < 1$, the energy does not suffice to reach the top of the circle." in text

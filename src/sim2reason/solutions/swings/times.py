@@ -52,7 +52,8 @@ class SwingTime:
         step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
         if not self.book.is_hidden(name):
             over = self.book.values[name.name] > 1.0
-            step.say(f"As ${k} {'> 1$, it goes round' if over else '< 1$, it swings to and fro'}.")
+            reach = "> 1$, the energy suffices" if over else "< 1$, the energy does not suffice"
+            step.say(f"As ${k} {reach} to reach the top of the circle.")
         step.close()
         return name
 

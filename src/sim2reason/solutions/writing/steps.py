@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from copy import copy
+from math import degrees
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.questions.need import Need
@@ -11,7 +12,7 @@ from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.fresh_names import FreshNames
 from sim2reason.solutions.writing.labels import Labels
-from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
+from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, SECONDS, latex
 
 STATE_DIGITS = 8  # of numbers on which an integration rests
 
@@ -90,7 +91,7 @@ class Book(FreshNames):
             self.sought = name
             self.hidden.add(name)
         else:
-            self.stated[name] = f"{value:g}{unit}"
+            self.stated[name] = f"{degrees(value) if unit == DEGREES else value:g}{unit}"
 
     def state(self, name: str, value: float, spelled: str) -> None:
         """Make a name that was written one that is given, in the words of the question."""
