@@ -23,6 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
     MOTIONS,
+    ONE_WAY,
     ORIGIN,
     QUANTITIES,
     RESTS,
@@ -83,7 +84,9 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, groups["s"]):
         way = meant(WAYS, groups["way"]) if groups.get("way") else ""
         find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
-        yield Main(find, of, along, ways=() if along else ways_of(found, of))
+        told = ways_of(found, of)
+        sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
+        yield Main(find, of, along, ways=() if along else (*told, *sideways))
 
 
 def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -149,6 +152,21 @@ def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("time", needs=STRETCH)
 
 
+def _accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How fast something gets faster."""
+    yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
+
+
+GAINS = "gain", "gained", "increase", "increased", "rise"
+
+
+def _potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """By how much a potential energy changes, for a body that goes up, or down."""
+    way = "up" if found["verb"] in GAINS else "down"
+    for of in each(heard, found["s"]):
+        yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))
+
+
 FRAMES: Mapping[str, Reader] = {
     "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
     "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
@@ -169,6 +187,20 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
     "ASK {s} 's initial {q=QUANTITY}": _initial,
     "ASK [SIZE ]{s} force": of_one(*FORCES),
+    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": of_one("normal force"),
+    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": of_one("normal force"),
+    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": of_one("normal force"),
+    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": of_one("normal force"),
+    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": of_one(*FORCES),
+    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": of_one(*FORCES),
+    "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": _potential,
+    "by how much ~{s} 's [gravitational ]potential energy (?P<verb>increase|increased|rise|decrease|decreased|fall)": (
+        _potential
+    ),
+    "ASK (?P<verb>gain|increase|loss|decrease) (?:in|of) [gravitational ]potential energy[ of {s}]": _potential,
+    "how fast ~{s} ~(?:accelerate|accelerates|accelerating|speed up|speeding up)[ {way=WAY}| ALONG_IT]": _accelerates,
+    "(?:with|at) what acceleration ~{s} (?:accelerate|speed up)[ {way=WAY}| ALONG_IT]": _accelerates,
+    "what [SIZE ]acceleration ~{s} (?:undergo|experience|undergoes|experiences)": of_one("acceleration"),
     "ASK [final ]common (?:speed|velocity) of {s}": _common,
     "ASK common {q=QUANTITY} of {s}": _quantity,
     "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
@@ -199,8 +231,8 @@ FRAMES: Mapping[str, Reader] = {
     "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
     "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
-    "how far from (?:origin|its starting point|its starting position|start) ~{s}": of_one("displacement"),
-    "how far ~{s} from (?:its starting point|its starting position|start)": of_one("displacement"),
+    "how far from HOME ~{s}": of_one("displacement"),
+    "how far ~{s} from HOME": of_one("displacement"),
     "how far from {t} ~{s}": of_none("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,

@@ -23,6 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
     ONCE,
+    ONE_WAY,
     ONLY,
     ORIGIN,
     OVER,
@@ -216,12 +217,25 @@ def _straight(case: Case) -> bool:
     return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
 
 
+def _one_way(case: Case) -> bool:
+    """Whether a body goes straight up or down, or along the only line that it can go along."""
+    name = _name(case.who, case.words)
+    if not name:
+        return False
+    velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0]
+    senses = list(Bodies().senses(case.words.mechanism, name))
+    lines = [(0.0, 0.0, 1.0), *(senses[0].vector for _ in senses if len(senses) == 1)]
+    speed = float(np.linalg.norm(velocity))
+    return any(abs(float(velocity @ np.array(line))) >= (1.0 - EVEN) * speed for line in lines)
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
+    ONE_WAY: ("{who} goes sideways, too", _one_way),
     STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),
     LASTS: ("it changes after that", _lasts),

@@ -18,6 +18,7 @@ _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before
 _GOES_ON = pattern(
     "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
+_ON_ITS_WAY = pattern("(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]")
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
@@ -88,11 +89,21 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 if main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)
+        yield from _on_the_way(main, clause, side, heard)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
             who = heard.subject(going["s"]) or main.of
             ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+
+
+def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+    """An extreme on the way up, or down: until the body turns back."""
+    found = _ON_ITS_WAY.fullmatch(clause) if side in (DURING, THEN) and main.needs == STRETCH and main.of else None
+    if found is not None:
+        who = heard.subject(found["s"]) or main.of
+        for rank, when in enumerate(("highest point" if found["on"] == "up" else "lowest point", "stopped")):
+            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, found["on"]),)))
 
 
 def _whole(main: Main) -> Iterator[Reading]:

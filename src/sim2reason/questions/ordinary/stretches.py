@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant, pattern
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
@@ -63,6 +63,13 @@ def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
+
+
+def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far the point of an orbit that has a name is from what it goes round."""
+    del heard
+    near = pattern("NEAREST").fullmatch(found["apsis"]) is not None
+    yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
 
 
 def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -134,14 +141,21 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
-    "how far ~{s} (?:get|gets|go) from (?:origin|its starting point|start)[ at most]": of_one(
+    "how far ~{s} (?:get|gets|go) from HOME[ at most]": of_one("greatest displacement", needs=STRETCH),
+    "how far at most ~{s} (?:get|gets|go) from HOME": of_one("greatest displacement", needs=STRETCH),
+    "ASK {s} 's GREATEST (?:distance|displacement)[ from HOME]": of_one("greatest displacement", needs=STRETCH),
+    "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": of_one("greatest displacement", needs=STRETCH),
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": of_one(
         "greatest displacement", needs=STRETCH
     ),
-    "how far at most ~{s} (?:get|gets|go) from (?:origin|its starting point|start)": of_one(
-        "greatest displacement", needs=STRETCH
-    ),
+    "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
+    "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
     "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
+    "how much work ~{s} ~DONE against friction": _heat,
+    "ASK work DONE[ by {s}] against friction": _heat,
+    "how much work ~DONE against friction": _heat,
+    "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": _heat,
     "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
@@ -174,7 +188,6 @@ STRETCHES: Mapping[str, Reader] = {
         "greatest deflection", needs=STRETCH
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
-    "ASK orbital period": _period("period"),
     "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     # heights
@@ -187,23 +200,25 @@ STRETCHES: Mapping[str, Reader] = {
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
-    "with what period ~{s} OSCILLATES": _period("period"),
-    "with what frequency ~{s} OSCILLATES": _period("frequency"),
+    "how far[ horizontally] from [BASE ](?:thrower|cliff|tower|building|wall|table) ~{s} LANDS": _range,
+    "how far horizontally[ from HOME] ~{s} LANDS": _range,
+    "how far from BASE HOME ~{s} LANDS": _range,
+    "(?:with|at) what period ~{s} OSCILLATES": _period("period"),
+    "(?:with|at) what frequency ~{s} OSCILLATES": _period("frequency"),
     "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
     "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
     "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
-    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period(
-        "period"
-    ),
-    "ASK period of {s} 's (?:motion|oscillation|orbit|swing)": _period("period"),
-    "ASK (?:orbital period|period of revolution) of {s}": _period("period"),
-    "ASK frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration)]": _period("frequency"),
-    "ASK angular frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit)]": _period(
-        "angular frequency"
-    ),
+    "ASK PERIOD of {s}[ 's ITS_MOTION]": _period("period"),
+    "ASK PERIOD[ of [its ]ITS_MOTION[ of {s}]]": _period("period"),
+    "ASK {s} 's PERIOD[ of (?:revolution|oscillation|rotation)]": _period("period"),
+    "ASK frequency of {s}[ 's ITS_MOTION]": _period("frequency"),
+    "ASK frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("frequency"),
+    "ASK angular frequency of {s}[ 's ITS_MOTION]": _period("angular frequency"),
+    "ASK angular frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("angular frequency"),
+    "(?:with|at) what angular frequency ~{s} OSCILLATES": _period("angular frequency"),
     "(?:TIME|how long ~) [for ]{s} [to ](?:COMPLETES) (?:one|full|one full) ROUND": _period("period"),
     "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
     "|complete one round|go once around|go around once)": _period("period"),

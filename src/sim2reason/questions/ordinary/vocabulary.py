@@ -12,12 +12,12 @@ from functools import cache
 NOUNS: tuple[frozenset[str], ...] = tuple(
     frozenset(group.split())
     for group in (
-        "block box crate load parcel",
-        "ball bob sphere stone projectile marble",
+        "block box crate load parcel sled sledge weight",
+        "ball bob sphere stone projectile marble shell rock",
         "cart trolley glider car truck wagon",
         "board plank slab block",
-        "probe rocket spacecraft spaceship craft",
-        "bead particle ion ball",
+        "probe rocket spacecraft spaceship craft capsule",
+        "bead particle ion ball charge",
         "string rope cord cable thread",
         "puck disc disk",
         "planet moon comet asteroid satellite",
@@ -40,9 +40,10 @@ QUANTITIES: Mapping[str, str] = {
     "angular acceleration": "angular acceleration",
     "friction force": "force of friction|friction force|frictional force|static friction|kinetic friction"
     "|static friction force|kinetic friction force|force of static friction|force of kinetic friction",
-    "normal force": "normal force|normal reaction",
-    "net force": "net force|resultant force",
-    "tension": "tension|tension force",
+    "normal force": "normal force|normal reaction|normal reaction force|normal contact force|reaction force"
+    "|supporting force|support force",
+    "net force": "net force|resultant force|resultant|total force",
+    "tension": "tension|tension force|string tension",
     "spring force": "spring force",
     "relative speed": "relative speed",
     "displacement": "displacement",
@@ -77,7 +78,7 @@ DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
-RISING, ROLLING, RESTS, LASTS, STRAIGHT = "rising", "rolling", "rests", "lasts", "straight"
+RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
 WORDS: Mapping[str, str] = {
@@ -100,12 +101,18 @@ PHRASES: Mapping[str, str] = {
     "|after how many seconds|in how many seconds|how many seconds does it take|how many seconds pass until"
     "|how much time does it take|how long until|find how long it takes|determine how long it takes"
     "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required|ASK time taken"
+    "|how much time elapses before|how much time elapses until|how much time passes before"
+    "|how many seconds elapse before|how many seconds elapse until|how many seconds pass before"
+    "|how soon|how long before"
     "|after what time|after how much time|after how long",
     "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
     "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop|turns round|turns back|turn back|turn round"
-    "|turns around|reverses|reverses direction|changes direction",
+    "|turns around|reverses|reverses direction|changes direction|reverses its direction|reverses its motion"
+    "|reverse direction|reverse its direction|turn around|momentarily stops|is momentarily at rest|is brought to rest",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
-    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE",
+    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE"
+    "|comes down|touches down|strikes it|falls to SURFACE|fall to SURFACE"
+    "|drops to SURFACE|arrives at SURFACE|land on SURFACE|lands on SURFACE|come down|touch SURFACE",
     "BOUNCES": "bounce|bounces|bounced|bouncing|rebounds|rebound",
     "BECOMES": "has fallen to|reaches|has dropped to|has risen to|becomes|falls to|drops to|rises to|has reached",
     "DONE": "do|does|did|done",
@@ -118,9 +125,12 @@ PHRASES: Mapping[str, str] = {
     "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
     "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
     "|collision with each other|crash|crashes|bump into each other",
+    "NEAREST": "closest point|nearest point|perihelion|periapsis|pericentre|perigee|closest approach"
+    "|point of closest approach|least distance",
+    "FARTHEST": "farthest point|furthest point|aphelion|apoapsis|apocentre|apogee|greatest distance",
     "TOP": "highest point|top|peak|apex|maximum height|greatest height|highest position",
     "BOTTOM": "lowest point|bottom|lowest position",
-    "PATH": "path|flight|circle|swing|trajectory|motion|arc|orbit|circular path",
+    "PATH": "path|flight|rise|climb|circle|swing|trajectory|motion|arc|orbit|circular path",
     "BURNOUT": "fuel is used up|fuel runs out|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
     "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cuts out|engine shuts off|engine burns out",
     "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
@@ -134,9 +144,20 @@ PHRASES: Mapping[str, str] = {
     "|return to its natural length|regains its natural length|regain its natural length",
     "FIRST_TIME": "for first time|first time",
     "START": "start|release|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
-    "|BODY is launched|BODY starts|BODY begins to move",
+    "|BODY is launched|BODY starts|BODY begins to move"
+    "|engine starts|engine is started|engine ignites|engine is switched on|ignition"
+    "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
     "ALONG_IT": "along SURFACE|along straight line",
+    "PERIOD": "period|orbital period|period of revolution|period of rotation|period of oscillation"
+    "|oscillation period|time of one revolution",
+    "ITS_MOTION": "oscillation|oscillations|small oscillations|swing|orbit|vibration|vibrations|motion|revolution"
+    "|circular motion|circular orbit|periodic motion|oscillatory motion|pendulum|resulting oscillation"
+    "|resulting motion|orbital motion|simple harmonic motion|rotation",
+    "PRESSES": "press|presses|push|pushes|press down|pushes up|bear down",
+    "BASE": "point directly below|point below|point vertically below|foot of|base of|bottom of",
+    "HOME": "origin|its starting point|its starting position|start|its point of release|its initial position"
+    "|its original position|where it started|where it starts|point where it started|point at which it started",
     "HEAT": "heat|energy|kinetic energy|mechanical energy|thermal energy",
     "LOST": "lost|dissipated|generated|produced|lost to friction|dissipated by friction|generated by friction"
     "|produced by friction|turned into heat|converted into heat|lost due to friction|lost through friction",

@@ -32,6 +32,12 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
     "|reach TOP|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
     "slips|slides|starts to slip|begins to slip|starts to slide|begins to slide|starts to move|begins to move"
     "|slip|slide|move|starts moving|begins sliding": ("slides", "yes"),
+    "slides up|slides up SURFACE|moves up|moves up SURFACE|is pulled up SURFACE|starts to move up SURFACE"
+    "|goes up SURFACE|begins to move up SURFACE|begins to slide up SURFACE|starts to slide up SURFACE"
+    "|is lifted|rises|starts to rise|begins to rise|move up SURFACE|slide up SURFACE|rise|is pulled upwards": (
+        "rises",
+        "yes",
+    ),
     "does not slip|does not slide|does not move|stays at rest|remains at rest|rolls without slipping"
     "|not slip|not slide": ("slides", "no"),
     "goes slack|becomes slack|go slack": ("goes slack", "yes"),
