@@ -19,6 +19,9 @@ _GOES_ON = pattern(
     "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
 _ON_ITS_WAY = pattern("(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]")
+_BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
+_THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
+_SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
@@ -44,8 +47,21 @@ class Reading:
 
 def readings(heard: Heard) -> tuple[Reading, ...]:
     """All that a sentence may ask; empty if it is not understood."""
-    found = (reading for parts in _parts(heard.text) for reading in _of_parts(*parts, heard))
-    return tuple(dict.fromkeys(each for reading in found for each in _of_each(reading)))
+    for told in (heard, _together(heard)):
+        found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
+        if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading))):
+            return distinct
+    return ()
+
+
+def _together(heard: Heard) -> Heard:
+    """The same with two that are named side by side as one subject: what is asked of both."""
+    found = _BOTH.search(heard.text)
+    if found is None:
+        return heard
+    both = f"{ALL} {heard.subject(found[1])} & {heard.subject(found[2])}"
+    token = f"@{len(heard.subjects)}@"
+    return replace(heard, text=_BOTH.sub(token, heard.text, count=1), subjects=(*heard.subjects, both))
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
@@ -63,6 +79,9 @@ def _of_each(reading: Reading) -> Iterator[Reading]:
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     """The main clause, the clause beside it and its side, however they are put."""
     text = re.sub(r" (?:,)$", "", text)
+    stated, parted, question = text.rpartition(". ")
+    if parted and "." not in stated:
+        yield _THEN.sub("", question), _SUPPOSED.sub("", stated), THEN
     yield from split(text)
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
