@@ -28,6 +28,7 @@ _UNIT = re.compile(
 _JOINING = (
     r"(?:(?:that |which )?(?:is |runs )?(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties))"
 )
+_PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
@@ -141,13 +142,13 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
     """A string, spring or rod between two things, by how it joins them, in either order."""
-    parts = re.fullmatch(r"the (\w+) between (.+) and (.+)", phrase)
+    parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
     if parts is None:
         return
     group = "|".join(sorted({parts[1]} | _group(parts[1])))
     ends = [_end(parts[2]), _end(parts[3])]
     for one, other in (ends, reversed(ends)):
-        told = rf"\b(?:[Tt]he )?(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
+        told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
         yield 2000, phrase, told
 
 

@@ -171,7 +171,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
     "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
     "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
-    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~have| ~has| ~moving| ~{motion=MOTION}]"
+    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
     "[ {way=WAY}]": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
@@ -234,6 +234,7 @@ FRAMES: Mapping[str, Reader] = {
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),
     "how far from {t} ~{s}": of_none("distance"),
+    "how far ~{s}[ away] from {t}": of_none("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
     "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),

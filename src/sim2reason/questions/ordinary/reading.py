@@ -12,7 +12,10 @@ from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
-_AT_EVENT = r"((?:with |at )?what [a-z ]+?|how fast|how far|how far away) (?:does |is |has |do |will )(@\d+@) (.+)"
+_PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
+_AT_EVENT = (
+    rf"((?:with |at )?what [a-z ]+?|how (?:fast|(?:far|high){_PLACE}?)) (?:does |is |has |do |will )(@\d+@) (.+)"
+)
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _GOES_ON = pattern(
@@ -22,6 +25,7 @@ _ON_ITS_WAY = pattern("(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFAC
 _BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
 _THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
 _SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
+_SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
@@ -118,7 +122,12 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
     """An extreme on the way up, or down: until the body turns back."""
-    found = _ON_ITS_WAY.fullmatch(clause) if side in (DURING, THEN) and main.needs == STRETCH and main.of else None
+    if side not in (DURING, THEN) or main.needs != STRETCH or not main.of:
+        return
+    slips = _SLIPPING.fullmatch(clause)
+    if slips is not None:
+        yield _with(main, When(f"{heard.subject(slips['s']) or main.of} stopped slipping", AFTER))
+    found = _ON_ITS_WAY.fullmatch(clause)
     if found is not None:
         who = heard.subject(found["s"]) or main.of
         for rank, when in enumerate(("highest point" if found["on"] == "up" else "lowest point", "stopped")):

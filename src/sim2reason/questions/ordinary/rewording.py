@@ -15,7 +15,12 @@ REWORDINGS: Mapping[str, str] = {
     ),
     "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
     "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
-    "(?<=@ )(?:first|itself|just|finally|eventually) (?!#|second|time|AUX)(?=[a-z])": "",
+    "(?<=@ )(?:first|itself|finally|eventually) (?!#|second|time|AUX)(?=[a-z])": "",
+    "\\b(?:been|being|already) ": "",
+    "\\bupon ": "on ",
+    "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
+    "\\bfor one (?:full|complete|whole) ROUND(?: (?:about|around|round) @\\d+@)?": "to complete one round",
+    "\\b(?:one|single) (?:full|complete|whole) (?P<round>ROUND)(?: (?:about|around|round) @\\d+@)?": r"one \g<round>",
     "(?<=\\bdoes )(?P<s>@\\d+@) (?:happen to|manage to|actually) ": r"\g<s> ",
     "^ASK (?:SIZE )?(?P<q>QUANTITY) (?:with|at) which ": r"with what \g<q> ",
     "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
@@ -33,4 +38,4 @@ def reworded(text: str) -> str:
     """A question without its turns of phrase."""
     for told, plain in REWORDINGS.items():
         text = pattern(told).sub(plain, text)
-    return text
+    return text.strip()

@@ -125,9 +125,7 @@ def _period(name: str) -> Reader:
 STRETCHES: Mapping[str, Reader] = {
     # extremes
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} (?:reaches|reach|attains|attain|gets|get|has)": (
-        _extreme("greatest")
-    ),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} ATTAINS": (_extreme("greatest")),
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _extreme("greatest"),
     "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
     "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
@@ -151,12 +149,12 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
     "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
+    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": _heat,
     "how much work ~{s} ~DONE against friction": _heat,
     "ASK work DONE[ by {s}] against friction": _heat,
     "how much work ~DONE against friction": _heat,
     "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": _heat,
-    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
+    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)[ IN_ALL]": _heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
@@ -174,6 +172,12 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),
+    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": _in_collision(
+        "impulse of a collision"
+    ),
+    "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": of_one(
+        "impulse of an impact", needs=STRETCH
+    ),
     "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": _in_collision("impulse of a collision"),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
@@ -184,7 +188,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how much ~{s} compressed at most": _most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
-    "ASK GREATEST angle [that ]~{s} ~(?:make|makes) with [downward ]vertical": of_one(
+    "(?:ASK|what) GREATEST angle (?:between |[that ]~){s} (?:and|~make with|~makes with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
@@ -205,7 +209,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how far from BASE HOME ~{s} LANDS": _range,
     "(?:with|at) what period ~{s} OSCILLATES": _period("period"),
     "(?:with|at) what frequency ~{s} OSCILLATES": _period("frequency"),
-    "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
+    "[for ]how long ~(?:engine|{s}[ 's engine]) (?:burn|run|fire|work|operate)": implied("time", "burned out"),
     "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
