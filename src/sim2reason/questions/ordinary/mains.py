@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
@@ -39,6 +40,11 @@ FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
     """All that a main clause may ask for; nothing if it asks for nothing known."""
+    found = list(_framed(question, heard))
+    yield from found or (main for plain in plainly_ordered(question) for main in _framed(plain, heard))
+
+
+def _framed(question: str, heard: Heard) -> Iterator[Main]:
     for told, reader in frames().items():
         found = pattern(told).fullmatch(question)
         if found is not None:

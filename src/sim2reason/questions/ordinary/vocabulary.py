@@ -163,7 +163,7 @@ PHRASES: Mapping[str, str] = {
     "|revolution"
     "|circular motion|circular orbit|periodic motion|oscillatory motion|pendulum|resulting oscillation"
     "|resulting motion|orbital motion|simple harmonic motion|rotation",
-    "HAVE": "have|has|reach|reached|attain|attained|acquire|acquired|possess|get|gain|gained",
+    "HAVE": "have|has|reach|reached|attain|attained|acquire|acquired|possess|get",
     "IN_ALL": "in all|in total|altogether|overall",
     "ATTAINS": "reaches|reach|attains|attain|gets|get|has|have|achieves|acquires|achieve|acquire",
     "PRESSES": "press|presses|push|pushes|press down|pushes up|bear down",
