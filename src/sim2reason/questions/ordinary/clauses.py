@@ -225,6 +225,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": _turned_back("lowest point", "down"),
     "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": simply("lowest point"),
     "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": simply("lowest point"),
+    "[in |at ][its ]vertical position": simply("lowest point"),
     "[{s} ]~(?:starts|begins|start|begin) to MOTION (?:again|back)[ WAY]": simply("stopped"),
     "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": _angle,
     "{s} ~horizontal": _level,

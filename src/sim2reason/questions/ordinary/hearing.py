@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
@@ -27,6 +28,10 @@ _UNIT = re.compile(
 )
 _JOINING = (
     r"(?:(?:that |which )?(?:is |runs )?(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties))"
+)
+_HOLDING = (
+    "(?:that |which )?(?:is )?"
+    "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
 )
 _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
@@ -121,7 +126,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     """What the text calls each thing, and what that may be called in a question, the narrower first."""
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
-    found: list[tuple[int, str, str]] = []
+    found: list[tuple[int, str, str]] = list(_at_end(words))
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
         found += _between(phrase)
@@ -145,11 +150,30 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
     parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
     if parts is None:
         return
-    group = "|".join(sorted({parts[1]} | _group(parts[1])))
+    group = _alike(parts[1])
     ends = [_end(parts[2]), _end(parts[3])]
+    nouns = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
+    if len(nouns) == 1:
+        both = rf"(?:the )?(?:two )?(?:{_alike(*nouns, *ANYTHING)})e?s"
+        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b"
     for one, other in (ends, reversed(ends)):
         told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
         yield 2000, phrase, told
+
+
+def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
+    """A string by the only body at an end of it, where all strings are called by their ends."""
+    strings = words.called(Strings()).values()
+    if len(strings) < len(Strings().names(words.mechanism)):
+        return
+    ends = [(phrase, end) for phrase in strings for end in re.split(" (?:between|and) ", phrase)[1:]]
+    for phrase, end in ends:
+        if "pulley" not in end and [other for _, other in ends].count(end) == 1:
+            yield 1500, phrase, rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
+
+
+def _alike(noun: str, *others: str) -> str:
+    return "|".join(sorted({noun, *others} | _group(noun)))
 
 
 def _end(said: str) -> str:
@@ -157,8 +181,7 @@ def _end(said: str) -> str:
     bare = said.removeprefix("the ").removeprefix("axle of ")
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
-        alike = "|".join(sorted({noun} | _group(noun) | ANYTHING))
-        return rf"(?:the )?(?:axle of )?(?:(?:{alike}) )?{letter}"
+        return rf"(?:the )?(?:axle of )?(?:(?:{_alike(noun, *ANYTHING)}) )?{letter}"
     return rf"(?:the )?(?:axle of )?(?:the )?{re.escape(bare)}"
 
 

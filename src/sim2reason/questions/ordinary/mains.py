@@ -138,7 +138,7 @@ def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    yield from (Main("height above the ground", of) for of in each(heard, found["s"]))
+    yield from (Main("height above the ground", of, needs=CLAUSED) for of in each(heard, found["s"]))
 
 
 def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -212,7 +212,13 @@ FRAMES: Mapping[str, Reader] = {
     "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
     "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
     "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
-    "ASK [SIZE ]friction[ force] between {s}[ and {t}]": of_none("friction force"),
+    "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": of_none(
+        "friction force"
+    ),
+    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE] ~[{s}]": _high,
+    "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
+        "spring energy"
+    ),
     "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
     "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
@@ -222,7 +228,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": _far,
     "(?:ASK|what) final {q=QUANTITY}[ of {s}]": _final,
     "ASK {s} 's final {q=QUANTITY}": _final,
-    "how high[ above SURFACE] ~{s}[ above SURFACE]": _high,
+    "how high[ above SURFACE] ~[{s}][ above SURFACE]": _high,
     "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
     "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),

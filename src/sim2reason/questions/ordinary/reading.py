@@ -13,9 +13,8 @@ from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, Whe
 from sim2reason.questions.structured import StructuredQuestion
 
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
-_AT_EVENT = (
-    rf"((?:with |at )?what [a-z ]+?|how (?:fast|(?:far|high){_PLACE}?)) (?:does |is |has |do |will )(@\d+@) (.+)"
-)
+_DOES = "(?:does |is |has |do |will )"
+_AT_EVENT = rf"((?:with |at )?what [a-z ]+?|how (?:fast|(?:far|high){_PLACE}?)) {_DOES}(@\d+@|engine|fuel) (.+)"
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _GOES_ON = pattern(
@@ -89,7 +88,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     yield from split(text)
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
-        question = f"{at_event[1].removesuffix(' away')} {at_event[2]}"
+        question = f"{at_event[1].removesuffix(' away')} {at_event[2] if '@' in at_event[2] else ''}".strip()
         yield question, f"{at_event[2]} {at_event[3]}", THEN
     takes = re.fullmatch(_TAKES, text)
     if takes is not None:

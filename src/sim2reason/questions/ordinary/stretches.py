@@ -139,8 +139,12 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
-    "how far ~{s} (?:get|gets|go) from HOME[ at most]": of_one("greatest displacement", needs=STRETCH),
-    "how far at most ~{s} (?:get|gets|go) from HOME": of_one("greatest displacement", needs=STRETCH),
+    "how far ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME[ at most]": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    "how far at most ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
     "ASK {s} 's GREATEST (?:distance|displacement)[ from HOME]": of_one("greatest displacement", needs=STRETCH),
     "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": of_one("greatest displacement", needs=STRETCH),
     "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": of_one(
@@ -154,7 +158,7 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK work DONE[ by {s}] against friction": _heat,
     "how much work ~DONE against friction": _heat,
     "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": _heat,
-    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)[ IN_ALL]": _heat,
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": _heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),

@@ -115,7 +115,8 @@ PHRASES: Mapping[str, str] = {
     "|is brought to rest",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
     "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE"
-    "|comes down|touches down|strikes it|falls to SURFACE|fall to SURFACE"
+    "|comes down|touches down|strikes it|falls to SURFACE|arrives at SURFACE|arrive at SURFACE"
+    "|arriving at SURFACE|fall to SURFACE"
     "|drops to SURFACE|arrives at SURFACE|land on SURFACE|lands on SURFACE|come down|touch SURFACE",
     "BOUNCES": "bounce|bounces off wall|bounces|bounced|bouncing|rebounds|rebound",
     "BECOMES": "has fallen to|reaches|has dropped to|has risen to|becomes|falls to|drops to|rises to|has reached",
@@ -127,7 +128,8 @@ PHRASES: Mapping[str, str] = {
     "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at"
     "|moves through|passing through|is at",
     "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
-    "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
+    "COLLIDE": "collide|touch|touch each other|come into contact|make contact|collides|collided|meet"
+    "|hit each other|collision|impact"
     "|collision with each other|crash|crashes|bump into each other",
     "NEAREST": "closest point|nearest point|perihelion|periapsis|pericentre|perigee|closest approach"
     "|point of closest approach|least distance",
@@ -139,7 +141,8 @@ PHRASES: Mapping[str, str] = {
     "|all fuel is spent"
     "|fuel is consumed|all fuel has burnt|end of burn|burn ends|fuel burns out|fuel is burned|fuel runs out"
     "|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
-    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cuts out|engine shuts off|engine burns out",
+    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cut out|engine stop|engine shut off"
+    "|engine burn out|engine is switched off|engine cuts out|engine shuts off|engine burns out",
     "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
     "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
     "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
@@ -152,7 +155,8 @@ PHRASES: Mapping[str, str] = {
     "FIRST_TIME": "for first time|first time",
     "START": "start|blow|kick|instant of release|moment of release|instant of launch|moment of launch|release"
     "|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
-    "|BODY is launched|BODY starts|BODY begins to move"
+    "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
+    "|BODY begins to move"
     "|engine starts|engine is started|engine ignites|engine is switched on|ignition"
     "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
