@@ -24,6 +24,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
     MOTIONS,
+    ON,
     ONE_WAY,
     ORIGIN,
     QUANTITIES,
@@ -163,6 +164,13 @@ def _accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
 
 
+def _presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """The normal force between a body and what it lies on."""
+    face = heard.subject(found["t"])
+    for of in each(heard, found["s"]):
+        yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
+
+
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
@@ -193,10 +201,10 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
     "ASK {s} 's initial {q=QUANTITY}": _initial,
     "ASK [SIZE ]{s} force": of_one(*FORCES),
-    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": of_one("normal force"),
-    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": of_one("normal force"),
-    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": of_one("normal force"),
-    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": of_one("normal force"),
+    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": _presses,
+    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": _presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": _presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": _presses,
     "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": of_one(*FORCES),
     "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": of_one(*FORCES),
     "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": _potential,

@@ -22,6 +22,7 @@ from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
+    ON,
     ONCE,
     ONE_WAY,
     ONLY,
@@ -108,6 +109,9 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
                 yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
                 yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+            elif way.startswith(ON):
+                face = way.removeprefix(ON)
+                yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
             else:
                 told, holds = OTHERS[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
@@ -124,6 +128,11 @@ def _name(who: str, words: Words) -> str:
         return resolved("of", who, words.called(Bodies()))
     except TextError:
         return ""
+
+
+def _lies(who: str, face: str, words: Words) -> bool:
+    name = _name(who, words)
+    return name in words.mechanism.contacts and words.mechanism.body[name].parent == _name(face, words)
 
 
 def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:

@@ -77,7 +77,7 @@ MOTIONS: Mapping[str, str] = {
 """By a verb of motion, the forms of all that mean it."""
 DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
-SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
+SLOWER, COMPRESSED, ORIGIN, ON = "slower", "compressed", "from origin", "on "
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
