@@ -137,7 +137,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
             continue
         alike = {noun} | _group(noun) | ANYTHING | {"mass"}
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
-        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group}) {letter}\b"))
+        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
     found += [
         (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
@@ -181,7 +181,7 @@ def _end(said: str) -> str:
     bare = said.removeprefix("the ").removeprefix("axle of ")
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
-        return rf"(?:the )?(?:axle of )?(?:(?:{_alike(noun, *ANYTHING)}) )?{letter}"
+        return rf"(?:the )?(?:axle of )?(?:(?:{_alike(noun, *ANYTHING)})(?:e?s)? )?{letter}"
     return rf"(?:the )?(?:axle of )?(?:the )?{re.escape(bare)}"
 
 

@@ -34,6 +34,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ROLLING,
     SLOWER,
     STRAIGHT,
+    STRETCHED,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -155,6 +156,11 @@ def _compressed(case: Case) -> bool:
     return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
 
 
+def _stretched(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) > 0.0
+
+
 def _relaxed_at_rest(case: Case) -> bool:
     """Whether the only spring is neither stretched nor compressed in equilibrium."""
     rest = equilibrium(case.words.mechanism)
@@ -245,6 +251,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
     ONE_WAY: ("{who} goes sideways, too", _one_way),
+    STRETCHED: ("{who} is not stretched", _stretched),
     STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),
     LASTS: ("it changes after that", _lasts),

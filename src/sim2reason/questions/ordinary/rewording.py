@@ -29,6 +29,10 @@ REWORDINGS: Mapping[str, str] = {
     "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
     " (?:during|in|over|throughout)(?: its| @0@ 's|) (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
     "(?:motion|oscillation)(?: that follows)?$": "",
+    "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
+    "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
+        r"what is final \g<q> of \g<s>"
+    ),
     "\\bby end of (?=first #)": "after ",
     "\\b(?:at end of|throughout|within|during) (?=first #)": "in ",
 }

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
 from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant, pattern
-from sim2reason.questions.ordinary.whens import AFTER, When
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -63,6 +63,13 @@ def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
+
+
+def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How long something goes one way: until it turns back."""
+    for of in each(heard, found["s"]):
+        if ways := ways_of(found, of):
+            yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
 
 
 def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -192,7 +199,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how much ~{s} compressed at most": _most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
-    "(?:ASK|what) GREATEST angle (?:between |[that ]~){s} (?:and|~make with|~makes with) [downward ]vertical": of_one(
+    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
@@ -205,6 +212,9 @@ STRETCHES: Mapping[str, Reader] = {
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
+    "(?:ASK|what) GREATEST height above HOME [that ]~{s} ATTAINS": _above_start,
+    "ASK GREATEST height of {s} above HOME": _above_start,
+    "how long ~{s} [keep |continue to |keep on ]{motion=MOTION} {way=WAY}": _keeps_on,
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,

@@ -77,7 +77,7 @@ MOTIONS: Mapping[str, str] = {
 """By a verb of motion, the forms of all that mean it."""
 DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
-SLOWER, COMPRESSED, ORIGIN, ON = "slower", "compressed", "from origin", "on "
+SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed", "from origin", "on "
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
@@ -169,6 +169,7 @@ PHRASES: Mapping[str, str] = {
     "|resulting motion|orbital motion|simple harmonic motion|rotation",
     "HAVE": "have|has|reach|reached|attain|attained|acquire|acquired|possess|get",
     "IN_ALL": "in all|in total|altogether|overall",
+    "STRAINED": "stretched|compressed|extended",
     "ATTAINS": "reaches|reach|attains|attain|gets|get|has|have|achieves|acquires|achieve|acquire",
     "PRESSES": "press|presses|push|pushes|press down|pushes up|bear down",
     "BASE": "point directly below|point below|point vertically below|foot of|base of|bottom of",
@@ -181,8 +182,8 @@ PHRASES: Mapping[str, str] = {
 """Phrases of which any one may stand; words in capitals are those of the other tables."""
 
 WAYS: Mapping[str, str] = {
-    "up": "up|upwards|upward|up SURFACE|vertically upwards",
-    "down": "down|downwards|downward|down SURFACE|vertically downwards",
+    "up": "up|uphill|upwards|upward|up SURFACE|vertically upwards",
+    "down": "down|downhill|downwards|downward|down SURFACE|vertically downwards",
     "right": "to right",
     "left": "to left",
     "horizontal": "horizontal|horizontally|in horizontal direction",
