@@ -159,6 +159,21 @@ def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> No
 
 
 @pytest.mark.parametrize(
+    ("name", "question", "text"),
+    [
+        ("triple", "What is the tension in the rope that connects B to A?", "what is tension in @0@"),
+        ("triple", "What is the tension in the string attached to C?", "what is tension in @0@"),
+        ("two_slopes", "Find the tension in the string between the blocks.", "find tension in @0@"),
+        ("fixed_hook", "What is the tension in the string that holds B?", "what is tension in string that holds @0@"),
+        ("shell", "How quickly does the shell first move upon landing?", "how fast does @0@ move on landing"),
+    ],
+)
+def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, question: str, text: str) -> None:
+    """A string by one end only where every string has a name, so that no other can be meant."""
+    assert hear(question, scene(name)[1]).text == text
+
+
+@pytest.mark.parametrize(
     "question",
     [
         "How far " + "is " * 130,

@@ -33,6 +33,7 @@ _HOLDING = (
     "(?:that |which )?(?:is )?"
     "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
 )
+_ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
@@ -71,6 +72,7 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
+    text = _ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
     text, numbers = _with_numbers(_START.sub("start", text))

@@ -250,7 +250,7 @@ FRAMES: Mapping[str, Reader] = {
     "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": _far,
     "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": _far,
     "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
-    "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
+    "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": _far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),

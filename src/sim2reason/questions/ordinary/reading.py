@@ -20,11 +20,15 @@ _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before
 _GOES_ON = pattern(
     "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
-_ON_ITS_WAY = pattern("(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]")
+_ON_ITS_WAY = pattern(
+    "(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]|[its |@0@ 's ](?P<noun>ascent|climb|rise|descent|fall)"
+)
+_INVERTED = re.compile(r"^(?P<verb>is|has) (?P<who>(?:all )?fuel|engine|@\d+@)(?= )")
 _BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
 _THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
 _SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
@@ -99,6 +103,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     time = pattern("TIME[ for] (?P<clause>.+)").fullmatch(text)
     if time is not None:
         yield "when", re.sub(pattern("~").pattern, "", time["clause"], count=1), THEN
+        yield "when", _INVERTED.sub(r"\g<who> \g<verb>", time["clause"]), THEN
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
@@ -121,16 +126,18 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
     """An extreme on the way up, or down: until the body turns back."""
-    if side not in (DURING, THEN) or main.needs != STRETCH or not main.of:
+    alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
+    if side not in (DURING, THEN) or main.needs != STRETCH or not (main.of or alone):
         return
     slips = _SLIPPING.fullmatch(clause)
     if slips is not None:
-        yield _with(main, When(f"{heard.subject(slips['s']) or main.of} stopped slipping", AFTER))
+        yield _with(main, When(f"{heard.subject(slips['s']) or main.of or alone} stopped slipping", AFTER))
     found = _ON_ITS_WAY.fullmatch(clause)
     if found is not None:
-        who = heard.subject(found["s"]) or main.of
-        for rank, when in enumerate(("highest point" if found["on"] == "up" else "lowest point", "stopped")):
-            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, found["on"]),)))
+        way = found["on"] or ("up" if found["noun"] in RISES else "down")
+        who = heard.subject(found["s"]) or main.of or alone
+        for rank, when in enumerate(("highest point" if way == "up" else "lowest point", "stopped")):
+            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, way),)))
 
 
 def _whole(main: Main) -> Iterator[Reading]:

@@ -157,7 +157,7 @@ PHRASES: Mapping[str, str] = {
     "|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"
-    "|engine starts|engine is started|engine ignites|engine is switched on|ignition"
+    "|engine starts|engine started|engine has started|engine is started|engine ignites|engine is switched on|ignition"
     "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
     "ALONG_IT": "along SURFACE|along straight line",
