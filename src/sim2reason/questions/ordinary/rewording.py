@@ -9,7 +9,6 @@ REWORDINGS: Mapping[str, str] = {
     "^(?:can|could|would) (?:you|we|one) ": "",
     "^(?:tell me|say|state|show|i want to know|i would like to know|we want to know|please find) (?=what|how|when)": "",
     "^(?:state|evaluate|estimate|deduce|get|write down|report|tell me|name) ": "find ",
-    "^what (?:would|will|must|should|does) (?=QUANTITY (?:of|in|on) )": "what is ",
     "^what (?:magnitude|size|value) (?:has|does) (?P<of>@\\d+@ 's QUANTITY|QUANTITY of @\\d+@) ?(?:have)?": (
         r"what is \g<of>"
     ),
