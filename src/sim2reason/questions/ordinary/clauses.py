@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import RELAXED, STRAIGHT, pattern
+from sim2reason.questions.ordinary.vocabulary import COMPRESSED, RELAXED, STRAIGHT, STRETCHED, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, ways_of
 
 LAST = 10  # the rank of what is meant only where all else is not there
@@ -162,6 +162,13 @@ def _balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
     yield When(told, side, (("", RELAXED),))
 
 
+def _strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """A spring that is stretched, or compressed, by so much."""
+    who = _who(found, heard, subject)
+    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
+    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
+
+
 def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     yield When(f"spring length of {_who(found, heard, subject)} = {heard.number(found['n'])}", side)
 
@@ -209,8 +216,8 @@ CLAUSES: Mapping[str, Reader] = {
     "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": _jump("collided"),
     "(?:their|its) {number=ORDINAL} collision": _jump("collided"),
     "{s} ~HITS wall[ FIRST_TIME]": _jump("bounced"),
-    "[{s} ]~[PASSES ][its ](?:farthest|furthest) point[ from {t}]": _apsis("farthest"),
-    "[{s} ]~[PASSES ][its ](?:closest|nearest) point[ to {t}]": _apsis("closest"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": _apsis("farthest"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": _apsis("closest"),
     "{s} ~(?:most strongly|most|fully) compressed": simply("most compressed"),
     "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": simply("most stretched"),
     "{s} ~PASSES [its ]GREATEST compression": simply("most compressed"),
@@ -224,7 +231,9 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~[PASSES ][its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": _turned_back("highest point", "up"),
     "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": _turned_back("lowest point", "down"),
     "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": simply("lowest point"),
-    "{s} ~(?:vertical|hangs vertically|hangs straight down)": simply("lowest point"),
+    "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": simply("lowest point"),
+    "[in |at ][its ]vertical position": simply("lowest point"),
+    "[{s} ]~(?:starts|begins|start|begin) [to ]MOTION (?:again|back)[ WAY]": simply("stopped"),
     "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": _angle,
     "{s} ~horizontal": _level,
     "[{s} ]~{motion=MOTION} (?:through|by) [angle of ]{n}[ from START| from its starting position]": _turned,
@@ -244,6 +253,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[its |{s} 's ](?:farthest|furthest)[ from {t}]": _apsis("farthest"),
     "[its |{s} 's ](?:closest|nearest)[ to {t}]": _apsis("closest"),
     "{s} ~{n}[ away] from {t}": _apart,
+    "{s} ~{strain=STRAINED} by {n}": _strained,
     "{s} ~{n} long": _long,
     "[{s} ]~[PASSES ][its ]equilibrium position[ FIRST_TIME]": _balanced,
     "{s} ~{n} from [its ]equilibrium position": _balanced,

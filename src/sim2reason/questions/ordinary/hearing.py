@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.strings import Strings
+from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
 from sim2reason.questions.words import Words
@@ -24,9 +26,19 @@ _UNITS = {
 _UNIT = re.compile(
     r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
 )
+_JOINING = (
+    r"(?:(?:that |which )?(?:is |runs )?(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties))"
+)
+_HOLDING = (
+    "(?:that |which )?(?:is )?"
+    "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
+)
+_ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
+_PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
+_START = re.compile(r"\bt ?= ?0(?: s)?(?![\w.])")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -60,9 +72,10 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
+    text = _ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
-    text, numbers = _with_numbers(text)
+    text, numbers = _with_numbers(_START.sub("start", text))
     text = _ordered(text, subjects)
     text = _INDIRECT.sub("", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
@@ -72,8 +85,8 @@ def hear(sentence: str, words: Words) -> Heard:
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
         text = _RELEASED.sub("", text)
-    text = re.sub(r"^which (?=[a-z]+ )", "what ", text)
-    return Heard(" ".join(_without_pronouns(" ".join(text.split()), subjects).split()), tuple(subjects), numbers)
+    text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
+    return Heard(reworded(" ".join(_without_pronouns(text, subjects).split())), tuple(subjects), numbers)
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
@@ -115,9 +128,10 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     """What the text calls each thing, and what that may be called in a question, the narrower first."""
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
-    found: list[tuple[int, str, str]] = []
+    found: list[tuple[int, str, str]] = list(_at_end(words))
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
+        found += _between(phrase)
         if not letter:
             others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
             names = {phrase.removeprefix("the ")} | others
@@ -125,12 +139,52 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
             continue
         alike = {noun} | _group(noun) | ANYTHING | {"mass"}
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
-        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group}) {letter}\b"))
+        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
     found += [
         (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
     ]
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
+    """A string, spring or rod between two things, by how it joins them, in either order."""
+    parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
+    if parts is None:
+        return
+    group = _alike(parts[1])
+    ends = [_end(parts[2]), _end(parts[3])]
+    nouns = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
+    if len(nouns) == 1:
+        both = rf"(?:the )?(?:two )?(?:{_alike(*nouns, *ANYTHING)})e?s"
+        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b"
+    for one, other in (ends, reversed(ends)):
+        told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
+        yield 2000, phrase, told
+
+
+def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
+    """A string by the only body at an end of it, where all strings are called by their ends."""
+    strings = words.called(Strings()).values()
+    if len(strings) < len(Strings().names(words.mechanism)):
+        return
+    ends = [(phrase, end) for phrase in strings for end in re.split(" (?:between|and) ", phrase)[1:]]
+    for phrase, end in ends:
+        if "pulley" not in end and [other for _, other in ends].count(end) == 1:
+            yield 1500, phrase, rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
+
+
+def _alike(noun: str, *others: str) -> str:
+    return "|".join(sorted({noun, *others} | _group(noun)))
+
+
+def _end(said: str) -> str:
+    """What is at an end of a string: by its letter alone, too, and by the pulley whose axle it is."""
+    bare = said.removeprefix("the ").removeprefix("axle of ")
+    noun, _, letter = bare.partition(" ")
+    if len(letter) == 1:
+        return rf"(?:the )?(?:axle of )?(?:(?:{_alike(noun, *ANYTHING)})(?:e?s)? )?{letter}"
+    return rf"(?:the )?(?:axle of )?(?:the )?{re.escape(bare)}"
 
 
 def _group(noun: str) -> frozenset[str]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
@@ -23,6 +24,8 @@ from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
     MOTIONS,
+    ON,
+    ONE_WAY,
     ORIGIN,
     QUANTITIES,
     RESTS,
@@ -38,6 +41,11 @@ FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
     """All that a main clause may ask for; nothing if it asks for nothing known."""
+    found = list(_framed(question, heard))
+    yield from found or (main for plain in plainly_ordered(question) for main in _framed(plain, heard))
+
+
+def _framed(question: str, heard: Heard) -> Iterator[Main]:
     for told, reader in frames().items():
         found = pattern(told).fullmatch(question)
         if found is not None:
@@ -83,7 +91,9 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, groups["s"]):
         way = meant(WAYS, groups["way"]) if groups.get("way") else ""
         find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
-        yield Main(find, of, along, ways=() if along else ways_of(found, of))
+        told = ways_of(found, of)
+        sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
+        yield Main(find, of, along, ways=() if along else (*told, *sideways))
 
 
 def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -129,7 +139,7 @@ def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    yield from (Main("height above the ground", of) for of in each(heard, found["s"]))
+    yield from (Main("height above the ground", of, needs=CLAUSED) for of in each(heard, found["s"]))
 
 
 def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -149,13 +159,36 @@ def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("time", needs=STRETCH)
 
 
+def _accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How fast something gets faster."""
+    yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
+
+
+def _presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """The normal force between a body and what it lies on."""
+    face = heard.subject(found["t"])
+    for of in each(heard, found["s"]):
+        yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
+
+
+GAINS = "gain", "gained", "increase", "increased", "rise"
+
+
+def _potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """By how much a potential energy changes, for a body that goes up, or down."""
+    way = "up" if found["verb"] in GAINS else "down"
+    for of in each(heard, found["s"]):
+        yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))
+
+
 FRAMES: Mapping[str, Reader] = {
     "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
     "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
     "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
-    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~have| ~has| ~moving| ~{motion=MOTION}]"
+    "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
     "[ {way=WAY}]": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
+    "what (?P<axis>horizontal|vertical) {q=QUANTITY} ~{s}[ ~HAVE]": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": _quantity,
     "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ]~[SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
@@ -169,12 +202,32 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
     "ASK {s} 's initial {q=QUANTITY}": _initial,
     "ASK [SIZE ]{s} force": of_one(*FORCES),
+    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": _presses,
+    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": _presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": _presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": _presses,
+    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": of_one(*FORCES),
+    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": of_one(*FORCES),
+    "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": _potential,
+    "by how much ~{s} 's [gravitational ]potential energy (?P<verb>increase|increased|rise|decrease|decreased|fall)": (
+        _potential
+    ),
+    "ASK (?P<verb>gain|increase|loss|decrease) (?:in|of) [gravitational ]potential energy[ of {s}]": _potential,
+    "how fast ~{s} ~(?:accelerate|accelerates|accelerating|speed up|speeding up)[ {way=WAY}| ALONG_IT]": _accelerates,
+    "(?:with|at) what acceleration ~{s} (?:accelerate|speed up)[ {way=WAY}| ALONG_IT]": _accelerates,
+    "what [SIZE ]acceleration ~{s} (?:undergo|experience|undergoes|experiences)": of_one("acceleration"),
     "ASK [final ]common (?:speed|velocity) of {s}": _common,
     "ASK common {q=QUANTITY} of {s}": _quantity,
     "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
     "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
     "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
-    "ASK [SIZE ]friction[ force] between {s}[ and {t}]": of_none("friction force"),
+    "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": of_none(
+        "friction force"
+    ),
+    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE] ~[{s}]": _high,
+    "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
+        "spring energy"
+    ),
     "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
     "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
@@ -184,7 +237,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": _far,
     "(?:ASK|what) final {q=QUANTITY}[ of {s}]": _final,
     "ASK {s} 's final {q=QUANTITY}": _final,
-    "how high[ above SURFACE] ~{s}[ above SURFACE]": _high,
+    "how high[ above SURFACE] ~[{s}][ above SURFACE]": _high,
     "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
     "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
@@ -197,11 +250,12 @@ FRAMES: Mapping[str, Reader] = {
     "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": _far,
     "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": _far,
     "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
-    "how far {way=WAY} ~{s} ~{motion=MOTION}": _far,
+    "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": _far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
-    "how far from (?:origin|its starting point|its starting position|start) ~{s}": of_one("displacement"),
-    "how far ~{s} from (?:its starting point|its starting position|start)": of_one("displacement"),
+    "how far from HOME ~{s}": of_one("displacement"),
+    "how far ~{s} from HOME": of_one("displacement"),
     "how far from {t} ~{s}": of_none("distance"),
+    "how far ~{s}[ away] from {t}": of_none("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
     "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),

@@ -9,6 +9,7 @@ from sim2reason.questions.following import FollowedMotion, eventful
 from sim2reason.questions.kinds import KINDS, by_cause
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.ordinary.beyond import reason
 from sim2reason.questions.posing import PosedQuestion
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import targets
@@ -21,14 +22,14 @@ COMMON = frozenset(
 
 
 def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:
-    """What to ask instead: the sentences that share most words with one that is not understood."""
+    """What to ask instead: the sentences that share most words with one that is not understood; and why, if known."""
+    why = reason(sentence)
     said = _words(sentence)
     offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
     ranked = sorted((told for told in offered if told), key=lambda told: -len(said & _words(told)) / len(_words(told)))
     near = [told for told in ranked if said & _words(told)][:MOST]
-    if not near:
-        return "see: sim2reason ask SCENE"
-    return f"did you mean: {' or: '.join(near)}"
+    told = f"did you mean: {' or: '.join(near)}" if near else "see: sim2reason ask SCENE"
+    return f"{why}; {told}" if why else told
 
 
 def _words(sentence: str) -> set[str]:

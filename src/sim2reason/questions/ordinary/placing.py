@@ -9,6 +9,8 @@ from sim2reason.errors import TextError
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
 from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
@@ -19,6 +21,7 @@ from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
 
 EVEN = 1e-9
+TURNING = "lowest point", "highest point", "stopped"
 SIGNED = ("velocity",)
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
 PERIODS = ("period", "frequency", "angular frequency")
@@ -30,10 +33,9 @@ def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
         for of in _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
             asked = replace(asked, along=axis_named(asked.along, asked, words))
-            asked = replace(asked, when=_met(asked.when, words))
-            if reading.steady:
-                asked = replace(asked, when=asked.when or START)
-            yield replace(reading, asked=asked)
+            for when in _hung(asked.when, words):
+                told = _met(when, words) or (START if reading.steady else "")
+                yield replace(reading, asked=replace(asked, when=told))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
@@ -51,6 +53,20 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
             "",
         )
     return ("",)
+
+
+def _hung(told: str, words: Words) -> Iterator[str]:
+    """A turning point of a line that swings, or of an arm: it is that of the body on it, or of each."""
+    bodies = dict.fromkeys(words.called(Bodies()).values())
+    arms = [said for said in words.called(TurningBodies()).values() if said not in bodies]
+    lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
+    who = next((said for said in lines if told.startswith(f"{said} ")), "")
+    point, arm = told.removeprefix(f"{who} "), next((said for said in arms if told.startswith(f"{said} ")), "")
+    turned = told.removeprefix(f"{arm} ").removesuffix(" before")
+    if arm and turned in TURNING:
+        yield from (told.replace(arm, said, 1) for said in bodies)
+    else:
+        yield point if who and point in TURNING else told
 
 
 def _met(told: str, words: Words) -> str:

@@ -22,7 +22,9 @@ from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
     LASTS,
+    ON,
     ONCE,
+    ONE_WAY,
     ONLY,
     ORIGIN,
     OVER,
@@ -32,6 +34,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ROLLING,
     SLOWER,
     STRAIGHT,
+    STRETCHED,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -107,6 +110,9 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
                 yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
                 yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+            elif way.startswith(ON):
+                face = way.removeprefix(ON)
+                yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
             else:
                 told, holds = OTHERS[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
@@ -123,6 +129,11 @@ def _name(who: str, words: Words) -> str:
         return resolved("of", who, words.called(Bodies()))
     except TextError:
         return ""
+
+
+def _lies(who: str, face: str, words: Words) -> bool:
+    name = _name(who, words)
+    return name in words.mechanism.contacts and words.mechanism.body[name].parent == _name(face, words)
 
 
 def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
@@ -143,6 +154,11 @@ def _slower(case: Case) -> bool:
 def _compressed(case: Case) -> bool:
     spring = resolved("of", case.who, case.words.called(Springs()))
     return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
+
+
+def _stretched(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) > 0.0
 
 
 def _relaxed_at_rest(case: Case) -> bool:
@@ -216,12 +232,26 @@ def _straight(case: Case) -> bool:
     return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
 
 
+def _one_way(case: Case) -> bool:
+    """Whether a body goes straight up or down, or along the only line that it can go along."""
+    name = _name(case.who, case.words)
+    if not name:
+        return False
+    velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0]
+    senses = list(Bodies().senses(case.words.mechanism, name))
+    lines = [(0.0, 0.0, 1.0), *(senses[0].vector for _ in senses if len(senses) == 1)]
+    speed = float(np.linalg.norm(velocity))
+    return any(abs(float(velocity @ np.array(line))) >= (1.0 - EVEN) * speed for line in lines)
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
+    ONE_WAY: ("{who} goes sideways, too", _one_way),
+    STRETCHED: ("{who} is not stretched", _stretched),
     STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),
     LASTS: ("it changes after that", _lasts),

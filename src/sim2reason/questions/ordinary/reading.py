@@ -12,12 +12,23 @@ from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
-_AT_EVENT = r"((?:with |at )?what [a-z ]+?|how fast|how far|how far away) (?:does |is |has |do |will )(@\d+@) (.+)"
+_PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
+_DOES = "(?:does |is |has |do |will )"
+_AT_EVENT = rf"((?:with |at )?what [a-z ]+?|how (?:fast|(?:far|high){_PLACE}?)) {_DOES}(@\d+@|engine|fuel) (.+)"
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _GOES_ON = pattern(
     "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
+_ON_ITS_WAY = pattern(
+    "(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]|[its |@0@ 's ](?P<noun>ascent|climb|rise|descent|fall)"
+)
+_INVERTED = re.compile(r"^(?P<verb>is|has) (?P<who>(?:all )?fuel|engine|@\d+@)(?= )")
+_BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
+_THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
+_SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
+_SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
@@ -43,8 +54,21 @@ class Reading:
 
 def readings(heard: Heard) -> tuple[Reading, ...]:
     """All that a sentence may ask; empty if it is not understood."""
-    found = (reading for parts in _parts(heard.text) for reading in _of_parts(*parts, heard))
-    return tuple(dict.fromkeys(each for reading in found for each in _of_each(reading)))
+    for told in (heard, _together(heard)):
+        found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
+        if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading))):
+            return distinct
+    return ()
+
+
+def _together(heard: Heard) -> Heard:
+    """The same with two that are named side by side as one subject: what is asked of both."""
+    found = _BOTH.search(heard.text)
+    if found is None:
+        return heard
+    both = f"{ALL} {heard.subject(found[1])} & {heard.subject(found[2])}"
+    token = f"@{len(heard.subjects)}@"
+    return replace(heard, text=_BOTH.sub(token, heard.text, count=1), subjects=(*heard.subjects, both))
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
@@ -62,10 +86,13 @@ def _of_each(reading: Reading) -> Iterator[Reading]:
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     """The main clause, the clause beside it and its side, however they are put."""
     text = re.sub(r" (?:,)$", "", text)
+    stated, parted, question = text.rpartition(". ")
+    if parted and "." not in stated:
+        yield _THEN.sub("", question), _SUPPOSED.sub("", stated), THEN
     yield from split(text)
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
-        question = f"{at_event[1].removesuffix(' away')} {at_event[2]}"
+        question = f"{at_event[1].removesuffix(' away')} {at_event[2] if '@' in at_event[2] else ''}".strip()
         yield question, f"{at_event[2]} {at_event[3]}", THEN
     takes = re.fullmatch(_TAKES, text)
     if takes is not None:
@@ -76,6 +103,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     time = pattern("TIME[ for] (?P<clause>.+)").fullmatch(text)
     if time is not None:
         yield "when", re.sub(pattern("~").pattern, "", time["clause"], count=1), THEN
+        yield "when", _INVERTED.sub(r"\g<who> \g<verb>", time["clause"]), THEN
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
@@ -88,11 +116,28 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 if main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)
+        yield from _on_the_way(main, clause, side, heard)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
             who = heard.subject(going["s"]) or main.of
             ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+
+
+def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+    """An extreme on the way up, or down: until the body turns back."""
+    alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
+    if side not in (DURING, THEN) or main.needs != STRETCH or not (main.of or alone):
+        return
+    slips = _SLIPPING.fullmatch(clause)
+    if slips is not None:
+        yield _with(main, When(f"{heard.subject(slips['s']) or main.of or alone} stopped slipping", AFTER))
+    found = _ON_ITS_WAY.fullmatch(clause)
+    if found is not None:
+        way = found["on"] or ("up" if found["noun"] in RISES else "down")
+        who = heard.subject(found["s"]) or main.of or alone
+        for rank, when in enumerate(("highest point" if way == "up" else "lowest point", "stopped")):
+            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, way),)))
 
 
 def _whole(main: Main) -> Iterator[Reading]:

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant
-from sim2reason.questions.ordinary.whens import AFTER, When
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant, pattern
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -65,6 +65,20 @@ def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield from _rise(of)
 
 
+def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How long something goes one way: until it turns back."""
+    for of in each(heard, found["s"]):
+        if ways := ways_of(found, of):
+            yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
+
+
+def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """How far the point of an orbit that has a name is from what it goes round."""
+    del heard
+    near = pattern("NEAREST").fullmatch(found["apsis"]) is not None
+    yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
+
+
 def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """What friction dissipates: up to a moment, or in all, which is until nothing slips any more."""
     del found, heard
@@ -118,9 +132,7 @@ def _period(name: str) -> Reader:
 STRETCHES: Mapping[str, Reader] = {
     # extremes
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} (?:reaches|reach|attains|attain|gets|get|has)": (
-        _extreme("greatest")
-    ),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} ATTAINS": (_extreme("greatest")),
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _extreme("greatest"),
     "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
     "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
@@ -134,15 +146,26 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
-    "how far ~{s} (?:get|gets|go) from (?:origin|its starting point|start)[ at most]": of_one(
+    "how far ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME[ at most]": of_one(
         "greatest displacement", needs=STRETCH
     ),
-    "how far at most ~{s} (?:get|gets|go) from (?:origin|its starting point|start)": of_one(
+    "how far at most ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME": of_one(
         "greatest displacement", needs=STRETCH
     ),
+    "ASK {s} 's GREATEST (?:distance|displacement)[ from HOME]": of_one("greatest displacement", needs=STRETCH),
+    "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": of_one("greatest displacement", needs=STRETCH),
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": of_one(
+        "greatest displacement", needs=STRETCH
+    ),
+    "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
+    "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction]": _heat,
-    "how much HEAT ~friction (?:produce|generate|dissipate|produces|develop)": _heat,
+    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": _heat,
+    "how much work ~{s} ~DONE against friction": _heat,
+    "ASK work DONE[ by {s}] against friction": _heat,
+    "how much work ~DONE against friction": _heat,
+    "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": _heat,
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": _heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
@@ -160,6 +183,12 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),
+    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": _in_collision(
+        "impulse of a collision"
+    ),
+    "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": of_one(
+        "impulse of an impact", needs=STRETCH
+    ),
     "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": _in_collision("impulse of a collision"),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
@@ -170,11 +199,10 @@ STRETCHES: Mapping[str, Reader] = {
     "how much ~{s} compressed at most": _most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
-    "ASK GREATEST angle [that ]~{s} ~(?:make|makes) with [downward ]vertical": of_one(
+    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
-    "ASK orbital period": _period("period"),
     "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     # heights
@@ -184,26 +212,31 @@ STRETCHES: Mapping[str, Reader] = {
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
+    "(?:ASK|what) GREATEST height above HOME [that ]~{s} ATTAINS": _above_start,
+    "ASK GREATEST height of {s} above HOME": _above_start,
+    "how long ~{s} [keep |continue to |keep on ]{motion=MOTION} {way=WAY}": _keeps_on,
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
-    "with what period ~{s} OSCILLATES": _period("period"),
-    "with what frequency ~{s} OSCILLATES": _period("frequency"),
-    "for how long ~(?:engine|{s}[ 's engine]) burn": implied("time", "burned out"),
+    "how far[ horizontally] from [BASE ](?:thrower|cliff|tower|building|wall|table) ~{s} LANDS": _range,
+    "how far horizontally[ from HOME] ~{s} LANDS": _range,
+    "how far from BASE HOME ~{s} LANDS": _range,
+    "(?:with|at) what period ~{s} OSCILLATES": _period("period"),
+    "(?:with|at) what frequency ~{s} OSCILLATES": _period("frequency"),
+    "[for ]how long ~(?:engine|{s}[ 's engine]) (?:burn|run|fire|work|operate)": implied("time", "burned out"),
     "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
     "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
-    "ASK period[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration|its motion)]": _period(
-        "period"
-    ),
-    "ASK period of {s} 's (?:motion|oscillation|orbit|swing)": _period("period"),
-    "ASK (?:orbital period|period of revolution) of {s}": _period("period"),
-    "ASK frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit|vibration)]": _period("frequency"),
-    "ASK angular frequency[ of (?:{s}|motion|oscillation|oscillations|pendulum|swing|orbit)]": _period(
-        "angular frequency"
-    ),
+    "ASK PERIOD of {s}[ 's ITS_MOTION]": _period("period"),
+    "ASK PERIOD[ of [its ]ITS_MOTION[ of {s}]]": _period("period"),
+    "ASK {s} 's PERIOD[ of (?:revolution|oscillation|rotation)]": _period("period"),
+    "ASK frequency of {s}[ 's ITS_MOTION]": _period("frequency"),
+    "ASK frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("frequency"),
+    "ASK angular frequency of {s}[ 's ITS_MOTION]": _period("angular frequency"),
+    "ASK angular frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("angular frequency"),
+    "(?:with|at) what angular frequency ~{s} OSCILLATES": _period("angular frequency"),
     "(?:TIME|how long ~) [for ]{s} [to ](?:COMPLETES) (?:one|full|one full) ROUND": _period("period"),
     "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
     "|complete one round|go once around|go around once)": _period("period"),

@@ -12,12 +12,12 @@ from functools import cache
 NOUNS: tuple[frozenset[str], ...] = tuple(
     frozenset(group.split())
     for group in (
-        "block box crate load parcel",
-        "ball bob sphere stone projectile marble",
+        "block box crate load parcel sled sledge weight",
+        "ball bob sphere stone projectile marble shell rock",
         "cart trolley glider car truck wagon",
         "board plank slab block",
-        "probe rocket spacecraft spaceship craft",
-        "bead particle ion ball",
+        "probe rocket spacecraft spaceship craft capsule",
+        "bead particle ion ball charge",
         "string rope cord cable thread",
         "puck disc disk",
         "planet moon comet asteroid satellite",
@@ -40,9 +40,10 @@ QUANTITIES: Mapping[str, str] = {
     "angular acceleration": "angular acceleration",
     "friction force": "force of friction|friction force|frictional force|static friction|kinetic friction"
     "|static friction force|kinetic friction force|force of static friction|force of kinetic friction",
-    "normal force": "normal force|normal reaction",
-    "net force": "net force|resultant force",
-    "tension": "tension|tension force",
+    "normal force": "normal force|normal reaction|normal reaction force|normal contact force|reaction force"
+    "|supporting force|support force",
+    "net force": "net force|resultant force|resultant|total force",
+    "tension": "tension|tension force|string tension",
     "spring force": "spring force",
     "relative speed": "relative speed",
     "displacement": "displacement",
@@ -64,7 +65,8 @@ QUANTITIES: Mapping[str, str] = {
 
 MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
-    "gone going cover covers covered pulled dragged fly flies flown flying",
+    "gone going cover covers covered pulled dragged fly flies flown flying "
+    "recoil recoils recoiled recoiling advance advances advanced",
     "roll": "roll rolls rolled rolling",
     "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending "
     "sink sinks sunk sank sinking",
@@ -75,9 +77,9 @@ MOTIONS: Mapping[str, str] = {
 """By a verb of motion, the forms of all that mean it."""
 DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
-SLOWER, COMPRESSED, ORIGIN = "slower", "compressed", "from origin"
+SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed", "from origin", "on "
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
-RISING, ROLLING, RESTS, LASTS, STRAIGHT = "rising", "rolling", "rests", "lasts", "straight"
+RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
 WORDS: Mapping[str, str] = {
@@ -99,30 +101,48 @@ PHRASES: Mapping[str, str] = {
     "|how long after start|how long after release|how long after launch|how much time passes until"
     "|after how many seconds|in how many seconds|how many seconds does it take|how many seconds pass until"
     "|how much time does it take|how long until|find how long it takes|determine how long it takes"
-    "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required|ASK time taken"
+    "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required"
+    "|ASK time taken"
+    "|how much time elapses before|how much time elapses until|how much time passes before"
+    "|how many seconds elapse before|how many seconds elapse until|how many seconds pass before"
+    "|how soon|how long before"
     "|after what time|after how much time|after how long",
     "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
-    "|is at rest|stops moving|stop moving|halts|comes to stop|come to stop|turns round|turns back|turn back|turn round"
-    "|turns around|reverses|reverses direction|changes direction",
+    "|is at rest|at rest|momentarily at rest|stationary|standing still|stops moving|stop moving|halts"
+    "|comes to stop|come to stop|turns round|turns back|turn back|turn round"
+    "|turns around|reverses|reverses direction|changes direction|reverses its direction|reverses its motion"
+    "|reverse direction|reverse its direction|turn around|momentarily stops|is momentarily at rest"
+    "|is brought to rest",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
-    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE",
-    "BOUNCES": "bounce|bounces|bounced|bouncing|rebounds|rebound",
+    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE"
+    "|comes down|touches down|strikes it|falls to SURFACE|arrives at SURFACE|arrive at SURFACE"
+    "|arriving at SURFACE|fall to SURFACE"
+    "|drops to SURFACE|arrives at SURFACE|land on SURFACE|lands on SURFACE|come down|touch SURFACE",
+    "BOUNCES": "bounce|bounces off wall|bounces|bounced|bouncing|rebounds|rebound",
     "BECOMES": "has fallen to|reaches|has dropped to|has risen to|becomes|falls to|drops to|rises to|has reached",
     "DONE": "do|does|did|done",
     "HITS": "hit|hits|strike|strikes|meets|runs into|collides with|collide with|catches up with|bumps into|reaches",
     "OSCILLATES": "oscillate|oscillates|vibrate|vibrates|swing|swings|move|repeat itself",
-    "COMPLETES": "complete|make|take to go|take to complete|take for|take to make",
+    "COMPLETES": "complete|need to complete|need to go|need for|make|take to go|take to complete|take for|take to make",
     "PASSES": "reach|reaches|reached|at|get to|gets to|passes through|passes|passing|pass through|pass|goes through"
     "|go through|MOTION to|MOTION down to|MOTION through|swings through|swing through|arrives at"
     "|moves through|passing through|is at",
     "ROUND": "revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration",
-    "COLLIDE": "collide|collides|collided|meet|hit each other|collision|impact"
+    "COLLIDE": "collide|touch|touch each other|come into contact|make contact|collides|collided|meet"
+    "|hit each other|collision|impact"
     "|collision with each other|crash|crashes|bump into each other",
+    "NEAREST": "closest point|nearest point|perihelion|periapsis|pericentre|perigee|closest approach"
+    "|point of closest approach|least distance",
+    "FARTHEST": "farthest point|furthest point|aphelion|apoapsis|apocentre|apogee|greatest distance",
     "TOP": "highest point|top|peak|apex|maximum height|greatest height|highest position",
     "BOTTOM": "lowest point|bottom|lowest position",
-    "PATH": "path|flight|circle|swing|trajectory|motion|arc|orbit|circular path",
-    "BURNOUT": "fuel is used up|fuel runs out|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
-    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cuts out|engine shuts off|engine burns out",
+    "PATH": "path|flight|rise|climb|circle|swing|trajectory|motion|arc|orbit|circular path",
+    "BURNOUT": "fuel is used up|all fuel is burnt|all fuel is burned|all fuel is used up|all fuel is consumed"
+    "|all fuel is spent"
+    "|fuel is consumed|all fuel has burnt|end of burn|burn ends|fuel burns out|fuel is burned|fuel runs out"
+    "|fuel is spent|fuel is exhausted|its fuel is used up|burnout|burn-out"
+    "|fuel is burnt|fuel is gone|fuel run out|engine stops|engine cut out|engine stop|engine shut off"
+    "|engine burn out|engine is switched off|engine cuts out|engine shuts off|engine burns out",
     "RUNS_OUT": "runs out of fuel|burns out|has burnt all its fuel|has used up its fuel|has used up all its fuel",
     "ROLLS": "begins to roll without slipping|starts to roll without slipping|begins rolling without slipping"
     "|rolls without slipping|starts rolling without slipping|stops slipping|stops skidding|stops sliding"
@@ -133,10 +153,28 @@ PHRASES: Mapping[str, str] = {
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length"
     "|return to its natural length|regains its natural length|regain its natural length",
     "FIRST_TIME": "for first time|first time",
-    "START": "start|release|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
-    "|BODY is launched|BODY starts|BODY begins to move",
+    "START": "start|blow|kick|instant of release|moment of release|instant of launch|moment of launch|release"
+    "|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
+    "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
+    "|BODY begins to move"
+    "|engine starts|engine started|engine has started|engine is started|engine ignites|engine is switched on|ignition"
+    "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
     "ALONG_IT": "along SURFACE|along straight line",
+    "PERIOD": "period|orbital period|period of revolution|period of rotation|period of oscillation"
+    "|oscillation period|time of one revolution",
+    "ITS_MOTION": "oscillation|oscillations|small oscillations|swing|swings|orbit|vibration|vibrations|motion"
+    "|revolution"
+    "|circular motion|circular orbit|periodic motion|oscillatory motion|pendulum|resulting oscillation"
+    "|resulting motion|orbital motion|simple harmonic motion|rotation",
+    "HAVE": "have|has|reach|reached|attain|attained|acquire|acquired|possess|get",
+    "IN_ALL": "in all|in total|altogether|overall",
+    "STRAINED": "stretched|compressed|extended",
+    "ATTAINS": "reaches|reach|attains|attain|gets|get|has|have|achieves|acquires|achieve|acquire",
+    "PRESSES": "press|presses|push|pushes|press down|pushes up|bear down",
+    "BASE": "point directly below|point below|point vertically below|foot of|base of|bottom of",
+    "HOME": "origin|its starting point|its starting position|start|its point of release|its initial position"
+    "|its original position|where it started|where it starts|point where it started|point at which it started",
     "HEAT": "heat|energy|kinetic energy|mechanical energy|thermal energy",
     "LOST": "lost|dissipated|generated|produced|lost to friction|dissipated by friction|generated by friction"
     "|produced by friction|turned into heat|converted into heat|lost due to friction|lost through friction",
@@ -144,8 +182,8 @@ PHRASES: Mapping[str, str] = {
 """Phrases of which any one may stand; words in capitals are those of the other tables."""
 
 WAYS: Mapping[str, str] = {
-    "up": "up|upwards|upward|up SURFACE|vertically upwards",
-    "down": "down|downwards|downward|down SURFACE|vertically downwards",
+    "up": "up|uphill|upwards|upward|up SURFACE|vertically upwards",
+    "down": "down|downhill|downwards|downward|down SURFACE|vertically downwards",
     "right": "to right",
     "left": "to left",
     "horizontal": "horizontal|horizontally|in horizontal direction",

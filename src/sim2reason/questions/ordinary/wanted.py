@@ -3,9 +3,11 @@
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import product
 
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
 from sim2reason.questions.ordinary.whens import CONNECTORS, When
 
@@ -32,7 +34,14 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
     "|reach TOP|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
     "slips|slides|starts to slip|begins to slip|starts to slide|begins to slide|starts to move|begins to move"
     "|slip|slide|move|starts moving|begins sliding": ("slides", "yes"),
-    "does not slip|does not slide|does not move|stays at rest|remains at rest|rolls without slipping"
+    "slides up|slides up SURFACE|moves up|moves up SURFACE|is pulled up SURFACE|starts to move up SURFACE"
+    "|goes up SURFACE|begins to move up SURFACE|begins to slide up SURFACE|starts to slide up SURFACE"
+    "|is lifted|rises|starts to rise|begins to rise|move up SURFACE|slide up SURFACE|rise|is pulled upwards": (
+        "rises",
+        "yes",
+    ),
+    "does not slip|does not slide|does not move|do not slip|do not slide|do not move|stay at rest|remain at rest"
+    "|stays at rest|remains at rest|rolls without slipping"
     "|not slip|not slide": ("slides", "no"),
     "goes slack|becomes slack|go slack": ("goes slack", "yes"),
     "stays taut|remains taut|does not go slack": ("goes slack", "no"),
@@ -142,9 +151,9 @@ def _limits(found: re.Match[str], heard: Heard) -> Iterator[WantedNumber]:
     groups = found.groupdict()
     name = meant(NUMBERS, groups["p"])
     does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
-    who, owner = heard.subject(groups["s"]), heard.subject(groups.get("own") or groups.get("of"))
+    owner = heard.subject(groups.get("own") or groups.get("of"))
     least = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
-    for outcome in (does, ROLLING.get(does, "")):
+    for who, outcome in product(each(heard, groups["s"]), (does, ROLLING.get(does, ""))):
         if outcome:
             yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=least)
 

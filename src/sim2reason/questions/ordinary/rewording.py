@@ -1,0 +1,45 @@
+"""Turns of phrase that say no more than plainer ones: a question is reworded before anything is looked for in it."""
+
+from collections.abc import Mapping
+
+from sim2reason.questions.ordinary.vocabulary import pattern
+
+REWORDINGS: Mapping[str, str] = {
+    "^(?:please|now|then),? ": "",
+    "^(?:can|could|would) (?:you|we|one) ": "",
+    "^(?:tell me|say|state|show|i want to know|i would like to know|we want to know|please find) (?=what|how|when)": "",
+    "^(?:state|evaluate|estimate|deduce|get|write down|report|tell me|name) ": "find ",
+    "^what (?:magnitude|size|value) (?:has|does) (?P<of>@\\d+@ 's QUANTITY|QUANTITY of @\\d+@) ?(?:have)?": (
+        r"what is \g<of>"
+    ),
+    "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
+    "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
+    "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
+    "(?P<when>\\b(?:when|until|before|once) @\\d+@ )(?:finally|eventually) ": r"\g<when>",
+    "\\b(?:been|being|already) ": "",
+    "\\bupon ": "on ",
+    "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
+    "\\bfor one (?:full|complete|whole) ROUND(?: (?:about|around|round) @\\d+@)?": "to complete one round",
+    "\\b(?:one|single) (?:full|complete|whole) (?P<round>ROUND)(?: (?:about|around|round) @\\d+@)?": r"one \g<round>",
+    "(?<=\\bdoes )(?P<s>@\\d+@) (?:happen to|manage to|actually) ": r"\g<s> ",
+    "^ASK (?:SIZE )?(?P<q>QUANTITY) (?:with|at) which ": r"with what \g<q> ",
+    "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
+    "^(?:with|at) what rate (?=(?:do|does|is|are|will) @\\d+@ (?:accelerat|speed|los))": "with what acceleration ",
+    "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
+    " (?:during|in|over|throughout)(?: its| @0@ 's|) (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
+    "(?:motion|oscillation)(?: that follows)?$": "",
+    "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
+    "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
+        r"what is final \g<q> of \g<s>"
+    ),
+    "\\bby end of (?=first #)": "after ",
+    "\\b(?:at end of|throughout|within|during) (?=first #)": "in ",
+}
+"""By what a part of a question is like, on text without articles: what says the same."""
+
+
+def reworded(text: str) -> str:
+    """A question without its turns of phrase."""
+    for told, plain in REWORDINGS.items():
+        text = pattern(told).sub(plain, text)
+    return text.strip()
