@@ -1,6 +1,6 @@
 """What an author of entities needs of the language: fields and their ranges, words, ports, and a room to build in."""
 
-from sim2reason.dsl.builder import WHEEL_RADIUS, Frame
+from sim2reason.dsl.builder import WHEEL_RADIUS, Frame, axial_inertia
 from sim2reason.dsl.entity import Entity, Part, entity
 from sim2reason.dsl.fields import Law, Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.measures import (
@@ -88,6 +88,7 @@ __all__ = [
     "add",
     "among",
     "assuming",
+    "axial_inertia",
     "defining_axes",
     "each",
     "either",

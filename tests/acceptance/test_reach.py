@@ -16,15 +16,7 @@ SCENES = 70  # of each difficulty: some 200 of a recipe
 
 OFTEN = 12  # times that something must be there before it is called constant
 
-ROUGH = (
-    "Plane",
-    "StackedMassPlane",
-    "Prism",
-    "Box",
-    "Rough",
-    "RoughTrack",
-    "Wedge",
-)  # two coefficients of friction can be said
+ROUGH = "Plane", "StackedMassPlane", "Prism", "Box", "Rough", "RoughTrack", "Wedge"  # may have two coefficients
 
 ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
     "only a row of blocks without strings is sent off with a speed": {

@@ -50,3 +50,37 @@ def test_it_is_asked_about() -> None:
         found = solve(bead(phase), find="greatest speed", when=f"{2.0 * pi / RATE * when:.12f} s")
         wanted = PULL / RATE * (1.0 if phase is None else 2.0)
         assert found.answer == pytest.approx(wanted, rel=1e-9)
+
+
+def closed_form(find: str, time: float, phi: float) -> float:
+    """Integrals of cos(ωt + φ) from rest, for a unit of acceleration."""
+    turn = RATE * time + phi
+    return {
+        "acceleration": cos(turn),
+        "speed": (sin(turn) - sin(phi)) / RATE,
+        "displacement": (cos(phi) - cos(turn)) / RATE**2 - time * sin(phi) / RATE,
+    }[find]
+
+
+@pytest.mark.parametrize("phase", [-90.0, 30.0, 120.0])
+@pytest.mark.parametrize("find", ["acceleration", "speed", "displacement"])
+def test_it_is_solved_in_closed_form(phase: float, find: str) -> None:
+    """Not by a numerical integration."""
+    found = solve(bead(phase), find=find, of="it.particle", when="1 s")
+    assert found.answer == pytest.approx(abs(PULL * closed_form(find, 1.0, radians(phase))), rel=1e-9)
+    assert r"\varphi" in found.solution.text, found.solution.reason
+    assert "umerical" not in found.solution.text
+
+
+def test_the_first_acceleration_is_solved_in_closed_form() -> None:
+    """(q E₀/m) cos φ."""
+    found = solve(bead(30.0), find="acceleration", of="it.particle")
+    assert found.answer == pytest.approx(PULL * cos(radians(30.0)), rel=1e-9)
+    assert r"\cos\varphi" in found.solution.text, found.solution.reason
+
+
+def test_the_greatest_speed_is_solved_in_closed_form() -> None:
+    """Where ωt + φ is an odd multiple of 90°: (q E₀/m ω)(1 + sin φ)."""
+    found = solve(bead(30.0), find="greatest speed", of="it.particle", when="2.5 s")
+    assert found.answer == pytest.approx(1.5 * PULL / RATE, rel=1e-9)
+    assert "passes through zero" in found.solution.text, found.solution.reason

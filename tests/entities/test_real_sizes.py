@@ -2,6 +2,7 @@
 
 from math import cos, log, pi, sin, sqrt
 
+import numpy as np
 import pytest
 
 from sim2reason.datasets.solve import solve
@@ -77,6 +78,36 @@ def test_an_electron_turns_in_a_magnetic_field() -> None:
     assert 1.0 < rate * float(times[-1]) < 10.0
     for place, wanted in zip(trace.state.q[1:], rate * times[1:], strict=True):
         assert place == pytest.approx([radius * sin(wanted), radius * (1.0 - cos(wanted))], abs=1e-8 * radius)
+
+
+PROTON = scene(
+    "EmEntity",
+    "particle: {mass: 1.673e-21, charge: 1.602e-13, sign: positive}, "
+    "start: {kind: launched, speed: 3.0e5, angle: 90.0}, "
+    "electric: {kind: uniform_electric, strength: 2000.0, way: positive x}, "
+    "magnetic: {kind: uniform_magnetic, strength: 0.02, way: positive z}",
+)
+
+
+@pytest.mark.parametrize("held", [TURNING, DRIVEN, PROTON])
+def test_both_engines_follow_electrons_and_protons(held: Scene) -> None:
+    """All the way: accelerations of 10^15 m/s² and masses of 10^−31 kg."""
+    trace, certificate = certify(held)
+    assert certificate.stable_until == trace.state.times[-1] == pytest.approx(held.horizon), certificate.reason
+    assert certificate.agreement
+    assert max(certificate.agreement.values()) < 1e-6
+
+
+def test_the_second_engine_turns_an_electron_by_itself() -> None:
+    """On the same circle; its states come back in SI units."""
+    rate = CHARGE * FIELD / MASS
+    trace = simulate(TURNING, engine="mujoco")
+    radius, turned = SPEED / rate, rate * trace.state.times
+    assert trace.state.q[:, 0] == pytest.approx(radius * np.sin(turned), abs=1e-7 * radius)
+    assert trace.state.v[:, 1] == pytest.approx(SPEED * np.sin(turned), abs=1e-6 * SPEED)
+    assert trace.state.a[:, 1] == pytest.approx(SPEED * rate * np.cos(turned), abs=1e-6 * SPEED * rate)
+    half = trace.sample(np.array([pi / rate])).q[0]
+    assert half == pytest.approx([0.0, 2.0 * radius], abs=1e-7 * radius)
 
 
 def test_an_electron_in_an_electric_field_is_followed_while_newton_holds() -> None:

@@ -199,6 +199,14 @@ class Frame:
         """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
 
+    def wound(self, name: str, rim: str, end: str, across: float) -> None:
+        """Lead a string from its rim, round which it is wound, down to another site; it turns about y by its hinge.
+
+        `rim` is a site of the room, `across`, m, to the right of the axle: what turns right-handed takes in string that
+        hangs to the left. A body that is glued holds its string.
+        """
+        self._builder.add_wound(self.address(name), self._own(), (rim, end), -across)
+
     def wind(self, name: str, a: "Frame", b: "Frame", radius: float, arc: float, law: Elastic) -> None:
         """Join two bodies that turn about one axis by a light spring along their circle, right-handed from `a` to `b`.
 
@@ -263,6 +271,11 @@ def _ratio(static: float | None, friction: float) -> float:
 
 def _flat(through: Iterable[str | Rim]) -> list[str]:
     return [site for stop in through for site in ((stop,) if isinstance(stop, str) else (stop.left, stop.right))]
+
+
+def axial_inertia(inertia: float) -> Tensor:
+    """What has a moment of inertia about y, kg m², and no thickness: half of it across."""
+    return (0.5 * inertia, inertia, 0.5 * inertia, 0.0, 0.0, 0.0)
 
 
 def disc_inertia(mass: float, radius: float) -> Tensor:

@@ -64,6 +64,7 @@ class Collector:
         self.drawing: dict[str, ConstantTension | Inextensible] = {}  # by site, the law of a string drawn in there
         self.origins: dict[str, Vector] = {}  # by entity, where it stands in the room; only for looks
         self.turned: dict[str, Axes] = {}  # by body, where its own axes point at the start; only for looks
+        self.wound: set[str] = set()  # the strings that leave the rim of what they are wound round; only for looks
         self._rims: dict[tuple[str, str], Rim] = {}
         self.welded: dict[str, str | None] = {}  # entities that can't move on what carries them, and that
         self._lines: dict[str, Line] = {}
@@ -169,6 +170,13 @@ class Collector:
         wheels = tuple(Wheel(hinge.name, side) for own, side in sides for hinge in own)
         self._new(name, self._lines)
         self._lines[name] = Line(name, name, ends, wheels, law, bodies)
+
+    def add_wound(self, name: str, body: str, ends: tuple[str, str], radius: float) -> None:
+        """Enter a string wound round a body that turns: its free length shrinks by the `radius` times the angle."""
+        self._new(name, self._lines)
+        self.wound.add(name)
+        wheels = tuple(Wheel(hinge.name, radius) for hinge in self._bodies[body].coordinates)
+        self._lines[name] = Line(name, name, ends, wheels, Inextensible())
 
     def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
         """Cut a path wherever it goes from one rim point of a massive pulley to the other."""

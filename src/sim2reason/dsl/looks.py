@@ -42,7 +42,7 @@ class Spherical:
 class Axial:
     """A cylinder about z, with `sides` a prism; a hole through it is parallel to z, its axis at x = `offset`.
 
-    Without a height it is a ring or a disc, without a radius a rod.
+    Without a height it is a ring or a disc, without a radius a rod. A `step` is the radius of a drum on its end.
     """
 
     radius: float
@@ -51,6 +51,7 @@ class Axial:
     sides: int = 0  # 0: round
     hole: float = 0.0
     offset: float = 0.0
+    step: float = 0.0
 
     def reach(self, way: Vector) -> float:
         """How far it, or the cylinder about its edges, extends along a unit vector, m."""

@@ -212,6 +212,7 @@ Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), R
 NaturalLength = Annotated[float, LEAST, Le(1e3), Measure("natural length", "m", r"\ell_0"), Range(0.2, 1.0)]
 Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d", called="distance"), Range(0.05, 0.3)]
 Damping = Annotated[float, LEAST, Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0)]
+MomentOfInertia = Annotated[float, LEAST, Le(1e9), Measure("moment of inertia", "kg*m^2", "I"), Range(0.05, 0.5)]
 Restitution = Annotated[
     float,
     Ge(0),

@@ -10,7 +10,7 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Joint, Link
 from sim2reason.dsl.entity import Entity, Name, Named, Part, inside, outer_ports, stops_of
-from sim2reason.dsl.horizons import horizon
+from sim2reason.dsl.horizons import horizon, within_oscillations
 from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
@@ -169,7 +169,8 @@ class Scene(Model):
     @property
     def horizon(self) -> float:
         """How long its motion is followed at first, in the units of its text."""
-        return horizon((named.entity for named in self.entities), self.world.gravity)
+        found = horizon((named.entity for named in self.entities), self.world.gravity)
+        return within_oscillations(found, self.mechanism)
 
     @cached_property
     def mechanism(self) -> Mechanism:

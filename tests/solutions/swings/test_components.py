@@ -80,7 +80,7 @@ def test_the_way_of_an_arm_is_told_from_turning_point_to_turning_point() -> None
     later = StretchQuery("sum", None, AtTime(0.8), "total angle", "arm.arm")
     text = derived(scene, later).text
     assert r"$\phi_{\text{max}}$ on the other side and back" in text
-    assert "As $k < 1$, it swings to and fro" in text
+    assert "As $k < 1$, the energy does not suffice to reach the top of the circle" in text
     assert "it has turned back once since the start" in text
 
 

@@ -122,6 +122,7 @@ def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) 
         return [Area(corners, "block")]
     found: list[Shape] = [Arc(at, radius, fill="block")]
     found += [Arc(at, radius - look.wall * size, weight="thin")] if look.wall else []
+    found += [Arc(at, look.step * size, fill="disc", weight="thin")] if look.step else []
     return found + ([Arc(at + look.offset * size * x, look.hole * size, weight="thin")] if look.hole else [])
 
 

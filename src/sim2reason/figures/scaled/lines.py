@@ -52,10 +52,11 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
             continue
         if look == "prop":
             continue
-        found.shapes += strokes(setting, line, look, points)
+        wound = line.name in setting.plan.scene.builder.wound
+        (front if wound else found).shapes += strokes(setting, line, look, points)
         found.labels += _named(setting, line.whole, points)
         setting.drawn.add(line.whole)
-        for end, inward in ((0, 1), (-1, -2)):
+        for end, inward in () if wound else ((0, 1), (-1, -2)):
             _held(setting, line.through[end], unit(points[inward] - points[end] or RIGHT), found)
     for body in setting.members:
         _arm(setting, body, found, front)

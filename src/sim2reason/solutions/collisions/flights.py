@@ -7,15 +7,15 @@ import numpy as np
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.triples import product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.gaps import gap_at_start
 from sim2reason.solutions.collisions.legs import Impact, Leg
 from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
@@ -288,12 +288,4 @@ class FreeFlights(ABC):
 
     def gap(self, number: int) -> Polynomial:
         """How far apart the two of a meeting are at t = 0."""
-        here, there = self.frames
-        values: list[float] = []
-        for frames, m in ((here, self.setting.lexicon.mechanism), (there, self.setting.lexicon.twin)):
-            met = m.meetings[number]
-            assert met.normal is not None
-            other = frames.center(met.b).place
-            apart = other if met.a is None else minus(other, frames.center(met.a).place)
-            values.append(float(product(met.normal, apart)) - met.distance)
-        return self.setting.lexicon.read(Both(*values))
+        return gap_at_start(self.setting.lexicon, self.frames, number)

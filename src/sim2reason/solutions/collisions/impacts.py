@@ -109,7 +109,11 @@ class Impacts(FreeFlights, ABC):
         normals = {held.normal for held in self.mechanism.meetings if held.a is None}
         if normal is None or len(normals) == 1:
             return "the wall"
-        return "the left wall" if normal[0] > 0.0 else "the right wall"
+        x, y, z = normal
+        if abs(y) > ALIGNED:  # of a table, on which y points away from the reader or up the slope
+            ends = ("lower", "upper") if abs(z) > ALIGNED else ("near", "far")
+            return f"the {ends[0] if y > 0.0 else ends[1]} wall"
+        return "the left wall" if x > 0.0 else "the right wall"
 
     def event(self, time: Symbol) -> str:
         """Return the impact that comes at a time, in words; *then* if none does."""
@@ -138,12 +142,18 @@ class Impacts(FreeFlights, ABC):
         span = self.span(leg, time)
         if book.is_hidden(formula) or book.is_hidden(span):
             return
+        obstacle, planar = self.obstacle(impact.meeting), len(self.coordinates(body)) > 1
+        if planar and book.value(formula) <= 0.0:  # it is drawn away from the wall
+            return
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
         exceeds(book, step, formula, span)
         self.flown.add((body, number))
         step.rest_on(span.name)
         told = step.verified(name, formula, SECONDS)
-        step.say(f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$.")
+        if planar and obstacle != "the ground":
+            step.say(f"It would hit {obstacle} again only {told} after this impact, which is later than ${time.name}$.")
+        else:
+            step.say(f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$.")
         step.close()
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:

@@ -191,7 +191,8 @@ class CollisionOrder:
         """Return why a body that accelerates relative to a wall does not reach it; None if it never could."""
         (gap, rate, rise), value = course, self._book.value
         d, u, a = (value(part.expression()) for part in course)
-        if gap and a > 0.0 and (u >= 0.0 or u * u < 2.0 * a * d):
+        planar = any(len(self._flights.coordinates(body)) > 1 for body in held.legs)
+        if a > 0.0 and (gap or planar) and (u >= 0.0 or (gap and u * u < 2.0 * a * d)):
             return None
         distance = Polynomial.of(motion.named("d", gap.expression(), METRES)) if gap else NIL
         change = Polynomial.of(motion.named("u", rate.expression(), SPEED)) if u else NIL

@@ -22,7 +22,7 @@ TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """The acceleration by an electric field along one axis: strength + growth t, or times cos νt, or + slope s."""
+    """The acceleration by an electric field along one axis: strength + growth t, or times cos(νt + φ), or + slope s."""
 
     axis: int
     strength: Symbol
@@ -30,14 +30,20 @@ class Drive:
     frequency: Expression | None = None
     slope: Symbol | None = None
     along: int = 0  # the axis on which its place matters
+    phase: Expression = ZERO
 
     def at(self, time: Expression, moved: Callable[[int], Expression]) -> Expression:
         """Its value at a time, and at a place if that matters."""
-        if self.frequency is not None and time != ZERO:
-            return self.strength * Call("cos", self.frequency * time)
+        if self.frequency is not None and (time != ZERO or self.phase != ZERO):
+            return self.strength * Call("cos", self.angle(time))
         if self.slope is not None:
             return self.strength + self.slope * moved(self.along)
         return self.strength + self.growth * time if self.growth is not None else self.strength
+
+    def angle(self, time: Expression) -> Expression:
+        """Of which an oscillating field is the cosine."""
+        assert self.frequency is not None
+        return self.frequency * time + self.phase
 
 
 class Fields:
@@ -156,11 +162,12 @@ class Fields:
         said = f"{self._charge}{where}{said if where else capital(said)}"
         name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
-        if profile.phase:
+        if profile.phase and (self.turning is not None or self.damping is not None or self.resists):
             raise UnsolvedError("the field begins with a phase of its own")
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
-            return Drive(axis, name, frequency=frequency)
+            phase = self._read(lambda m: _profile(m.forces[number]).phase).expression() if profile.phase else ZERO
+            return Drive(axis, name, frequency=frequency, phase=phase)
         if profile.rate:
             growth = self._part(number, "rate", axis) / self.mass
             more = "The rate of change of this acceleration is"
@@ -187,7 +194,8 @@ class Fields:
         given = self.setting.given(f"{self.body.rpartition('.')[0]}.electric.strength")
         where, there = ("at the origin", "there") if profile.steady else ("at the start", "then")
         if given is not None and profile.frequency:
-            return f"${given.symbol}$ is the amplitude of the electric field; at the start "
+            when = "when the field has this value," if profile.phase else "at the start"
+            return f"${given.symbol}$ is the amplitude of the electric field; {when} "
         strength = f"${given.symbol}$ is the magnitude of the electric field " if given is not None else ""
         return f"{strength}{where}; {there} " if strength else f"{where}, "
 

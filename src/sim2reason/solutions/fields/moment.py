@@ -206,9 +206,11 @@ class FieldMoment:
             said = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
             self._turned(rates, sign, work, said)
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
-            halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
+            halves = round(drive.angle(time).value(at).real / np.pi - 0.5)
             said = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
-            self.book.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
+            turned = Number(halves + 0.5) * PI
+            turned = turned - drive.phase if drive.phase != ZERO else turned
+            self.book.told("extremum", said, time, turned / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
             if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:

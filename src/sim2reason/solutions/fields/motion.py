@@ -69,8 +69,9 @@ class Driven(FieldMotion):
         if drive is None or drive.axis != axis:
             return plain
         if drive.frequency is not None:
-            swing = ONE - Call("cos", drive.frequency * time)
-            return plain + drive.strength / Power(drive.frequency, 2) * swing
+            swing = Call("cos", drive.phase) if drive.phase != ZERO else ONE
+            begun = plain + drive.strength / Power(drive.frequency, 2) * (swing - Call("cos", drive.angle(time)))
+            return begun - self._drift(drive) * time if drive.phase != ZERO else begun
         if drive.slope is not None and drive.along == axis:
             return self._departed(axis, time)
         third = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
@@ -83,12 +84,18 @@ class Driven(FieldMotion):
         if drive is None or drive.axis != axis:
             return plain
         if drive.frequency is not None:
-            return plain + drive.strength / drive.frequency * Call("sin", drive.frequency * time)
+            swung = plain + drive.strength / drive.frequency * Call("sin", drive.angle(time))
+            return swung - self._drift(drive) if drive.phase != ZERO else swung
         if drive.slope is not None and drive.along == axis:
             return plain * self._even(time) + self.push * self._odd(time)
         second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
         found = plain + drive.strength * time
         return found + HALF * second * Power(time, 2) if second is not None else found
+
+    def _drift(self, drive: Drive) -> Expression:
+        """The velocity that it keeps on average from the phase at which an oscillating field begins."""
+        assert drive.frequency is not None
+        return drive.strength / drive.frequency * Call("sin", drive.phase)
 
     # ---- a field that grows along its own direction
 

@@ -7,10 +7,12 @@ a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1``
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import reduce
+from operator import mul
 
 from sim2reason.dsl.fields import Push
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import ConstantTension, Force, Line, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism
 from sim2reason.dsl.triples import Triple, applied, product
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
@@ -41,10 +43,6 @@ class Row:
         return self.forces - self.inertia
 
 
-def _constant(force: Force) -> bool:
-    return isinstance(force.law, Push) and force.law.constant
-
-
 def _push(mechanism: Mechanism, number: int) -> Push:
     law = mechanism.forces[number].law
     assert isinstance(law, Push)
@@ -58,7 +56,7 @@ class Newton:
         """Take a segment; UnreadError if something else acts than weights, strings, faces and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
         self._stretches: dict[tuple[int, int], Both] = {}
-        varying = any(force.region is not None or not _constant(force) for force in self.mechanism.forces)
+        varying = any(f.region or not (isinstance(f.law, Push) and f.law.constant) for f in self.mechanism.forces)
         if varying or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
             raise UnreadError("there are forces of fields, or feet")
         self._sides: tuple[Side, Side] = tuple((m, start(m)) for m in (lexicon.mechanism, lexicon.twin))  # type: ignore[assignment]
@@ -80,18 +78,34 @@ class Newton:
 
     @cached_property
     def scale(self) -> list[Both]:
-        """By what the rate of each coordinate is multiplied: the radius of a wheel's rim, else one."""
+        """By what the rate of each coordinate is multiplied: the radius of a wheel's rim, its larger one, else one."""
         found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
-        for number, line in enumerate(self.mechanism.lines):
-            for place, wheel in enumerate(line.wheels):
-                both = self._both(lambda m, _, n=number, p=place: abs(m.lines[n].wheels[p].radius))
-                found[self.mechanism.number[wheel.coordinate]] = both
+        for k, radii in self._rims.items():
+            found[k] = max(radii, key=lambda both: both.here)
         for number, face in enumerate(self.mechanism.faces):
             for place, (name, _) in enumerate(face.slip):
                 k = self.mechanism.number[name]
                 if self.mechanism.coordinates[k].kind == "hinge":
                     found[k] = self._both(lambda m, _, n=number, p=place: abs(m.faces[n].slip[p][1]))
         return found
+
+    @cached_property
+    def _rims(self) -> dict[int, list[Both]]:
+        """The radii at which lines are wound round what turns, by its coordinate."""
+        found: dict[int, list[Both]] = {}
+        for number, line in enumerate(self.mechanism.lines):
+            for place, wheel in enumerate(line.wheels):
+                both = self._both(lambda m, _, n=number, p=place: abs(m.lines[n].wheels[p].radius))
+                found.setdefault(self.mechanism.number[wheel.coordinate], []).append(both)
+        return found
+
+    def _over(self, number: Both, *coordinates: int) -> Polynomial:
+        """A number over the scales of coordinates; where there are several radii, over the symbol of the larger one."""
+        stepped = [k for k in coordinates if len(set(self._rims.get(k, ()))) > 1]
+        plain = (self.scale[k] for k in coordinates if k not in stepped)
+        radii = (self.lexicon.read(self.scale[k]).symbol for k in stepped)
+        inverse = (Polynomial({((radius, -1),): 1.0}) for radius in radii if radius is not None)
+        return reduce(mul, inverse, self.lexicon.read(reduce(Both.__truediv__, plain, number)))
 
     @cached_property
     def gravity(self) -> Polynomial:
@@ -165,7 +179,7 @@ class Newton:
                     total += float(product(axes[k], applied(body.inertia, axes[j])))
             return total
 
-        return self.lexicon.read(self._both(inertia) / (self.scale[k] * self.scale[j]))
+        return self._over(self._both(inertia), k, j)
 
     def _pull(self, number: int, line: Line, k: int) -> Polynomial:
         """What a line does along a coordinate."""
@@ -183,21 +197,19 @@ class Newton:
 
     def stretch(self, number: int, k: int) -> Polynomial:
         """How a line grows with a coordinate."""
-        return self.lexicon.read(self._stretch(number, k))
+        return self._over(self._stretch(number, k), k)
 
     def _stretch(self, number: int, k: int) -> Both:
-        """The same in numbers, which many laws ask for."""
-        if (number, k) not in self._stretches:
-            self._stretches[number, k] = self._stretched(number, k)
-        return self._stretches[number, k]
+        """The same in numbers, which many laws ask for; not over the radius of a rim."""
 
-    def _stretched(self, number: int, k: int) -> Both:
         def along(m: Mechanism, f: Frames) -> float:
             line = m.lines[number]
             turned = sum(w.radius for w in line.wheels if m.number[w.coordinate] == k)
             return turned + sum(float(piece.along.get(k, 0.0)) for piece in f.pieces(line))
 
-        return self._both(along) / self.scale[k]
+        if (number, k) not in self._stretches:
+            self._stretches[number, k] = self._both(along)
+        return self._stretches[number, k]
 
     def string(self, place: int) -> Row:
         """That a taut string does not stretch."""

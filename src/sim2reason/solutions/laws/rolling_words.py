@@ -13,8 +13,20 @@ REASON = "From then on it rolls, which on level ground needs no friction"
 
 
 def radius_of(setting: Setting, body: str) -> str:
-    """Return the radius with which a body touches the ground, in words; a thick-walled pipe has two."""
-    return "outer radius" if getattr(setting.scene.bodies.get(body), "bore", None) else "radius"
+    """Return the radius of the rim of a body, in words; a thick-walled pipe and a stepped pulley have two."""
+    two = is_stepped(setting, body) or getattr(setting.scene.bodies.get(body), "bore", None)
+    return "outer radius" if two else "radius"
+
+
+def rim_of(setting: Setting, body: str) -> str:
+    """Return what is said of the rim of a body."""
+    return f"the {'outer ' if is_stepped(setting, body) else ''}rim of {setting.called(body)}"
+
+
+def is_stepped(setting: Setting, body: str) -> bool:
+    """Return whether strings are wound round a body at several radii."""
+    own = {c.name for c in setting.mechanism.body[body].coordinates}
+    return len({abs(w.radius) for line in setting.mechanism.lines for w in line.wheels if w.coordinate in own}) > 1
 
 
 def rolling_bodies(dynamics: Dynamics, shared: Shared) -> list[str]:

@@ -44,7 +44,7 @@ class SpringLaws(Newton):
 
     def changes(self, number: int, k: int) -> Both:
         """How its length grows with a coordinate, as numbers."""
-        return self._stretch(number, k)
+        return self._stretch(number, k) / self.scale[k]
 
 
 def _length(line: Line, frames: Frames) -> float:

@@ -13,6 +13,7 @@ from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
     only_turning,
+    rim_of,
     rolling_bodies,
     rolling_words,
     slipping_words,
@@ -142,7 +143,7 @@ class DynamicsWriter:
                 way += f" relative to {self.d.setting.called(parent)}"
             ways.setdefault(way, []).append(coordinate.body)
         said = [f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
-        return " and ".join([*said, *(f"of the rim of {self.d.setting.called(body)}" for body in turning)])
+        return " and ".join([*said, *(f"of {rim_of(self.d.setting, body)}" for body in turning)])
 
     def _moves(self, body: str) -> bool:
         return any(k not in self.d.frozen for k in self.d.newton.moved(body))

@@ -11,6 +11,7 @@ from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.crossings import Crossing, Watch
+from sim2reason.simulation.engines.exact.eigenmodes import Stretch, found_modes, pieces, stretch, turns
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.margins import StopReason
@@ -23,6 +24,8 @@ SHORTEST = 1e-13  # of the duration: a step below that is a singularity
 OFF = 1e-6  # m; a row that acts is no longer kept
 TIE = 1e-10  # of the duration: events that are no further apart are simultaneous
 POLISHES = 4  # corrections of an event's time by a step of the integrator itself
+PATIENCE = 200  # steps after which is asked whether there will be too many of them
+PIECE = 100  # operations that a piece of a linear stretch costs, for each coordinate
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 
 
@@ -92,6 +95,7 @@ class Flow:
         self.start = self.time = instant.time
         self.values: dop853.Values = (*instant.q, *instant.v)
         self.steps: list[FlowStep] = []
+        self.stretches: list[Stretch] = []  # between steps, where the motion is linear and steps would be too many
         self._watch = Watch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
 
@@ -143,7 +147,29 @@ class Flow:
             first, before = tried.stages[-1], after
             self._watch.passed(after)
             length *= dop853.factor(tried.error)
+            if len(self.steps) % PATIENCE == 0 and self._leap(end, length):
+                first, before = rate(self.time, self.values), self.formulas.margins(self.time, self.values)
+                self._watch.passed(before)
         return StopReason(duration, ())
+
+    def _leap(self, end: float, length: float) -> bool:
+        """Take a linear stretch at once where steps of such a length would cost too much; whether there is one."""
+        budget = self._equations.system.budget
+        if self.formulas.held is not None or (end - self.time) / length * self.formulas.cost < budget.left:
+            return False
+        rate, margins, n = self.formulas.rate, self.formulas.margins, self._equations.system.size
+        seen = np.array([step.values for step in self.steps[-PATIENCE:]])
+        sizes = np.ptp(seen, axis=0)
+        sizes = np.where(sizes > 0.0, sizes, np.repeat([sizes[:n].max(), sizes[n:].max()], n))
+        modes = found_modes(rate, self.time, self.values, sizes) if sizes.all() else None
+        found = stretch(modes, end - self.time, rate, margins, sizes) if modes is not None else None
+        if found is None:
+            return False
+        budget.spend(PIECE * n * pieces(found.modes, found.length))
+        self.stretches.append(found)
+        self.turns += turns(found.modes, found.length)
+        self.time, self.values = found.time + found.length, found.new
+        return True
 
     def _check_held(self) -> None:
         """What is held twice may be held so that it can't move at all, which no equation of an instant says."""
@@ -252,4 +278,9 @@ def sampled(flow: Flow, times: Array) -> Array:
     a, b, c, d, e, f, g = table.polynomials[:, at]
     rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
     found: Array = table.values[at] + rise
+    for linear in flow.stretches:
+        inside = (times >= linear.time) & (times <= linear.time + linear.length)
+        if inside.any():
+            found = np.broadcast_to(found, (len(times), found.shape[1])).copy()
+            found[inside] = linear.modes.at(times[inside])
     return found

@@ -95,6 +95,8 @@ class Motion:
         """The instants between which everything is smooth and simple: beginnings of segments and of steps, s."""
         found = [segment.start for segment in self.segments]
         found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
+        linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
+        found += [time for stretch in linear for time in stretch.knots.tolist()]
         return np.unique([*(time for time in found if time <= self.end), self.end])
 
     def state(self, times: Array) -> State:

@@ -4,7 +4,8 @@
 `balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
 what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
 `record` keeps what the steps leave. `changing_equations` does the same for mechanisms that the library's own
-constraints cannot keep. The library is loaded when the first mechanism is simulated.
+constraints cannot keep. `own_units` counts what is tiny in other units first. The library is loaded when the first
+mechanism is simulated.
 """
 
 from importlib import import_module
@@ -15,6 +16,7 @@ from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechan
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.own_units import in_own_units, is_tiny
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 __all__ = ["simulate"]
@@ -37,7 +39,8 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     soft = is_simple(mechanism) and not changing(mechanism)
     with import_module(f"{__name__}.specification").overheard() as said:
         loop = "engine" if soft else "changing_equations.engine"
-        trace: Trace = import_module(f"{__name__}.{loop}").run(mechanism, times)
+        run = import_module(f"{__name__}.{loop}").run
+        trace: Trace = in_own_units(run, mechanism, times) if is_tiny(mechanism) else run(mechanism, times)
     if said:
         raise SimulationError(f"MuJoCo warns: {said[0]}")
     return trace

@@ -1,0 +1,192 @@
+"""A long stretch of linear motion at once, by its eigenmodes, where an integrator would need too many steps.
+
+Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves by itself: as a
+cosine, or with a constant acceleration. Whether they are is found by trial, at corners of the box that holds the whole
+stretch: nothing that bends passes. A stretch is as long as no margin can be used up on it, whatever the phases.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import islice, product
+from math import pi
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.exact.dop853 import Rate, Values
+
+Margins = Callable[[float, Values], Sequence[float]]
+
+EXACT = 1e-9  # of the largest acceleration, or margin: by how much what is affine may be off
+STILL = 1e-9  # of the largest eigenvalue: less is none
+SOUND = 1e8  # condition of the eigenvectors, at most
+CORNERS = 16  # of the box, at which is tried
+SHARE = 8  # pieces of the fastest period
+SHORTEST = 10  # fastest periods, fewer of which are no stretch
+HALVINGS = 30
+POLISHES = 60  # bisections of the time of a turn
+
+
+@dataclass(frozen=True)
+class Modes:
+    """q − q₀ = `ways` · s, with s̈ = force − square · s; all from one instant on."""
+
+    time: float
+    place: Array  # q₀, (n,)
+    ways: Array  # a column for each mode, (n, n)
+    square: Array  # of angular frequencies, 1/s²; 0 of a mode without
+    force: Array
+    speed: Array  # ṡ at the beginning
+
+    @property
+    def rate(self) -> Array:
+        """The angular frequencies."""
+        return np.sqrt(self.square)
+
+    def at(self, times: Array) -> Array:
+        """Coordinates and rates at times, (m, 2n)."""
+        since, w = (times - self.time)[:, None], self.rate
+        swings = w > 0.0
+        divisor = np.where(swings, w, 1.0)
+        middle, size = self.force / divisor**2, self.speed / divisor
+        cosine, sine = np.cos(since * divisor), np.sin(since * divisor)
+        s = np.where(swings, middle * (1.0 - cosine) + size * sine, since * (self.speed + 0.5 * since * self.force))
+        u = np.where(swings, divisor * (middle * sine + size * cosine), self.speed + since * self.force)
+        return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
+
+    def ranges(self, span: float) -> tuple[Array, Array]:
+        """Between what s and ṡ stay for so long, (n, 2) each."""
+        w = self.rate
+        swings = w > 0.0
+        divisor = np.where(swings, w, 1.0)
+        middle = self.force / divisor**2
+        size = np.hypot(middle, self.speed / divisor)
+        turned = np.clip(-self.speed / np.where(self.force, self.force, 1.0), 0.0, span)  # where it turns back
+        drift = np.array([t * (self.speed + 0.5 * t * self.force) for t in (np.zeros_like(turned), turned, span)])
+        ends = np.array([self.speed, self.speed + span * self.force])
+        s = np.where(swings, [middle - size, middle + size], [drift.min(axis=0), drift.max(axis=0)])
+        u = np.where(swings, [-divisor * size, divisor * size], [ends.min(axis=0), ends.max(axis=0)])
+        return s.T, u.T
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A stretch of linear motion."""
+
+    modes: Modes
+    length: float  # s
+
+    @property
+    def time(self) -> float:
+        """When it begins."""
+        return self.modes.time
+
+    @property
+    def knots(self) -> Array:
+        """Instants between which it is smooth and simple, s."""
+        return self.time + np.arange(1, pieces(self.modes, self.length)) * self.length / pieces(self.modes, self.length)
+
+    @property
+    def new(self) -> Values:
+        """Coordinates and rates at its end."""
+        return tuple(self.modes.at(np.array([self.time + self.length]))[0].tolist())
+
+
+def pieces(modes: Modes, span: float) -> int:
+    """Into how many pieces a span is divided, so that the fastest mode is simple on each."""
+    return max(1, int(np.ceil(span * float(modes.rate.max()) / (2.0 * pi) * SHARE)))
+
+
+def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes | None:
+    """The eigenmodes at an instant, if it has them; `sizes` (2n,) are of changes by which it is tried."""
+    n = len(values) // 2
+    here = np.array(values)
+    base = np.array(rate(time, values))[n:]
+    slopes = _slopes(lambda at: rate(time, at)[n:], here, sizes)
+    load = float(np.abs(slopes * sizes).max(initial=0.0))
+    if not load or np.abs(slopes[:, n:] * sizes[n:]).max() > EXACT * load:
+        return None  # it is damped, or nothing oscillates
+    eigenvalues, vectors = np.linalg.eig(-slopes[:, :n])
+    largest, turned = float(np.abs(eigenvalues).max()), float(np.abs(np.imag(eigenvalues)).max())
+    squares: Array = np.asarray(np.real(eigenvalues), dtype=np.float64)
+    ways: Array = np.asarray(np.real(vectors), dtype=np.float64)
+    if turned > STILL * largest or squares.min() < -STILL * largest or np.linalg.cond(ways) > SOUND:
+        return None
+    inverse: Array = np.asarray(np.linalg.inv(ways), dtype=np.float64)
+    kept = np.where(squares > STILL * largest, squares, 0.0)
+    return Modes(time, here[:n], ways, kept, inverse @ base, inverse @ here[n:])
+
+
+def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array) -> Array:
+    """How numbers change with each of some values, (numbers, values)."""
+    columns: list[Array] = []
+    for number, size in enumerate(sizes):
+        change = np.zeros(len(here))
+        change[number] = size
+        after, before = (np.array(code(tuple((here + sign * change).tolist()))) for sign in (1.0, -1.0))
+        columns.append((after - before) / (2.0 * size))
+    return np.array(columns).T
+
+
+def stretch(modes: Modes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
+    """The longest stretch of at most `span`, s, on which nothing can be due; None if it is none worth while."""
+    least = SHORTEST * 2.0 * pi / float(modes.rate.max())
+    n = len(modes.place)
+    here = np.concatenate([modes.place, modes.ways @ modes.speed])
+    values: Values = tuple(here.tolist())
+    left = np.array(margins(modes.time, values))
+    slopes = _slopes(lambda at: margins(modes.time, at), here, sizes) if len(left) else np.zeros((0, 2 * n))
+    for _ in range(HALVINGS):
+        if span < least:
+            return None
+        s, u = modes.ranges(span)
+        start = np.concatenate([np.zeros(n), modes.speed])
+        ranges = np.concatenate([s, u]) - start[:, None]  # of modes, as changes
+        spread: Array = np.asarray(np.kron(np.eye(2), modes.ways), dtype=np.float64)
+        effects = (slopes @ spread)[:, :, None] * ranges[None]
+        if (left + effects.min(axis=2).sum(axis=1) > 0.0).all():
+            changes: list[Array] = [spread @ np.array(corner) for corner in islice(product(*ranges), CORNERS)]
+            changes += [spread @ ranges[:, side] for side in (0, 1)]
+            if _is_affine(modes, (rate, margins), (left, slopes), changes, modes.time + span):
+                return Stretch(modes, span)
+            return None
+        span *= 0.5
+    return None
+
+
+def _is_affine(
+    modes: Modes, code: tuple[Rate, Margins], known: tuple[Array, Array], changes: Sequence[Array], end: float
+) -> bool:
+    """Whether rates and margins are as the eigenmodes have it at far corners, at the beginning and at the end."""
+    n = len(modes.place)
+    here = np.concatenate([modes.place, modes.ways @ modes.speed])
+    inverse = np.linalg.inv(modes.ways)
+    for change in changes:
+        values: Values = tuple((here + change).tolist())
+        wanted = modes.ways @ (modes.force - modes.square * (inverse @ change[:n]))
+        for time in (modes.time, end):
+            found, left = np.array(code[0](time, values))[n:], np.array(code[1](time, values))
+            if np.abs(found - wanted).max() > EXACT * np.abs(wanted).max():
+                return False
+            expected = known[0] + known[1] @ change
+            if len(left) and (np.abs(left - expected) > EXACT * np.abs(known[1] * change).sum(axis=1) + EXACT).any():
+                return False
+    return True
+
+
+def turns(modes: Modes, span: float) -> list[tuple[float, int]]:
+    """When the speed of a coordinate passes through zero, in order of time."""
+    n, count = len(modes.place), pieces(modes, span)
+    times = modes.time + np.linspace(0.0, span, count + 1)
+    speeds = modes.at(times)[:, n:]
+    found: list[tuple[float, int]] = []
+    for number in range(n):
+        own = speeds[:, number]
+        at = np.flatnonzero(own[:-1] * own[1:] < 0.0)
+        low, high, sign = times[at], times[at + 1], np.sign(own[at])
+        for _ in range(POLISHES if len(at) else 0):
+            middle = 0.5 * (low + high)
+            before = sign * modes.at(middle)[:, n + number] > 0.0
+            low, high = np.where(before, middle, low), np.where(before, high, middle)
+        found += [(time, number) for time in low.tolist()]
+    return sorted(found)

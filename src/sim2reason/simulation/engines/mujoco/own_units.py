@@ -1,0 +1,145 @@
+"""Motions of what the library takes for massless, in units of mass and time in which its numbers are near 1.
+
+Lengths keep their unit, so that the geometry stays as it is.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from sim2reason.dsl.fields import Law
+from sim2reason.dsl.mechanism import (
+    Attraction,
+    Burn,
+    ConstantTension,
+    Coordinate,
+    Elastic,
+    Inextensible,
+    LineLaw,
+    Mechanism,
+    RigidBody,
+)
+from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.dsl.triples import Maths, Number, Triple, times
+from sim2reason.dsl.vectors import Vector
+from sim2reason.simulation.trace import Event, Trace
+
+LEAST = 1e-15  # kg: MuJoCo takes a mass or an inertia below that for nothing
+
+
+def is_tiny(mechanism: Mechanism) -> bool:
+    """Whether a body that moves is so light that the library would take it for massless."""
+    return any(0.0 < body.mass < LEAST for body in mechanism.bodies)
+
+
+@dataclass(frozen=True, slots=True)
+class OwnUnits:
+    """Units of mass and time, kg and s, or in whatever a mechanism counts."""
+
+    mass: float
+    time: float
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, duration: float) -> "OwnUnits":
+        """The mass of the heaviest body, and the duration."""
+        return cls(max(body.mass for body in mechanism.bodies), duration)
+
+    @property
+    def force(self) -> float:
+        """The unit of force in which lengths keep theirs."""
+        return self.mass / self.time**2
+
+    # ---- there
+
+    def counted(self, mechanism: Mechanism) -> Mechanism:
+        """The same mechanism in these units."""
+        x, y, z = mechanism.gravity
+        square = self.time**2
+        return replace(
+            mechanism,
+            bodies=tuple(map(self._body, mechanism.bodies)),
+            lines=tuple(replace(line, law=self._line_law(line.law)) for line in mechanism.lines),
+            forces=tuple(replace(force, law=LawInUnits(force.law, self)) for force in mechanism.forces),
+            attractions=tuple(map(self._attraction, mechanism.attractions)),
+            burns=tuple(map(self._burn, mechanism.burns)),
+            gravity=(x * square, y * square, z * square),
+        )
+
+    def _body(self, body: RigidBody) -> RigidBody:
+        a, b, c, d, e, f = (part / self.mass for part in body.inertia)
+        coordinates = tuple(map(self._coordinate, body.coordinates))
+        return replace(body, mass=body.mass / self.mass, inertia=(a, b, c, d, e, f), coordinates=coordinates)
+
+    def _coordinate(self, coordinate: Coordinate) -> Coordinate:
+        return replace(coordinate, speed=coordinate.speed * self.time)
+
+    def _line_law(self, law: LineLaw) -> LineLaw:
+        match law:
+            case Inextensible():
+                return replace(law, reel=law.reel * self.time)
+            case Elastic():
+                damping = law.damping / (self.force * self.time)
+                return replace(law, stiffness=law.stiffness / self.force, damping=damping)
+            case ConstantTension():
+                return replace(law, force=law.force / self.force)
+            case _:
+                return law
+
+    def _attraction(self, pair: Attraction) -> Attraction:
+        return replace(pair, constant=pair.constant * self.mass**2 / self.force)
+
+    def _burn(self, burn: Burn) -> Burn:
+        rate, exhaust = burn.rate * self.time / self.mass, burn.exhaust * self.time
+        return replace(burn, rate=rate, exhaust=exhaust, until=burn.until / self.time)
+
+    # ---- and back
+
+    def told(self, trace: Trace, mechanism: Mechanism) -> Trace:
+        """A motion of the counted mechanism as one of the mechanism itself."""
+
+        def sample(at: Array) -> State:
+            return self._state(trace.sample(at / self.time), mechanism, at)
+
+        events = tuple(Event(event.time * self.time, event.kind, event.subjects) for event in trace.events)
+        state = self._state(trace.state, mechanism, trace.state.times * self.time)
+        return Trace(trace.engine, state, events, trace.stable_until * self.time, trace.cut, sample)
+
+    def _state(self, state: State, mechanism: Mechanism, at: Array) -> State:
+        def forces(by_name: Mapping[str, Array]) -> dict[str, Array]:
+            return {name: values * self.force for name, values in by_name.items()}
+
+        held = (forces(state.constraint_tension), forces(state.normal), forces(state.friction))
+        return State.of(mechanism, at, (state.q, state.v / self.time), Dynamics(state.a / self.time**2, *held))
+
+
+@dataclass(frozen=True, slots=True)
+class LawInUnits:
+    """A law of force in other units of mass and time."""
+
+    law: Law
+    units: OwnUnits
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """The force, in their unit."""
+        units = self.units
+        found = self.law.force(place, times(1.0 / units.time, velocity), time * units.time, maths)
+        return times(1.0 / units.force, found)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """The potential energy, in their unit; None where the law has none."""
+        found = self.law.potential(place, maths)
+        return None if found is None else found * (1.0 / self.units.force)
+
+    @property
+    def constant(self) -> bool:
+        """Whether the force never changes."""
+        return self.law.constant
+
+    def moved(self, by: Vector) -> "LawInUnits":
+        """The same law about another origin."""
+        return replace(self, law=self.law.moved(by))
+
+
+def in_own_units(run: Callable[[Mechanism, Array], Trace], mechanism: Mechanism, at: Array) -> Trace:
+    """The motion at times (m,) by an engine that counts it in units of its own."""
+    units = OwnUnits.of(mechanism, float(at[-1]))
+    return units.told(run(units.counted(mechanism), at / units.time), mechanism)

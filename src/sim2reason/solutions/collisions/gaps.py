@@ -1,0 +1,45 @@
+"""How far bodies on a line, or a body and a wall, are apart at t = 0, in the symbols of the text."""
+
+from sim2reason.dsl.frames import Frames
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.triples import minus, product
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+
+Side = tuple[Frames, Mechanism]
+
+
+def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -> Polynomial:
+    """How far apart the two of a meeting are, m; UnreadError if that is no simple function of the text's numbers.
+
+    Of a disc and a wall it may be a sum of three lengths: the place of the wall, that of the disc and its radius.
+    """
+    sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
+    whole = Both(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
+    try:
+        return lexicon.read(whole)
+    except UnreadError:
+        found = _of_three(lexicon, whole) if lexicon.mechanism.meetings[number].a is None else None
+        if found is None:
+            raise
+        return found
+
+
+def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
+    """A length that the text says, or minus that, and a sum of two; entities may stand anywhere, so none is first."""
+    for length in reversed(lexicon.lengths):
+        for sign in (1.0, -1.0):
+            try:
+                rest = lexicon.read(whole - Both(sign * length.here, sign * length.there))
+            except UnreadError:
+                continue
+            return lexicon.read(length).scaled(sign) + rest
+    return None
+
+
+def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
+    """Where the second of a meeting is along the normal, seen from the first or from the origin of the room."""
+    met = mechanism.meetings[number]
+    assert met.normal is not None
+    other = frames.center(met.b).place
+    return float(product(met.normal, other if met.a is None else minus(other, frames.center(met.a).place)))

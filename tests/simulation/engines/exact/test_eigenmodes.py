@@ -1,0 +1,101 @@
+"""Linear stretches at once, against closed forms; what is not linear is not taken for it."""
+
+from math import cos, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from sim2reason.datasets.solve import solve
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SimulationError
+from sim2reason.scene_files import loads
+from sim2reason.simulation.engines.exact.motion import Motion
+from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import Trace
+
+STIFF, LIGHT = 1e6, 1e-3
+RATE = sqrt(STIFF / LIGHT)
+
+
+def scene(kind: str, parameters: str) -> Scene:
+    """A scene of one entity."""
+    return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
+
+
+HELD = scene("AnchoredSpring", "spring: {stiffness: 1.0e6, length: 0.5}, block: {mass: 0.001}, start: 0.6")
+FREE = scene(
+    "SpringMassChain",
+    "track: {}, carts: [{mass: 0.001}, {mass: 0.002}], springs: [{stiffness: 1.0e6}], ends: free, "
+    "blow: {cart: 0, toward: right, speed: 3.0}",
+)
+WEDGE = scene(
+    "SpringOnWedge",
+    "wedge: {mass: 1.0, angle: 30.0}, block: {mass: 1.0e-6}, spring: {stiffness: 1.0e6, length: 0.5}, start: 0.500001",
+)
+
+
+def stretches(trace: Trace) -> int:
+    """How many linear stretches were taken at once."""
+    assert isinstance(trace.record, Motion)
+    return sum(len(segment.flow.stretches) for segment in trace.record.segments if segment.flow)
+
+
+def test_a_block_on_a_stiff_spring_oscillates_for_seconds() -> None:
+    """X = ℓ₀ + A cos ω t over 5000 periods, which an integrator would not pay for; every turn is told."""
+    trace = simulate(HELD, 1.0)
+    times = trace.state.times
+    assert stretches(trace) == 1
+    assert abs(trace.state.q[:, 0]) == pytest.approx(0.1 * (1.0 - np.cos(RATE * times)), abs=1e-9)
+    assert abs(trace.state.v[:, 0]) == pytest.approx(0.1 * RATE * abs(np.sin(RATE * times)), abs=1e-9 * RATE)
+    turned = [event.time for event in trace.events if event.kind == "turn"]
+    assert turned == pytest.approx([n * np.pi / RATE for n in range(1, len(turned) + 1)], rel=1e-9)
+    assert len(turned) == int(RATE / np.pi)
+    assert len(trace.knots()) > 8 * RATE / (2.0 * np.pi)
+
+
+def test_a_crumb_on_a_sliding_wedge_oscillates_thousands_of_times() -> None:
+    """ω² = k (M + m)/(m (M + m sin² θ)); a mode without a frequency keeps the common momentum."""
+    big, small, slope = 1.0, 1e-6, radians(30.0)
+    rate = sqrt(STIFF * (big + small) / (small * (big + small * sin(slope) ** 2)))
+    trace = simulate(WEDGE, 0.1)
+    assert stretches(trace) == 1
+    middle = 0.5 - small * 9.8 * sin(slope) / STIFF
+    along = (0.500001 - middle) * (np.cos(rate * trace.state.times) - 1.0)
+    assert trace.state.q[:, 1] == pytest.approx(along, abs=1e-11)
+    assert trace.state.q[:, 0] == pytest.approx(-small * cos(slope) / (big + small) * along, abs=1e-11 * small)
+
+
+def test_two_carts_on_a_stiff_spring_drift_as_they_oscillate() -> None:
+    """Their centre keeps m v/(m + M); each is about it by v M/((m + M) ω) sin ω t, with ω² = k (m + M)/(m M)."""
+    rate, drift = sqrt(STIFF * 3e-3 / 2e-6), 1.0
+    trace = simulate(FREE, 1.0)
+    assert stretches(trace) == 1
+    swing = np.sin(rate * trace.state.times) / rate
+    assert trace.state.q[:, 0] == pytest.approx(drift * trace.state.times + 2.0 * swing, abs=1e-9)
+    assert trace.state.q[:, 1] == pytest.approx(drift * trace.state.times - swing, abs=1e-9)
+
+
+def test_it_is_asked_about_after_a_second() -> None:
+    """|v| = A ω |sin ω t|."""
+    answer = solve(HELD, find="speed", of="it.block", when="1 s").answer
+    assert answer == pytest.approx(0.1 * RATE * abs(sin(RATE)), rel=1e-8)
+
+
+def test_what_would_take_too_many_pieces_is_refused_at_once() -> None:
+    """Before anything of that length is made."""
+    with pytest.raises(SimulationError, match="million operations"):
+        simulate(HELD, 1e6)
+
+
+def test_what_bends_is_not_taken_for_linear() -> None:
+    """A block that is pulled aside: its spring turns with it, and the steps are counted as ever."""
+    spring = "springs: [{stiffness: 1.0e6, length: 0.5, x: 1.0, y: 0.0}]"
+    bent = scene("SpringBlock", f"block: {{mass: 0.001}}, {spring}, x: 0.4, y: 0.0, launch: {{x: 0.0, y: 1.0}}")
+    with pytest.raises(SimulationError, match="million operations"):
+        simulate(bent, 5.0)
+
+
+def test_ordinary_motions_are_integrated_as_before() -> None:
+    """Only where there would be too many steps."""
+    soft = scene("AnchoredSpring", "spring: {stiffness: 100.0, length: 0.5}, block: {mass: 0.1}, start: 0.6")
+    assert stretches(simulate(soft, 100.0)) == 0
