@@ -5,7 +5,7 @@ from difflib import SequenceMatcher, get_close_matches
 from importlib import import_module
 from importlib.metadata import entry_points
 from pkgutil import iter_modules
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from sim2reason.errors import UnknownNameError
 
@@ -13,7 +13,7 @@ LONGEST = 80  # characters of a name, above which none is near to it
 AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
 FEW = 20  # names that a line can show
 LIBRARY = __name__.partition(".")[0]
-_further: dict[str, list[str]] = {}
+_further: list[tuple[str, str, "Registry[Any]"]] = []
 T = TypeVar("T")
 M = TypeVar("M")
 
@@ -45,9 +45,13 @@ class Registry(Mapping[str, T], Generic[T]):
         self._members = {**self._members, name: member}  # type: ignore[dict-item]
         module = getattr(member, "__module__", None) or LIBRARY
         if module.partition(".")[0] != LIBRARY:
-            _further.setdefault(module, []).append(name)
+            _further.append((module, name, self))
         self._ordered = False
         return member
+
+    def has_added(self, name: str) -> bool:
+        """Return whether a member has been added by now, without filling the registry."""
+        return name in self._members
 
     def register(self, name: str) -> Callable[[M], M]:
         """Decorate a class or function to enter it under `name`."""
@@ -116,7 +120,11 @@ def further_members() -> dict[str, tuple[str, ...]]:
 
     Whoever works for a program in another process imports these modules first.
     """
-    return {module: tuple(names) for module, names in _further.items()}
+    found: dict[str, tuple[str, ...]] = {}
+    for module, name, registry in _further:
+        if registry.has_added(name):
+            found[module] = (*found.get(module, ()), name)
+    return found
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:

@@ -25,7 +25,7 @@ def work() -> None:
 
 @pytest.fixture
 def fakes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(registry, "_further", {})  # workers of later tests need not know these
+    monkeypatch.setattr(registry, "_further", [])  # workers of later tests need not know these
     things: Registry[object] = Registry("things")
     monkeypatch.setattr(things, "_filled", True)
     things.add("work", work)

@@ -17,6 +17,7 @@ from sim2reason.entities.slider_mass import SliderMass
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
 from sim2reason.prose.description import describe
+from sim2reason.registry import Registry, further_members
 from sim2reason.simulation.scenes import certify
 from told import check_told, check_whole
 
@@ -103,3 +104,12 @@ def test_it_is_told_read_back_certified_and_drawn(towed: Scene) -> None:
 def strings(made: Scene) -> int:
     """How many lines are drawn as strings are."""
     return sum(isinstance(shape, LineShape) and shape.weight == "string" for shape in drawing(made).shapes)
+
+
+def test_a_member_that_is_taken_away_again_is_no_further_one() -> None:
+    """Processes of workers need not import its module."""
+    things: Registry[object] = Registry("things")
+    things.add("work", test_a_member_that_is_taken_away_again_is_no_further_one)
+    assert "work" in further_members()[__name__]
+    del things._members["work"]
+    assert __name__ not in further_members()
