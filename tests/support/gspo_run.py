@@ -69,15 +69,15 @@ def first(number: Sequence[int], completion_ids: Tokens, **_: Thing) -> list[flo
     return [float(sum(ids) % 2 == 0 and which < 2) for ids, which in zip(completion_ids, number, strict=True)]
 
 
-def of_solutions(completion_ids: Tokens, solution: Sequence[str | None], **_: Thing) -> list[float | None]:
-    return [float(sum(ids) % 2) if right else None for ids, right in zip(completion_ids, solution, strict=True)]
+def of_ground_truth(completion_ids: Tokens, ground_truth: Sequence[str | None], **_: Thing) -> list[float | None]:
+    return [float(sum(ids) % 2) if right else None for ids, right in zip(completion_ids, ground_truth, strict=True)]
 
 
 def of_others(completion_ids: Tokens, other: Sequence[str | None], **_: Thing) -> list[float | None]:
     return [float(sum(ids) % 2) / 2 if right else None for ids, right in zip(completion_ids, other, strict=True)]
 
 
-REWARDS = {each.__name__: each for each in (parity, never, first, of_solutions, of_others)}
+REWARDS = {each.__name__: each for each in (parity, never, first, of_ground_truth, of_others)}
 
 
 def tiny_model(folder: Path, heads: int = 2) -> Path:

@@ -197,7 +197,7 @@ def test_an_empty_stream_is_an_error(model: Path, tmp_path: Path) -> None:
 
 
 def test_rewards_of_two_datasets_take_turns(model: Path, tmp_path: Path) -> None:
-    trained(model, tmp_path, Numbers(mixed=True), "of_solutions", "of_others", steps=2)
+    trained(model, tmp_path, Numbers(mixed=True), "of_ground_truth", "of_others", steps=2)
     groups = list(learned(tmp_path, 4))
     assert {group.number % 2 for group in groups} == {0, 1}
     for group in groups:
@@ -208,7 +208,7 @@ def test_rewards_of_two_datasets_take_turns(model: Path, tmp_path: Path) -> None
 
 
 def test_groups_that_no_reward_scores_are_left_out(model: Path, tmp_path: Path) -> None:
-    trained(model, tmp_path, Numbers(mixed=True), "of_solutions", steps=1)
+    trained(model, tmp_path, Numbers(mixed=True), "of_ground_truth", steps=1)
     assert all(group.number % 2 for group in learned(tmp_path, 4))
     (record,) = StepLog(tmp_path).read()
     assert record.zero_variance >= 0.5
