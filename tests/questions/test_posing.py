@@ -40,6 +40,7 @@ def found(scene: Scene, **parts: str) -> Followed:
         (SLIDING, {"find": "velocity", "of": "ramp.blocks.0", "when": "moved 0.5 m"}, sqrt(25.0 - 0.05 * G)),
         (SLIDING, {"find": "speed", "of": "the block", "when": "moved 50 cm"}, sqrt(25.0 - 0.05 * G)),
         (SLIDING, {"find": "velocity", "of": "block", "when": "t = 2 s"}, 5.0 - 0.1 * G),
+        (SLIDING, {"find": "velocity", "when": "0.7485907357575928 s"}, 5.0 - 0.05 * G * 0.7485907357575928),
         (SLIDING, {"find": "velocity", "when": "0.05 min"}, 5.0 - 0.15 * G),
         (SLIDING, {"find": "time", "when": "stopped"}, LATE),
         (SLIDING, {"find": "time", "when": "the block stopped"}, LATE),

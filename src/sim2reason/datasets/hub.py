@@ -1,14 +1,13 @@
-"""Uploading a dataset to the Hugging Face hub, where its folder is read as it stands."""
+"""Upload of a dataset's folder, unchanged, to the Hugging Face Hub."""
 
 # huggingface_hub is an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 from sim2reason.datasets.findings import found
-from sim2reason.errors import DatasetError, MissingExtraError
+from sim2reason.errors import DatasetError
+from sim2reason.optional import optional
 
 SHOWN = 300  # characters of what the hub's library says about an error
 IGNORED = "**/.*", ".*"
@@ -16,12 +15,8 @@ IGNORED = "**/.*", ".*"
 
 
 def push(path: Path, repository: str, *, private: bool, token: str | None, message: str) -> str:
-    """Upload the dataset at a path as `Dataset.push_to_hub` does, and give its address; it raises what that does."""
-    try:
-        hub: Any = import_module("huggingface_hub")
-        errors: Any = import_module("huggingface_hub.errors")
-    except ImportError as error:
-        raise MissingExtraError("huggingface_hub", "eval") from error
+    """Upload the dataset at `path` and return its address on the Hub, with the errors of `Dataset.push_to_hub`."""
+    hub, errors = optional("huggingface_hub", "eval"), optional("huggingface_hub.errors", "eval")
     if faults := found(path).faults:
         raise DatasetError(f"{path}: {faults[0]}; a damaged dataset is not uploaded: see sim2reason verify {path}")
     api = hub.HfApi(token=token)

@@ -1,7 +1,6 @@
-"""The items in some files of a dataset by their place, as a list has them."""
+"""Sequence of the items in some files of a dataset."""
 
 from collections.abc import Iterator, Sequence
-from importlib import import_module
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
@@ -9,35 +8,35 @@ from typing import Any, overload
 from sim2reason.datasets import shard_files, store
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import ShardFile
-from sim2reason.errors import MissingExtraError
+from sim2reason.optional import optional
 
 __all__ = ["ItemFiles"]
 
 
 class ItemFiles(Sequence[Item]):
-    """Items by their place, from 0 on, in the order in which a dataset or one of its splits has them.
+    """Sequence of the items of a dataset or of one of its splits, in their order in the dataset.
 
-    They are read file by file, and those of the file that was read last are kept. What damaged files give is a
-    DatasetError that names them.
+    The files are read one at a time, and the items of the last file are kept. A damaged file raises a DatasetError
+    that names it.
     """
 
     def __init__(self, path: Path, files: Sequence[ShardFile], split: str = "") -> None:
-        """Read nothing yet; `split` is what they are called, if they are those of one split."""
+        """Store the files without reading them; `split` is the name of the split if all items belong to one split."""
         self.path, self.split = path, split
         self._files = tuple(files)
         self._ends = list(accumulate(file.rows for file in self._files))
         self._last: tuple[int, list[Item]] = -1, []
 
     def __repr__(self) -> str:
-        """Their folder, their split and their number."""
+        """Return a text with the number of items, the folder and the split."""
         return f"<{len(self)} items of {str(self.path)!r}{f', split {self.split}' if self.split else ''}>"
 
     def __len__(self) -> int:
-        """Their number."""
+        """Return the number of items."""
         return self._ends[-1] if self._ends else 0
 
     def __iter__(self) -> Iterator[Item]:
-        """All of them in order, one file in memory at a time."""
+        """Return an iterator over all items in order, which keeps a single file in memory."""
         return (item for file in self._files for item in shard_files.read(self.path, file))
 
     @overload
@@ -45,7 +44,7 @@ class ItemFiles(Sequence[Item]):
     @overload
     def __getitem__(self, place: slice) -> list[Item]: ...
     def __getitem__(self, place: int | slice) -> Item | list[Item]:
-        """The item at a place, or those of a slice in a list; IndexError for a place that there is not."""
+        """Return the item at an index, or a list of the items in a slice; IndexError if the index is out of range."""
         if isinstance(place, slice):
             return [self._at(number) for number in range(*place.indices(len(self)))]
         number = place + len(self) if place < 0 else place
@@ -54,15 +53,12 @@ class ItemFiles(Sequence[Item]):
         return self._at(number)
 
     def to_pandas(self) -> Any:  # noqa: ANN401 - pandas is no package that the library needs
-        """A DataFrame of pandas with a row for each item, and the columns of the files.
+        """Return a pandas DataFrame with a row for each item and the columns of the dataset's files.
 
         Raises:
             MissingExtraError: pandas is not installed.
         """
-        try:
-            pandas: Any = import_module("pandas")
-        except ImportError as error:
-            raise MissingExtraError("pandas") from error
+        pandas = optional("pandas")
         rows = [row for file in self._files for row in shard_files.rows(self.path, file, store.COLUMNS)]
         return pandas.DataFrame(rows, columns=store.COLUMNS)
 

@@ -11,12 +11,13 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import Spring
 from sim2reason.bodies.wedge import Wedge
 from sim2reason.entities.parts.friction import two_coefficients
+from sim2reason.entities.parts.mass_systems import FREE_WEDGE
 from sim2reason.entities.parts.stretched import AT_FIRST, StartLength, fitted_spring
 
 
 @entity
 class SpringOnWedge(Entity):
-    """The spring lies along the face, from the block down to the foot of the wedge."""
+    """A block on the face of a free wedge, and a spring along the face from the block down to the foot of the wedge."""
 
     wedge: Wedge
     block: Block
@@ -24,11 +25,7 @@ class SpringOnWedge(Entity):
     start: StartLength
 
     says = (
-        either(
-            "{wedge} is free to slide on a smooth floor.",
-            "{wedge} stands on a smooth floor and is free to slide.",
-            "on a smooth floor {wedge} is free to slide.",
-        ),
+        FREE_WEDGE,
         either(
             "{block} lies on its face.",
             "on its face lies {block}.",
@@ -49,11 +46,11 @@ class SpringOnWedge(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """A spring firm enough for the block, about as long as it is by itself."""
+        """Return a spring stiff enough for the weight of the block, and a start length near its natural length."""
         return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
-        """The foot of the wedge at the origin, and the block up the face, which rises to the right."""
+        """Build the wedge, with its foot at the origin, and the block on its face, which rises to the right."""
         angle = radians(self.wedge.angle)
         uphill, normal = (cos(angle), 0.0, sin(angle)), (-sin(angle), 0.0, cos(angle))
         wedge = room.body("wedge", self.wedge.mass).rest(along=X, normal=Z).site("stop")

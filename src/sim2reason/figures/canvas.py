@@ -10,8 +10,9 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sim2reason.errors import MissingExtraError, UnsupportedError
+from sim2reason.errors import UnsupportedError
 from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, LineShape, Shape, Weight, width
+from sim2reason.optional import optional
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,11 +57,7 @@ METADATA: dict[str, dict[str, Any]] = {
 
 def matplotlib() -> Any:  # noqa: ANN401 - a module
     """The package; MissingExtraError says how to get it."""
-    try:
-        import matplotlib as found  # noqa: ICN001, PLC0415 - no alias is asked for; it is heavy, and an extra
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("matplotlib", "figures") from error
-    return found
+    return optional("matplotlib", "figures")
 
 
 @contextmanager

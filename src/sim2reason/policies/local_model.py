@@ -5,13 +5,13 @@
 
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
-from importlib import import_module
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from annotated_types import Ge, Le
 
-from sim2reason.errors import MissingExtraError, PolicyError
+from sim2reason.errors import PolicyError
 from sim2reason.lazy import cached_property
+from sim2reason.optional import optional
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.policies.parts.decoding import Decoder
 from sim2reason.policies.parts.hub import explained, loading
@@ -37,13 +37,6 @@ WISHES = {
     "suppress_tokens": None,
 }  # by which a model's own configuration may change logits, with the values that do not
 TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
-
-
-def _module(name: str) -> Any:  # noqa: ANN401 - a module of an extra
-    try:
-        return import_module(name)
-    except ModuleNotFoundError:
-        raise MissingExtraError(name, "train") from None
 
 
 class _Loaded(NamedTuple):
@@ -81,7 +74,7 @@ class LocalModel(Policy):
 
     @cached_property
     def _loaded(self) -> _Loaded:
-        torch, transformers = _module("torch"), _module("transformers")
+        torch, transformers = optional("torch", "train"), optional("transformers", "train")
         device = self._device(torch)
         with self._explained(), quiet():
             source = self._source
@@ -109,7 +102,7 @@ class LocalModel(Policy):
 
     def check(self) -> None:
         """Look for the libraries, the device and the model's configuration."""
-        torch, transformers = _module("torch"), _module("transformers")
+        torch, transformers = optional("torch", "train"), optional("transformers", "train")
         self._device(torch)
         with self._explained(), quiet():
             transformers.AutoConfig.from_pretrained(self.model, **self._source)

@@ -1,4 +1,4 @@
-"""Numbers with their units as people write them, told as questions tell them: *half a metre* is 0.50 m."""
+"""The conversion of numbers with units from everyday spellings to the library's: *half a metre* is 0.50 m."""
 
 import re
 from collections.abc import Mapping
@@ -6,7 +6,7 @@ from decimal import Decimal
 from functools import cache
 
 from sim2reason.dsl.units import UnitSystem
-from sim2reason.questions.spoken import say
+from sim2reason.questions.spoken import DIGITS, say
 
 _LENGTHS = {
     "m metre metres meter meters": "1",
@@ -29,9 +29,9 @@ _COUNTED = "one two three four five six seven eight nine ten eleven twelve"
 _WORDS = {"half a": "0.5", "half an": "0.5"} | {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
 _FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-_GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+(?:\.\d{1,15})?"
+_GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS})?"
 _POWER = r"(?:\s?[×x]\s?10\^?(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}|-?\d{1,2})|[eE](?P<exponent>[+-]?\d{1,2}))?"
-_NUMBER = rf"(?P<number>{_GROUPED}|\d{{1,15}}(?:\.\d{{1,15}})?|\.\d{{1,15}}|[½¼¾]|{'|'.join(_WORDS)}){_POWER}"
+_NUMBER = rf"(?P<number>{_GROUPED}|{DIGITS}(?:\.{DIGITS})?|\.{DIGITS}|[½¼¾]|{'|'.join(_WORDS)}){_POWER}"
 _BETWEEN = "(?:\\s|\N{NO-BREAK SPACE}|-)?"  # a number and its unit
 LARGEST = Decimal("1e15")  # what is larger is told as it is
 APOSTROPHES, DASHES = "\N{RIGHT SINGLE QUOTATION MARK}", "\N{NON-BREAKING HYPHEN}\N{HYPHEN}"
@@ -39,9 +39,9 @@ SPELLED_OUT = {"What's": "What is", "what's": "what is", "how's": "how is", "How
 
 
 def plainly(text: str, units: UnitSystem) -> str:
-    """A question's sentence with every number of its own in the unit and the digits in which the library tells it.
+    """Return a question with its times, lengths and angles rewritten in the library's units and digits.
 
-    Those are times, lengths and angles; what has another unit stays. A text told so already does not change.
+    Numbers in other units stay unchanged, and so does a sentence that is already written in this way.
     """
     text = " ".join(text.replace(APOSTROPHES, "'").split())
     for said, spelled in SPELLED_OUT.items():

@@ -27,6 +27,7 @@ class OwnSymbol:
         return f"${self.symbol}$"
 
 
+DIGITS = r"\d{1,20}"  # of a number before its point or after it: a float written in full has no more that matter
 EXACT = 1e-13  # relative: numbers that differ by less are one
 METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
 OWN = {
@@ -54,7 +55,7 @@ def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol
 
 
 def say(value: float, unit: str) -> str:
-    """All digits, two at least, and the unit; long ways in kilometres."""
+    """Return a number with all its digits, at least two, and its unit; lengths from 10 km on are in kilometres."""
     if unit == METRE and value >= LONG:
         return join_unit(digits(value / KILO), "km")
     return join_unit(digits(value), unit)
@@ -72,7 +73,7 @@ def said(text: str, unit: str) -> list[float]:
 def _number(unit: str) -> re.Pattern[str]:
     """A number as `say` has it: the degree sign follows without a space."""
     shown = join_unit("", unit)
-    return re.compile(rf"(\d{{1,16}}(?:\.\d{{1,20}})?){re.escape(shown)}(?![\w/])")
+    return re.compile(rf"({DIGITS}(?:\.{DIGITS})?){re.escape(shown)}(?![\w/])")
 
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
@@ -96,7 +97,7 @@ def two_digits(value: float) -> str:
 
 
 def digits(value: float) -> str:
-    """A positive number with as many significant digits as it has, and two at least, never in scientific notation."""
+    """Return a positive number with all its significant digits, at least two, and never in scientific notation."""
     two = two_digits(value)
     return two if isclose(float(two), value, rel_tol=EXACT) else f"{Decimal(f'{value:.15g}').normalize():f}"
 

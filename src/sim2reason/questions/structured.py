@@ -1,4 +1,4 @@
-"""A question as its parts instead of a sentence: what is found, of what, and when."""
+"""Questions given in parts instead of a sentence: the quantity to find, its subject, and the moment."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -10,14 +10,14 @@ from sim2reason.errors import TextError
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.moments import MOMENTS, Happening, Moment
 from sim2reason.questions.moments.parts.just_before import JustBefore
-from sim2reason.questions.spoken import ORDINALS
+from sim2reason.questions.spoken import DIGITS, ORDINALS
 from sim2reason.questions.words import Words
 from sim2reason.registry import nearest
 
 START = "at start"
 EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
 LONGEST = 200  # characters of a part
-_NUMBER = re.compile(r"([+-]?(?:\d{1,15}(?:\.\d{0,15})?|\.\d{1,15})(?:[eE][+-]?\d{1,3})?)\s*(.*)")
+_NUMBER = re.compile(rf"([+-]?(?:{DIGITS}\.?(?:{DIGITS})?|\.{DIGITS})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
 _BEFORE = re.compile(r"\b(?:just )?before\b")
 _AFTER = re.compile(r"\b(?:just )?after\b")
@@ -25,14 +25,14 @@ _AFTER = re.compile(r"\b(?:just )?after\b")
 
 @dataclass(frozen=True, slots=True)
 class StructuredQuestion:
-    """What is found, of what, and when; each part a name of a registry, or of the scene, as people say it.
+    """A question in parts: the quantity to find, its subject and the moment, named as in the registries or the scene.
 
     `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
-    scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, it is a number of the scene that makes
-    that so; with *velocity = greatest* it is the one for which that is greatest. With `change`, such as *ramp.speed =
-    5 m/s*, it is how what is found changes: the `compare` *ratio* of the new value to the original one, or their
-    *difference*. With *ramp.angle = greatest* it is its greatest value, with *left.block.mass = infinity*, or *0*, what
-    it approaches.
+    scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, the question asks for the value of a
+    number of the scene that leads to this result; with *velocity = greatest*, for the value at which the velocity is
+    greatest. With `change`, such as *ramp.speed = 5 m/s*, it asks how the answer changes: `compare` is the *ratio* of
+    the new value to the original one, or their *difference*. With *ramp.angle = greatest* it asks for the answer's
+    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches.
     """
 
     find: str
@@ -45,7 +45,7 @@ class StructuredQuestion:
 
     @classmethod
     def read(cls, parts: Mapping[str, object]) -> Self:
-        """The question of named parts, as a file or a program has it; TextError for others."""
+        """Return the question with the given named parts, from a file or a program; TextError for invalid parts."""
         known = [field.name for field in fields(cls)]
         for name, value in parts.items():
             if name not in known:
@@ -58,17 +58,17 @@ class StructuredQuestion:
 
     @property
     def told(self) -> str:
-        """All its parts in a row, where no sentence is at hand."""
+        """Return the parts of the question as one text, for use where no sentence is available."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
         parts |= {"change": self.change, "compare": self.compare if self.change else ""}
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 
 def resolved(place: str, said: str, candidates: Mapping[str, str]) -> str:
-    """The name among `candidates` that is meant, each of which a text calls as its value says.
+    """Return the name in `candidates`, a mapping from names to phrases of the text, to which `said` refers.
 
-    By the name itself, by what the text calls it, with or without an article, or by a last part that only one has.
-    Without a word it is the only one there is. TextError, at `place`, if it is none of them, or several.
+    `said` may be the name, the phrase with or without an article, or a part that only one candidate has. If `said` is
+    empty, the only candidate is meant. TextError, at `place`, if no candidate matches, or several do.
     """
     if not said and len(candidates) == 1:
         return next(iter(candidates))
@@ -83,7 +83,7 @@ def resolved(place: str, said: str, candidates: Mapping[str, str]) -> str:
 
 
 def _rank(said: str, name: str, phrase: str) -> int | None:
-    """How well a name is meant, 0 being best; None if it is not."""
+    """Return the rank of the match between `said` and a candidate, 0 being the best; None if there is no match."""
     asked, bare = _bare(said), _bare(phrase)
     tests = (
         said == name,
@@ -105,7 +105,7 @@ def _meant(said: str, names: Iterable[str], shown: Iterable[str] | None = None) 
 
 
 def one_of(place: str, said: str, names: Iterable[str]) -> str:
-    """The name that is said; TextError, at `place`, with the nearest ones, if it is none."""
+    """Return `said` if it is one of `names`; otherwise raise TextError, at `place`, with the nearest names."""
     known = list(dict.fromkeys(names))
     if said not in known:
         raise TextError(place, f"there is no {said!r}", _meant(said, known))
@@ -113,7 +113,7 @@ def one_of(place: str, said: str, names: Iterable[str]) -> str:
 
 
 def measured(place: str, said: str, unit: str) -> float:
-    """A number with its unit, in a unit of the scene's; without one it is in that. TextError if it is none."""
+    """Return the value, in `unit`, of a number with a unit, by default `unit`; TextError if there is no number."""
     match = _NUMBER.fullmatch(said.strip())
     if match is None:
         raise TextError(place, f"{said!r} is no number", f"give one, such as: 2.5 {unit}".rstrip())
@@ -127,16 +127,16 @@ def measured(place: str, said: str, unit: str) -> float:
 
 
 def sense_named(place: str, said: str, senses: Iterable[Sense]) -> Sense:
-    """The direction that is meant: by its axis, or by what is positive along it."""
+    """Return the direction with a given name: the name of its axis, or of its positive sense."""
     by_name = {name: sense for sense in senses for name in (sense.positive, sense.axis) if name}
     return by_name[resolved(place, said, {name: name for name in by_name})]
 
 
 def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
-    """The moment that a question speaks of, by its name among all moments; its numbers and its side stand with it.
+    """Return the moment that a structured question names, with the numbers and the side given beside the name.
 
-    As in *moved 0.5 m*, *block A stopped*, *second collided before*, *t = 2 s*. What it is about is said before the
-    name, else it is what the whole question is of. TextError if there is no such moment.
+    As in *moved 0.5 m*, *block A stopped*, *second collided before*, *t = 2 s*. The moment's subject stands before the
+    name; by default it is the subject of the question. TextError if there is no such moment.
     """
     said = asked.when or START
     name, before, after = _split(said)
@@ -161,7 +161,7 @@ def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
 
 
 def moment_told(moment: Moment, words: Words) -> str:
-    """How `moment_named` is told a moment: what it is about by its address, then its name, its numbers and its side."""
+    """Return a moment in the form that `moment_named` reads: ordinal, subject's address, name, numbers and side."""
     if isinstance(moment, JustBefore):
         return f"{moment_told(moment.inner, words)} before"
     name = next(name for name, cls in MOMENTS.items() if cls is type(moment)).replace("_", " ")
@@ -174,7 +174,7 @@ def moment_told(moment: Moment, words: Words) -> str:
 
 
 def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
-    """The numbers of a class of moments that have a unit, each with that of the scene."""
+    """Return the scene's unit for each field of a class of moments that holds a number with a unit."""
     units = {float: words.units.spell(getattr(cls, "unit", "s"))}
     held = {field.name: units.get(cast("Any", field.type)) for field in fields(cast("Any", cls))}
     held |= {"degrees": "deg"} if "degrees" in held else {}
@@ -182,7 +182,7 @@ def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
 
 
 def _same(of: str, candidates: Mapping[str, str]) -> str:
-    """What the whole question is of, if a moment can be about that."""
+    """Return the candidate that matches the question's subject; empty if none does."""
     try:
         return resolved("when", of, candidates) if of else ""
     except TextError:
@@ -190,7 +190,7 @@ def _same(of: str, candidates: Mapping[str, str]) -> str:
 
 
 def _split(said: str) -> tuple[str, str, str]:
-    """The name of a moment in what is said, and what stands before and after it."""
+    """Return a moment's name, and the text before and after the name; TextError if the text names no moment."""
     plain = said.replace("_", " ")
     for name in sorted(MOMENTS, key=len, reverse=True):
         spelled = name.replace("_", " ")
@@ -211,7 +211,7 @@ def _split(said: str) -> tuple[str, str, str]:
 
 
 def _counted(before: str) -> tuple[str, int]:
-    """What is said before a moment's name without its ordinal, and the number of that; 1 without any."""
+    """Return the text before a moment's name without its ordinal, and the ordinal's number, by default 1."""
     for word, number in _COUNTS.items():
         found = re.search(rf"\b{word}\b", before)
         if found is not None:

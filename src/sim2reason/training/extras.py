@@ -1,11 +1,11 @@
 """The libraries of the extra [train], which core does without: loaded by name, when they are first needed."""
 
-from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from typing import Any
 
 from sim2reason.errors import MissingExtraError
+from sim2reason.optional import optional
 from sim2reason.policies.parts.quiet import quiet
 
 __all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
@@ -19,10 +19,7 @@ External = Any
 
 def library(name: str) -> External:
     """The module of that name; MissingExtraError, which says what to install, if it is not there."""
-    try:
-        return import_module(name)
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(error.name or name, EXTRA) from None
+    return optional(name, EXTRA)
 
 
 def require(*names: str) -> None:

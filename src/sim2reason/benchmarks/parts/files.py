@@ -4,7 +4,6 @@
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 import json
-from importlib import import_module
 from io import BytesIO
 from pathlib import Path
 from typing import Any, Final, cast
@@ -12,7 +11,8 @@ from typing import Any, Final, cast
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.datasets.atomic_files import checksum
-from sim2reason.errors import EvaluationError, MissingExtraError
+from sim2reason.errors import EvaluationError
+from sim2reason.optional import optional
 from sim2reason.policies.parts.hub import out_of_reach
 
 __all__ = ["HubFile", "Row", "fetched", "rows"]
@@ -38,10 +38,7 @@ def fetched(file: HubFile) -> Path:
         MissingExtraError: the library is missing.
         EvaluationError: the hub gives no such file.
     """
-    try:
-        hub = import_module("huggingface_hub")
-    except ModuleNotFoundError:
-        raise MissingExtraError("huggingface_hub", "eval") from None
+    hub = optional("huggingface_hub", "eval")
     try:
         kept = out_of_reach(file.repository, "dataset", file.revision)
         found = hub.hf_hub_download(

@@ -10,13 +10,13 @@ import socket
 from collections.abc import Generator
 from contextlib import contextmanager
 from functools import cache, partial
-from importlib import import_module
 from typing import Any, Final
 
 from sim2reason.datasets.places import PLACES, Crew, Reply, Run, Source
 from sim2reason.datasets.plan import Maker, load_maker, versions
 from sim2reason.datasets.worker import Attempt, Batch, collect_seldom, outcome
-from sim2reason.errors import DatasetError, MissingExtraError
+from sim2reason.errors import DatasetError
+from sim2reason.optional import optional
 
 RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
 WAITING: Final = 2  # batches for each core, so that none waits for the next
@@ -31,10 +31,7 @@ def on_ray(crew: Crew) -> Generator[Run, None, None]:
     DatasetError if nobody answers there, MissingExtraError without Ray.
     """
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # else Ray reports to its makers
-    try:
-        ray: Any = import_module("ray")
-    except ImportError as error:
-        raise MissingExtraError("ray", "ray") from error
+    ray = optional("ray", "ray")
     where = f"ray://{crew.address}" if crew.address else None
     try:
         if where:  # nobody may be there: Ray itself would wait for half a minute

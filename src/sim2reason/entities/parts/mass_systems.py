@@ -15,6 +15,11 @@ from sim2reason.entities.parts.friction import two_coefficients
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
 Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
+FREE_WEDGE = either(
+    "{wedge} is free to slide on a smooth floor.",
+    "{wedge} stands on a smooth floor and is free to slide.",
+    "on a smooth floor {wedge} is free to slide.",
+)
 FRICTION_ON_PLANE = either(
     "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
@@ -101,11 +106,7 @@ class OnWedge(MassSystem):
     blocks: Blocks
 
     says = (
-        either(
-            "{wedge} is free to slide on a smooth floor.",
-            "{wedge} stands on a smooth floor and is free to slide.",
-            "on a smooth floor {wedge} is free to slide.",
-        ),
+        FREE_WEDGE,
         either(
             "{blocks} {blocks:rests/rest} on its face{blocks:/, with {blocks.first} lower down and a light string between them/, joined in this order, from the lowest to the highest, by light strings}.",
             "its face carries {blocks}{blocks:/, with {blocks.first} lower down and a light string between them/, joined in this order, from the lowest to the highest, by light strings}.",
@@ -140,7 +141,7 @@ def row(
     side: float = 1.0,
     speed: float = 0.0,
 ) -> list[Frame]:
-    """Blocks on a sloping face that rises to the `side`, the last one `length` below the origin of `carrier`."""
+    """Return frames of blocks on a slope rising to the `side`; the last is `length` below the origin of `carrier`."""
     angle = radians(slope.angle)
     uphill, normal = (side * cos(angle), 0.0, sin(angle)), (-side * sin(angle), 0.0, cos(angle))
     last = len(blocks) - 1

@@ -1,7 +1,6 @@
-"""Problems that are drawn as a trainer asks for them, in the rows of an export, without end."""
+"""Fresh problems in the rows of an export, drawn without end as a trainer asks for them."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from importlib import import_module
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -11,8 +10,9 @@ from sim2reason.datasets.generate import Order, configured, files_to_avoid
 from sim2reason.datasets.lazy import MOST, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN, Names
 from sim2reason.datasets.request import SI, whole
-from sim2reason.errors import DatasetError, MissingExtraError
+from sim2reason.errors import DatasetError
 from sim2reason.exports import EXPORTS, Column, Place
+from sim2reason.optional import optional
 from sim2reason.questions.tolerance import TOLERANCE
 
 __all__ = ["FreshRows", "iterable"]
@@ -35,14 +35,14 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
     decontaminate: Path | str | Sequence[Path | str] = (),
     maker: str = MAKER,
 ) -> "FreshRows":
-    """Draw fresh problems for a trainer: rows as the export `to` has them, from position `start` on.
+    """Return rows of fresh problems for a trainer, in the format of the export `to`, from position `start` on.
 
-    There is no end to them unless `items` says how many. What is drawn is as in `generate`; give another `seed` than to
+    The rows are endless unless `items` limits them. Problems are drawn as in `generate`; give another `seed` than to
     the problems that you evaluate on. The same arguments give the same rows, on any machine.
 
     Raises:
         UnknownNameError: no such export, recipe, difficulty, mode, units or need.
-        DatasetError: what makes no sense.
+        DatasetError: an invalid argument.
         DrawError: a negative number of items or start, or one that is far too large.
     """
     order = Order(recipe=recipe, difficulty=difficulty, mode=mode, seed=seed, weights=weights, units=units)
@@ -56,34 +56,34 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
 
 
 class FreshRows:
-    """Rows of problems that are made when they are asked for: by their position, or one after the other.
+    """Rows of problems that are drawn on request, by number or in order.
 
-    Each iteration begins anew. The row at a position is always the same; a small object that can be pickled makes it.
+    Each iteration begins anew. The row at a position is always the same. The object is small and can be pickled.
 
     Args:
-        problems: what is drawn.
+        problems: the problems to draw.
         to: the name of the export whose rows they are.
-        positions: those of the problems that an iteration goes over.
+        positions: the positions of the problems in the rows.
     """
 
     def __init__(self, problems: LazyProblems, to: str, positions: range) -> None:
-        """Draw nothing yet."""
+        """Store the problems, the export and the positions without drawing a problem."""
         self._export, self.to = EXPORTS[to], to
         self._problems, self._positions = problems, positions
 
     def __repr__(self) -> str:
-        """What they are for, and from which position on."""
+        """Return a text with the name of the export and the first position."""
         return f"<FreshRows for {self.to!r} from position {self._positions.start} on>"
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
-        """Each row in turn; an item that the export can't hold is passed over."""
+        """Return an iterator over the rows in order, without items that the export can't hold."""
         return (row for position in self._positions if (row := self._row(position)) is not None)
 
     def __getitem__(self, number: int) -> dict[str, Any]:
-        """The row of that number, from 0 on.
+        """Return the row of a number, counted from 0.
 
         Raises:
-            IndexError: there are fewer.
+            IndexError: there are fewer rows.
             DatasetError: the export can't hold the item.
             DrawError: none of many draws gives a problem.
         """
@@ -93,25 +93,22 @@ class FreshRows:
         return row
 
     def shards(self, number: int) -> "list[FreshRows]":
-        """So many parts, which take turns over the positions: one for each process that draws."""
+        """Split the rows into `number` interleaved parts, a part for each process that draws."""
         every = whole("shards", number)
         if not every:
             raise DatasetError("shards: 0 of them hold nothing; give one or more")
         return [FreshRows(self._problems, self.to, self._positions[part::every]) for part in range(every)]
 
     def to_hugging_face(self, shards: int = 1) -> Any:  # noqa: ANN401 - datasets is no package that the library needs
-        """An `IterableDataset` of Hugging Face's datasets, as TRL's trainers take it.
+        """Return the rows as an `IterableDataset` of Hugging Face's datasets, for TRL's trainers.
 
-        Processes of a data loader, and machines, share its `shards`: give as many as there are of them. One that has
-        several goes over one after the other, and an endless one never ends.
+        Processes of a data loader, and machines, share the `shards`: give as many shards as processes. A process with
+        several shards reads them one after the other, and never comes to the end of an endless shard.
 
         Raises:
             MissingExtraError: datasets is not installed.
         """
-        try:
-            datasets: Any = import_module("datasets")
-        except ImportError as error:
-            raise MissingExtraError("datasets") from error
+        datasets = optional("datasets")
         features = {name: _feature(datasets, column) for name, column in self._export.columns.items()}
         return datasets.IterableDataset.from_generator(
             _all_rows,
@@ -125,12 +122,12 @@ class FreshRows:
 
 
 def _all_rows(shards: Sequence[FreshRows]) -> Iterator[dict[str, Any]]:
-    """The rows of one shard after the other."""
+    """Return an iterator over the rows of all shards, shard after shard."""
     return chain.from_iterable(shards)
 
 
 def _feature(datasets: Any, column: Column) -> Any:  # noqa: ANN401 - a module and what it gives
-    """What `datasets` calls a column of an export."""
+    """Return the feature of `datasets` for a column of an export."""
     if isinstance(column, list):
         return datasets.List(_feature(datasets, column[0]))
     if isinstance(column, dict):

@@ -93,7 +93,7 @@ def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
 
 
 def _remedy(status: int, said: str) -> str:
-    """Return which setting to change after an endpoint has refused a request."""
+    """Return the advice on settings to change after an endpoint has refused a request."""
     found = [remedy for field, remedy in _FIELDS.items() if status in REFUSES_PROMPT and re.search(field, said)]
     return found[0] if found else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
 
@@ -106,7 +106,7 @@ def _said(found: Mapping[str, object], hidden: Callable[[str], str]) -> str:
 
 
 def _reason(error: object, depth: int = 4) -> str:
-    """Return the message of an endpoint's error; of several, each with the field that it concerns."""
+    """Return the message of an endpoint's error, or the messages of several errors, each with the field concerned."""
     if isinstance(error, str):
         return error
     if isinstance(error, list) and depth:

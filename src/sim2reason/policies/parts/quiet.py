@@ -2,11 +2,9 @@
 
 from collections.abc import Generator
 from contextlib import contextmanager
-from importlib import import_module
-from typing import Any
 from warnings import catch_warnings, filterwarnings
 
-from sim2reason.errors import MissingExtraError
+from sim2reason.optional import optional
 
 __all__ = ["quiet"]
 
@@ -17,10 +15,7 @@ def quiet() -> Generator[None, None, None]:
 
     So is what peft 0.21 provokes in transformers 5.23, an old name for a property. MissingExtraError without it.
     """
-    try:
-        logging: Any = import_module("transformers").utils.logging
-    except ModuleNotFoundError:
-        raise MissingExtraError("transformers", "train") from None
+    logging = optional("transformers", "train").utils.logging
     verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()
     logging.set_verbosity_error()
     logging.disable_progress_bar()

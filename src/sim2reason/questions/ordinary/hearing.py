@@ -1,4 +1,4 @@
-"""A sentence as the reader hears it: tokens for what the scene has and for numbers, the rest in lower case."""
+"""Tokenization of a sentence: tokens for the scene's subjects and for numbers, the rest in lower case."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -10,12 +10,13 @@ from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
+from sim2reason.questions.spoken import DIGITS
 from sim2reason.questions.words import Words
 
 LONGEST = 400  # characters of a question
 ALL = "all"  # what is told of several at once
 _NUMBER = re.compile(
-    r"(?<![\w.#@])(\d{1,15}(?:\.\d{1,15})?(?:[eE][+-]?\d{1,2})?)"
+    rf"(?<![\w.#@])({DIGITS}(?:\.{DIGITS})?(?:[eE][+-]?\d{{1,2}})?)"
     r"(°|\s?(?:[a-zA-Zµμ%Ω][\w/·^²³⁻*]*))?(?![\w.]*\d)"
 )
 _UNITS = {
@@ -45,23 +46,23 @@ _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 @dataclass(frozen=True, slots=True)
 class Heard:
-    """A sentence with its tokens, and what they stand for: phrases of the text, and numbers with their unit."""
+    """A tokenized sentence, with the phrases of the text and the numbers with units for which the tokens stand."""
 
     text: str
     subjects: tuple[str, ...]
     numbers: tuple[str, ...]
 
     def subject(self, token: str | None) -> str:
-        """What the text calls the one that a token stands for; empty without a token."""
+        """Return the text's phrase for the subject that a token stands for; empty without a token."""
         return self.subjects[int(token.strip("@"))] if token else ""
 
     def number(self, token: str) -> str:
-        """The number with its unit."""
+        """Return the number, with its unit, that a token stands for."""
         return self.numbers[int(token.strip("#"))]
 
 
 def hear(sentence: str, words: Words) -> Heard:
-    """A question with tokens for whatever the scene has; pronouns stand for the first that is named."""
+    """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
     text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!")
@@ -106,7 +107,7 @@ def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _ordered(text: str, subjects: list[str]) -> str:
-    """With the subjects numbered in the order in which they are named."""
+    """Return the text with its subjects renumbered in order of appearance, and reorder `subjects` in place."""
     order = list(dict.fromkeys(re.findall(r"@(\d+)@", text)))
     text = re.sub(r"@(\d+)@", lambda found: f"@{order.index(found[1])}@", text)
     subjects[:] = [subjects[int(number)] for number in order]
@@ -114,7 +115,7 @@ def _ordered(text: str, subjects: list[str]) -> str:
 
 
 def _without_pronouns(text: str, subjects: list[str]) -> str:
-    """*It*, and *its*, after something that has been named, is that; not in *it takes*, nor where there are two."""
+    """Return the text with the first subject's token for each pronoun, except in *it takes* or after two subjects."""
     before = re.split(r" its? ", text, maxsplit=1)[0]
     if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
@@ -125,7 +126,7 @@ def _without_pronouns(text: str, subjects: list[str]) -> str:
 
 
 def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
-    """What the text calls each thing, and what that may be called in a question, the narrower first."""
+    """Return each phrase of the text with a pattern for its names in a question, the most specific pattern first."""
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
     found: list[tuple[int, str, str]] = list(_at_end(words))
@@ -148,7 +149,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 
 def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
-    """A string, spring or rod between two things, by how it joins them, in either order."""
+    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order."""
     parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
     if parts is None:
         return
@@ -164,7 +165,7 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
 
 
 def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
-    """A string by the only body at an end of it, where all strings are called by their ends."""
+    """Yield ranked patterns that name a string by a body at one end, if no other string ends at that body."""
     strings = words.called(Strings()).values()
     if len(strings) < len(Strings().names(words.mechanism)):
         return
@@ -179,7 +180,7 @@ def _alike(noun: str, *others: str) -> str:
 
 
 def _end(said: str) -> str:
-    """What is at an end of a string: by its letter alone, too, and by the pulley whose axle it is."""
+    """Return a pattern for an end of a string: a letter with or without a noun, a pulley with or without its axle."""
     bare = said.removeprefix("the ").removeprefix("axle of ")
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
@@ -196,7 +197,7 @@ def _movers(words: Words) -> list[str]:
 
 
 def _phrases(words: Words) -> list[str]:
-    """What the text calls whatever quantities are of, and all bodies but what others lie on."""
+    """Return the text's phrases for the subjects of quantities and for all bodies except surfaces."""
     kinds = {quantity.of.name: quantity.of for quantity in REGISTERED.values()}
     called = [phrase for kind in kinds.values() if kind.name != "pair" for phrase in words.called(kind).values()]
     surfaces = set(WORDS["SURFACE"].split()) | {"start"}
@@ -205,7 +206,7 @@ def _phrases(words: Words) -> list[str]:
 
 
 def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
-    """Other nouns for the only thing that they can mean in a scene."""
+    """Return the nouns that can mean only a given phrase in a scene, the phrase's own noun included."""
     taken = {
         said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase
     }
@@ -215,7 +216,7 @@ def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
 
 
 def _plurals(nouns: Mapping[str, list[str]]) -> Iterable[tuple[str, str]]:
-    """All that share a noun and differ by their letters, at once."""
+    """Yield a joint phrase for all subjects that share a noun and differ by letter, with a pattern for the plural."""
     alike: dict[str, list[str]] = {}
     for phrase, said in nouns.items():
         if len(said) == 2:
