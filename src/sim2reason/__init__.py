@@ -1,9 +1,9 @@
 """Physics simulators turned into verified problems for language models.
 
 The public names below are loaded when they are first used, so that the import itself costs next to nothing. Each
-command of the command line has a function of its name here, with underscores for dashes. Those of them that Python has
-functions of, too (``open``, ``list`` and ``eval``), are reached by the module's name alone: ``import *`` leaves them
-out.
+command of the command line has a function of its name here, with underscores for dashes. Names that
+Python's builtins have, too (``open``, ``list`` and ``eval``), are reached through the module alone: ``import *`` leaves
+them out.
 """
 
 from collections.abc import Iterable

@@ -53,7 +53,7 @@ class SimulationError(Sim2ReasonError):
     """An engine that found no consistent motion, or ran out of its budget of steps."""
 
     def __init__(self, message: str, reached: float = 0.0) -> None:
-        """`reached` is until when, s, the motion was found; 0 if that is not known, or it never began."""
+        """Store the message and the time `reached` (s) to which the motion was found; 0 if unknown or never begun."""
         self.reached = reached
         super().__init__(message)
 
@@ -67,7 +67,7 @@ class FigureWarning(UserWarning):
 
 
 class MotionEndsWarning(UserWarning):
-    """A record of a motion that is shorter than what was asked for, since the description of the motion ends."""
+    """A recorded motion that is shorter than requested, since the description of the motion ends earlier."""
 
 
 class DatasetError(Sim2ReasonError):
@@ -103,9 +103,9 @@ class MissingExtraError(Sim2ReasonError):
 
 
 def installing(package: str, extra: str = "") -> str:
-    """Return the command that installs a package, or all of an extra that it belongs to.
+    """Return the pip command that installs a package, or all packages of the extra that the package belongs to.
 
-    They stand there under their own names: sim2reason itself is on no index, so that its name there may be anyone's.
+    The command lists the packages by name: sim2reason is on no index, so that its name there may be anyone's.
     """
     from importlib.metadata import PackageNotFoundError, requires  # noqa: PLC0415 - it takes as long as all else
 

@@ -116,9 +116,9 @@ class Registry(Mapping[str, T], Generic[T]):
 
 
 def further_members() -> dict[str, tuple[str, ...]]:
-    """The names of members that do not come with the library, by their module, in the order in which they were added.
+    """Return the names of members from outside the library, by module, in the order in which they were added.
 
-    Whoever works for a program in another process imports these modules first.
+    A process that works for a program imports these modules first.
     """
     found: dict[str, tuple[str, ...]] = {}
     for module, name, registry in _further:

@@ -1,6 +1,6 @@
-"""Rewards as trainers and benchmarks call them; one grader stands behind all of them.
+"""Reward functions for trainers and benchmarks, all of which use one grader.
 
-What is right travels with each row of an export as one JSON text, its *ground truth*: the answer of an item, or the
+Each row of an export holds the right answer as one JSON text, its *ground truth*: the answer of an item, or the
 letter of a multiple choice. The functions here read it, and are pure: any thread or process may call them. A *solution*
 is always a worked one, which no reward reads.
 """
@@ -47,7 +47,7 @@ _GROUND_TRUTH: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
 
 
 def ground_truth(right: Item | Answer | Letter) -> str:
-    """What a grader must know, as one line of JSON."""
+    """Return the right answer, with all that a grader must know, as one line of JSON."""
     held = right.answer if isinstance(right, Item) else right
     given = held.model_dump(mode="json", exclude_none=True)
     return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
@@ -75,13 +75,13 @@ def boxed(answer: str) -> str:
 
 
 def score(ground_truth: str, response: object, *, partial: bool = False, thinking_opened: bool = False) -> Score:
-    """The grade of a response, which is a text or messages, by a row's ground truth.
+    """Grade a response, which is a text or a list of messages, by a row's ground truth.
 
     With `partial`, a response to a problem of several parts is paid the share of the parts that are right. Where the
     prompt ended within the thinking, as by a chat template, `thinking_opened` says so.
 
     Raises:
-        DatasetError: the ground truth is none of ours.
+        DatasetError: the ground truth is unreadable.
     """
     return _scored(_read(ground_truth), response, partial=partial, thinking_opened=thinking_opened)
 
@@ -107,9 +107,9 @@ def accuracy(
 ) -> list[float | None]:
     """Return a reward of 1 or 0 for each completion, a text or a list of messages, as TRL expects.
 
-    What is right stands in the column `ground_truth` of an export, or in `answer` of a dataset as `generate` writes it.
-    A row that has neither, as those of another dataset in a mixture, gets None, which TRL leaves out; where no row of
-    a batch has one, a warning says so.
+    The right answer is in the column `ground_truth` of an export, or in `answer` of a dataset as `generate` writes it.
+    A row that has neither, as in another dataset of a mixture, gets None, which TRL leaves out; where no row of a
+    batch has a right answer, a warning says so.
     """
     del prompts, columns
     return _rewards(completions, ground_truth, answer, partial=False, thinking_opened=False)
@@ -123,7 +123,7 @@ def partial_accuracy(
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """Return rewards as `accuracy` does, but for a problem of several parts the share of parts that are right."""
+    """Return rewards like `accuracy`, but the share of right parts for a problem of several parts."""
     del prompts, columns
     return _rewards(completions, ground_truth, answer, partial=True, thinking_opened=False)
 
@@ -190,7 +190,7 @@ def compute_score(
 
 @lru_cache(maxsize=1024)
 def _read(ground_truth: str) -> Answer | Letter:
-    """A ground truth once for all completions of one prompt."""
+    """Parse a ground truth, cached for all completions of a prompt; DatasetError if the text is unreadable."""
     try:
         return _GROUND_TRUTH.validate_json(ground_truth)
     except ValidationError:

@@ -13,7 +13,7 @@ Smoothness = Word("friction", {0.0: "smooth"}, "rough")
 
 @body
 class Plane(Body):
-    """A fixed plane; its coefficient of friction holds for sticking, too, unless that has one of its own."""
+    """A fixed plane; its coefficient of friction is also that of static friction unless a separate one is given."""
 
     angle: Angle
     friction: Friction

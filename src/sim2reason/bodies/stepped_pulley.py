@@ -35,5 +35,5 @@ class SteppedPulley(Body):
 
     @property
     def look(self) -> Axial:
-        """Two circles about one axle: it is seen from its end."""
+        """A cylinder with a step, which appears from its end as two concentric circles."""
         return Axial(self.outer, step=self.inner)

@@ -41,7 +41,7 @@ class Commands(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that is named; for another name, the error says what is near to it."""
+        """Return the named command with its arguments; the error for an unknown name suggests the nearest names."""
         if args and self.get_command(ctx, args[0]) is None and (near := nearest(args[0], self.list_commands(ctx))):
             ctx.fail(f"No such command {args[0]!r}. Did you mean: {', '.join(near)}?")
         return super().resolve_command(ctx, args)

@@ -27,9 +27,9 @@ LONG = 3  # reasons, and more: a table
 @click.option("--all", is_flag=True, help="Those that filters refuse, too: easy, odd or uncertain ones.")
 @options.to_json("For a program to read: a list of whole items, as show gives them.")
 def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all: bool, to_json: bool) -> int:  # noqa: A002
-    """Ask questions about the scene in the file SCENE (- is standard input): no two of them have one answer.
+    """Ask questions with different answers about the scene in the file SCENE (- is standard input).
 
-    Only those that pass every filter, but for --all. Exit code 1 if there are none; standard error says why.
+    Every question passes every filter, unless --all is given. Exit code 1 if there are none; standard error says why.
     """
     from sim2reason.datasets.ask import asked
 
@@ -44,7 +44,7 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
 
 
 def _explain(result: "AskedScene", items: int) -> None:
-    """How many questions are missing, and what was refused: a table where that is much."""
+    """Print how many questions were found and which reasons refused others, three reasons or more as a table."""
     if result.reason:
         console.explain(f"sim2reason: there is nothing to ask: {result.reason}")
         return

@@ -1,4 +1,4 @@
-"""What a shell completes after an option of a question in parts: names of the scene that stands in the file."""
+"""Shell completion for the options of a question in parts, with names from the scene's file."""
 
 from collections.abc import Iterable
 from contextlib import suppress
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def findable(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    """What can be found in the scene."""
+    """Return the names of findable quantities and numbers of the scene that begin with `incomplete`."""
     from sim2reason.questions.posing import findable as names
 
     del param
@@ -24,14 +24,14 @@ def findable(ctx: click.Context, param: click.Parameter, incomplete: str) -> lis
 
 
 def subjects(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    """The bodies of the scene by address."""
+    """Return the addresses of bodies of the scene that begin with `incomplete`."""
     del param
     words = _words(ctx)
     return _beginning(incomplete, words.mentions if words is not None else ())
 
 
 def moments(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    """All moments and outcomes by name."""
+    """Return the names of moments and outcomes that begin with `incomplete`."""
     from sim2reason.questions import MOMENTS
     from sim2reason.questions.outcomes import OUTCOMES
 

@@ -106,9 +106,9 @@ def words(option: str) -> tuple[str, ...]:
 
 @contextmanager
 def progress(what: str, total: int) -> Generator[Progress, None, None]:
-    """Show a bar on stderr while the block runs, or lines now and then where that is no terminal, or all is to be told.
+    """Show progress on stderr while the block runs: a bar on a terminal, else or with --verbose periodic lines.
 
-    Gives the function that moves it.
+    Yields the function that advances the progress.
     """
     if not sys.stderr.isatty() or verbose():
         with Lines(what, total) as lines:
@@ -124,33 +124,33 @@ def progress(what: str, total: int) -> Generator[Progress, None, None]:
 
 
 def verbose() -> bool:
-    """Whether the option --verbose was given to the command that runs."""
+    """Return whether the running command was given the option --verbose."""
     context = click.get_current_context(silent=True)
     return context is not None and bool(context.meta.get(VERBOSE))
 
 
 class Lines:
-    """Lines on stderr that tell how far some work is: every so many seconds, however long one of its steps takes."""
+    """Lines on stderr that report progress at regular intervals, however long a single step takes."""
 
     def __init__(self, what: str, total: int) -> None:
-        """Of what there will be so much."""
+        """Prepare to report on `total` steps, under the label `what`."""
         self._what, self._total, self._done = what, total, 0
         self._ended = Event()
         self._begun = time.monotonic()
         self._thread = Thread(target=self._tell, args=(OFTEN if verbose() else SELDOM,), daemon=True)
 
     def __enter__(self) -> Self:
-        """Itself; the first line comes after a while."""
+        """Start to report progress; the first line appears after one interval."""
         self._thread.start()
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Say no more."""
+        """Stop the reports."""
         self._ended.set()
         self._thread.join()
 
     def advance(self, steps: int = 1) -> None:
-        """Count so many steps."""
+        """Count `steps` more steps as done."""
         self._done += steps
 
     def _tell(self, every: float) -> None:

@@ -135,14 +135,14 @@ def command(
 
 
 def _tell_attempt(attempt: Attempt) -> None:
-    """Say what became of a position."""
+    """Print the outcome of an attempt at a position to stderr."""
     draws = sum(attempt.rejected.values())
     found = attempt.item.id if attempt.item is not None else f"no problem: {attempt.failure or 'no draw passed'}"
     console.explain(f"position {attempt.position}: {found} ({attempt.seconds:.1f} s, {draws} draws refused)")
 
 
 def _given(order: Order) -> Order:
-    """Of the options of an order, those that stand on the command line."""
+    """Return the options of an order that are given on the command line, without the defaults."""
     context = click.get_current_context()
     given = {n: held for n, held in order.items() if context.get_parameter_source(n) is not ParameterSource.DEFAULT}
     return cast("Order", given)

@@ -170,7 +170,7 @@ def to_json(text: str = "For a program to read.") -> Callable[[F], F]:
 
 
 def verbose() -> Callable[[F], F]:
-    """Whether a long command tells more of what it does."""
+    """Return a decorator that adds --verbose, with which a long command reports more on stderr."""
 
     def kept(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         del param

@@ -1,4 +1,4 @@
-"""Write the JSON schema of scene files, or a page that explains them, or all that can be asked."""
+"""Write the JSON schema of scene files, a page that explains the format, or a reference of questions."""
 
 import json
 from pathlib import Path

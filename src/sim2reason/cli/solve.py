@@ -61,8 +61,8 @@ Example:
 def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> int:  # noqa: A002, ANN401 - click's own
     """Solve a question about the scene in the file SCENE (- is standard input), or the problem of an id.
 
-    A scene's question is answered from its motion, which is followed until it has its answer, and by a worked solution
-    where a strategy has a way to it. Exit code 1 if there is no answer; standard error says why.
+    A question about a scene is answered from the motion, which is followed until the answer is known, and by a worked
+    solution where a strategy finds one. Exit code 1 if there is no answer; standard error says why.
     """
     from sim2reason.datasets.solve import solve
 
@@ -88,7 +88,7 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
 
 
 def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
-    """The problem, its worked solution, and of a scene the answer as the motion has it, which is not rounded."""
+    """Print a problem, its worked solution and, for a scene, the answer from the motion to twelve digits."""
     found = solved.solution
     click.echo(solved.problem)
     if solved.read_as:
@@ -100,7 +100,7 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
 
 
 def _explain(found: "Solution") -> None:
-    """Why there is no worked solution: a table, where several strategies were tried."""
+    """Print why there is no worked solution, as a table if three strategies or more were tried."""
     tried = [row.partition(": ")[::2] for row in found.reason.split("; ")]
     if len(tried) < LONG:
         console.explain(f"sim2reason: no worked solution: {found.reason}")

@@ -47,10 +47,10 @@ def ask(
     seed: int = 0,
     all: bool = False,  # noqa: A002 - as the option is called
 ) -> list[Item]:
-    """At most so many problems about one scene, those that pass every filter; another seed asks others.
+    """Return at most `items` problems about a scene that pass every filter; another seed gives other problems.
 
-    They are items as a dataset has them, but of no recipe and no difficulty. No two have one answer. With `all`
-    they may be as easy, as odd or as little certain as they like.
+    The problems are items as in a dataset, but without a recipe or a difficulty. No two have the same answer. With
+    `all`, easy, odd and uncertain problems are kept, too.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.

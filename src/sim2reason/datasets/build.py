@@ -91,12 +91,12 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
 
 
 def unseen(done: int) -> None:
-    """Nobody looks on."""
+    """Ignore the number of finished positions, as the default of `advance`."""
     del done
 
 
 def unwatched(attempt: Attempt) -> None:
-    """Nobody looks at it."""
+    """Ignore an attempt, as the default of `watch`."""
     del attempt
 
 

@@ -52,11 +52,11 @@ class Dataset:
     @overload
     def __getitem__(self, key: str) -> ItemFiles: ...
     def __getitem__(self, key: int | slice | str) -> Item | list[Item] | ItemFiles:
-        """The item at a place, those of a slice, or all of the split of a name, as a list has them.
+        """Return the item at an index, a list of the items in a slice, or the sequence of items in a named split.
 
         Raises:
             IndexError: there is no such place.
-            DatasetError: there is no such split; an item by its id is what `item` gives.
+            DatasetError: there is no such split; `item` takes an id.
             TypeError: any other key.
         """
         if isinstance(key, str):
@@ -69,7 +69,7 @@ class Dataset:
         raise TypeError(f"{key!r} is no place, slice or split of a dataset")
 
     def to_pandas(self) -> Any:  # noqa: ANN401 - pandas is no package that the library needs
-        """A DataFrame of pandas with a row for each item, and the columns of the files.
+        """Return a pandas DataFrame with a row for each item and the columns of the dataset's files.
 
         Raises:
             MissingExtraError: pandas is not installed.
@@ -84,13 +84,13 @@ class Dataset:
         token: str | None = None,
         message: str = "Upload problems of sim2reason",
     ) -> str:
-        """Upload the folder to the Hugging Face hub as a dataset, with its card, and give its address there.
+        """Upload the folder with its card to the Hugging Face Hub, and return the address of the dataset there.
 
         Args:
-            repository: the name of the dataset, as in ``user/problems``; it is made if there is none.
-            private: whether a new one is seen by its owner alone.
-            token: that of the user; by default the one that ``hf auth login`` has kept.
-            message: of the commit.
+            repository: the name of the dataset, as in ``user/problems``; it is created if it does not exist.
+            private: whether a new repository is visible to its owner alone.
+            token: the user's token; by default the one that ``hf auth login`` has stored.
+            message: the commit message.
 
         Raises:
             DatasetError: a damaged dataset, or one that the hub does not take.

@@ -97,7 +97,7 @@ def _called(subject: str, description: Description) -> str:
 
 
 def _at(scene: Scene, address: str) -> object:
-    """What the scene has at the name of a force; None for a force that is called as no field is."""
+    """Return the scene's value at the address of a force; None if the force's name is no address."""
     try:
         return scene.value(address)
     except SceneError:

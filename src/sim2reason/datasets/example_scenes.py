@@ -1,4 +1,4 @@
-"""Scenes that show what recipes seldom draw, as files have them."""
+"""Example scenes, as the texts of scene files, with features that recipes seldom draw."""
 
 OWN = (
     """scene:

@@ -1,4 +1,4 @@
-"""What is wrong with the folder of a dataset, file by file."""
+"""Faults in the folder of a dataset, file by file."""
 
 from collections.abc import Collection, Iterator
 from pathlib import Path
@@ -12,7 +12,7 @@ from sim2reason.errors import DatasetError
 
 
 class Findings(Record):
-    """What `verify` saw: rows and shards by the manifest, and a line for each thing that is wrong."""
+    """Result of `verify`: the numbers of rows and shards in the manifest, and a line for each fault."""
 
     rows: int
     shards: int
@@ -20,7 +20,7 @@ class Findings(Record):
 
 
 def found(out: Path) -> Findings:
-    """Check the folder of a dataset; it raises what `verify` does."""
+    """Check the folder of a dataset; DatasetError if the folder is missing, unfinished or without a manifest."""
     if not out.is_dir():
         raise DatasetError(f"{out}: no such folder; give one that sim2reason generate has made")
     if not (out / MANIFEST).is_file() and (out / FOLDER).is_dir():
@@ -51,7 +51,7 @@ def _files(out: Path, manifest: Manifest) -> Iterator[str]:
 
 
 def _shards(out: Path, manifest: Manifest) -> Iterator[str]:
-    """What is wrong with the list of shards, their files, and others beside them."""
+    """Yield the faults in the list of shards and in the shard files, and each extra Parquet file."""
     rows, numbers, known = 0, 0, set[str]()
     try:
         for shard in shards(out):
@@ -90,7 +90,7 @@ def _file(out: Path, file: ShardFile) -> Iterator[str]:
 
 
 def _strangers(out: Path, known: Collection[str]) -> Iterator[str]:
-    """Parquet files beside those of the dataset."""
+    """Yield a fault for each Parquet file that is not part of the dataset."""
     for path in sorted((out / DATA).glob("*.parquet")):
         if (name := f"{DATA}/{path.name}") not in known:
             yield f"{name}: an extra file that the dataset does not know"

@@ -28,7 +28,7 @@ F = TypeVar("F", bound=Callable[..., object])
 
 
 class Order(TypedDict, total=False):
-    """What a dataset shall hold: each option with what it means; `DEFAULTS` has what holds where one is left out."""
+    """Options of a dataset to generate, each with its meaning; `DEFAULTS` has the value of an omitted option."""
 
     items: Annotated[int, "How many problems."]
     recipe: Annotated[Names, "Kinds of scenes: one name, several, or ``all``."]
@@ -81,7 +81,7 @@ DEFAULTS: Order = {
 
 
 def _ordered(function: F) -> F:
-    """Show the options of an order in the signature and the documentation of a function that takes one by keywords."""
+    """Add the options of `Order` to the signature and docstring of a function that takes them as keyword arguments."""
     taken, told = signature(function), get_type_hints(Order, include_extras=True)
     own = [each for each in taken.parameters.values() if each.kind is not Parameter.VAR_KEYWORD]
     options = [
@@ -103,7 +103,7 @@ def generate(
     advance: Callable[[int], object] = unseen,
     **order: Unpack[Order],
 ) -> Dataset:
-    """Fill the folder `out` with problems, or go on with what stands there, and open it.
+    """Generate problems into the folder `out`, continue a dataset that is already there, and open the dataset.
 
     The same order gives the same bytes, whatever the number of `workers` and wherever they work; with more `items` a
     dataset grows. A program needs no guard by ``__name__``, since worker processes do not run it.
@@ -118,7 +118,7 @@ def generate(
     Raises:
         UnknownNameError: no such recipe, difficulty, mode, units or place.
         DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
-        TypeError: an order of what there is not.
+        TypeError: an option that does not exist.
         MissingExtraError: the place needs a package that is not installed.
     """
     benchmarks = Benchmarks(files_to_avoid(order))
@@ -170,8 +170,8 @@ def order_in(path: Path) -> Order:
     """Read an order from a YAML file.
 
     Raises:
-        DatasetError: it is no such file, or has an option that there is not. A maker, which is code, is none here.
-        OSError: it can't be read.
+        DatasetError: the file is invalid or has an unknown option. ``maker``, which names code, is no option here.
+        OSError: the file can't be read.
     """
     try:
         found = settings_in(path)

@@ -1,4 +1,4 @@
-"""Processes that start from nothing: they load the library, and never run the program that started them.
+"""Processes that load the library, and never run the program that started them.
 
 The contexts of the standard library have a new process read the caller's program first. Where that has no guard by
 ``__name__``, its lines run once more in every process.
@@ -36,7 +36,7 @@ ALONE = _Context()
 
 @contextmanager
 def _program_untold() -> Generator[None, None, None]:
-    """Leave out what a process started in this block, by this thread, would be told about the caller's program."""
+    """Withhold the caller's program from processes that this thread starts within the block."""
     prepared, thread = spawn.get_preparation_data, get_ident()
 
     def without_program(name: str) -> dict[str, Any]:

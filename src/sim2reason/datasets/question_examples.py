@@ -47,7 +47,7 @@ class AskedExample(NamedTuple):
 
 @dataclass
 class Examples:
-    """By the name of a registry's member, its first example."""
+    """First examples of the members of each registry, by the member's name."""
 
     quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
     functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
@@ -57,7 +57,7 @@ class Examples:
 
 
 def examples() -> Examples:
-    """All that some scenes have, each the first time that it is found; always the same."""
+    """Return the first example of each registered member that the example scenes offer; the result never varies."""
     found = Examples()
     for number, scene in enumerate(scenes()):
         motion, words = motion_of(scene), words_of(describe(scene, number))
@@ -70,13 +70,13 @@ def examples() -> Examples:
 
 @cache
 def scenes() -> tuple[Scene, ...]:
-    """Those in which examples are looked for: some that show what is seldom drawn, then some of every recipe."""
+    """Return the scenes to search for examples: first scenes with seldom-drawn features, then some of every recipe."""
     drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
     return (*map(loads, OWN), *drawn)
 
 
 def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
-    """Of a scene: every quantity, every moment, and what each kind draws that is not found yet."""
+    """Yield queries about a scene: every quantity, every moment, and a draw of each kind without an example."""
     study, offered = motion.study, targets(words)
     moments = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]
     for moment in moments:
@@ -99,13 +99,13 @@ def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, fou
 
 
 def _is_something(query: Query, motion: FollowedMotion) -> bool:
-    """Whether the answer is not zero, nor as good as that."""
+    """Return whether a query has an answer that differs noticeably from zero."""
     found = KINDS[query.kind].answer(query, motion.study)
     return found is not None and abs(found) > KINDS[query.kind].measured(query).least
 
 
 def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> None:
-    """An example in parts alone of what the library has no words for in these scenes."""
+    """Add an example without a sentence for each quantity and functional that has no example yet."""
     for registry, named in (("quantities", QUANTITIES), ("functionals", FUNCTIONALS)):
         table: dict[str, AskedExample] = vars(found)[registry]
         for name, member in named.items():
@@ -121,7 +121,7 @@ def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> Non
 
 
 def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
-    """Every functional that is not found yet, up to the first moment that it can be asked to."""
+    """Yield queries for each functional without an example, up to every moment for which the functional has a value."""
     for functional in FUNCTIONALS.values():
         named = words.called(functional.of) if functional.name not in found.functionals else ()
         for name in named:
@@ -134,7 +134,7 @@ def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, foun
 
 
 def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) -> None:
-    """An example under each name that still has none, if its parts are read as the same query."""
+    """Add a query as the example of each name without one, if the query's parts are read back as an equal query."""
     entries = _names(query)
     table = vars(found)
     new = [(registry, name) for registry, name in entries if name not in table[registry]]
@@ -154,7 +154,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) 
 
 
 def _names(query: Query) -> list[tuple[str, str]]:
-    """What a query is an example of: registries and names."""
+    """Return the registries and names of the members that a query is an example of."""
     names = [("kinds", query.kind)]
     if isinstance(query, StretchQuery):
         names.append(("functionals", query.functional))
@@ -168,7 +168,7 @@ def _names(query: Query) -> list[tuple[str, str]]:
 
 
 def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
-    """The parts of a query; None if it has none of the kinds that this can tell."""
+    """Return the parts of a query; None if queries of its kind are not written in parts here."""
     if isinstance(query, NestedQuery):
         return _nested(query, motion, words)
     when = _when(query.moment, words)
@@ -193,7 +193,7 @@ def _when(moment: Moment | None, words: Words) -> str:
 
 
 def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
-    """The parts of the other question, and how it changes."""
+    """Return the parts of a nested query: the inner query's parts with the outer query's change or condition."""
     inner = _in_parts(query.inner, motion, words)
     if inner is None:
         return None
@@ -212,7 +212,7 @@ def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> Structu
 
 
 def _options(asked: StructuredQuestion) -> str:
-    """As they stand on a command line."""
+    """Return the parts of a question as options on a command line."""
     parts = {"find": asked.find, "of": asked.of, "when": asked.when, "along": asked.along, "given": asked.given}
     parts |= {"change": asked.change, "compare": asked.compare if asked.compare != "ratio" else ""}
     return " ".join(f"--{name} {_quoted(part)}" for name, part in parts.items() if part)

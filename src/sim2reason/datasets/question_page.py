@@ -43,7 +43,7 @@ sentence was read. A motion is followed until what is asked has happened; else t
 
 
 def format_page() -> str:
-    """The whole page."""
+    """Return the text of ``docs/questions.md``."""
     return "\n".join([HEAD, *_page()]) + "\n"
 
 
@@ -67,7 +67,7 @@ def _page() -> Iterator[str]:
 def _section(
     title: str, key: str, said: Mapping[str, str], found: Mapping[str, AskedExample], what: str = "what"
 ) -> Iterator[str]:
-    """A table of the members of a registry, each with its example; without one where no scene has it."""
+    """Yield the lines of a table of a registry's members, each with its example if a scene offers an example."""
     yield from (f"## {title}", "", f"| `{key}` | {what} | in words | in parts |", "| --- | --- | --- | --- |")
     for name in sorted(said):
         example = found.get(name, AskedExample("", ""))
@@ -85,7 +85,7 @@ def _unit(unit: str) -> str:
 
 
 def _synonyms() -> Iterator[str]:
-    """The nouns and verbs of ordinary English for what is found."""
+    """Yield the lines of a table of ordinary English nouns and verbs for quantities and motions."""
     yield from ("## Words of ordinary English", "", "| what | how it may be called |", "| --- | --- |")
     for name, row in CALLED.items():
         yield f"| {name} | {', '.join(row.split('|'))} |"
@@ -95,7 +95,7 @@ def _synonyms() -> Iterator[str]:
 
 
 def _coordinates() -> Iterator[str]:
-    """Of the columns of `trace.state.q`, one for each coordinate of the scene's mechanism, in its order."""
+    """Yield the lines of a table of the coordinates in the columns of `trace.state.q`, by class of entity."""
     yield "## Coordinates of a trace"
     yield ""
     yield "`trace.state.q[:, n]` is the coordinate `scene.mechanism.coordinates[n]`, counted from where it starts, and"
@@ -125,7 +125,7 @@ def _axis(coordinate: Coordinate) -> str:
 
 
 def _connections() -> Iterator[str]:
-    """One of each, as a file has it."""
+    """Yield the lines of an example of each connection, as a scene file states the connection."""
     yield from ("## Connections", "")
     for name in CONNECTIONS:
         lines = next((found for scene in scenes() if (found := _of_connection(dump(scene), name))), list[str]())
@@ -133,7 +133,7 @@ def _connections() -> Iterator[str]:
 
 
 def _of_connection(text: str, name: str) -> list[str]:
-    """The lines of the first connection of a kind in a file; none if it has none."""
+    """Return the lines of the first connection of a kind in a scene file; none if the file has no such connection."""
     lines = text.splitlines()
     start = next((n for n, line in enumerate(lines) if line.strip().startswith(f"- {name}:")), None)
     if start is None:

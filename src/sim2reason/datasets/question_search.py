@@ -69,11 +69,11 @@ class QuestionSearch:
         tolerance: float = TOLERANCE,
         needs: frozenset[Need] = EVERY,
     ) -> None:
-        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
+        """Prepare a search; `wording` is the seed of the first text that is tried, and empty `quantities` allow all.
 
-        `needs` are those that solutions may have; the others are refused before their answers are worked out. A
-        `difficulty` is ordered: questions of others are refused. A scene is followed to its horizon; a study has a
-        motion already.
+        `needs` are the needs that solutions may have; questions with other needs are refused before their answers are
+        computed. With a `difficulty`, questions of other difficulties are refused. A scene is followed to its horizon;
+        a study already has a motion.
         """
         self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs

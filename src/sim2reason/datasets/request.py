@@ -104,7 +104,7 @@ class Request:
 
     @classmethod
     def of(cls, item: Item) -> Self:
-        """The request that an item answers; DrawError for one that no recipe has drawn, or of some quantities alone."""
+        """Return the request that an item answers; DrawError for an item without a recipe or of chosen quantities."""
         if not item.recipe:
             raise DrawError(f"{item.id}: it is asked about a scene; give that with a question instead of the item")
         solved = item.solution is not None or bool(item.unsolved)

@@ -30,10 +30,10 @@ TRIES = 20
 
 
 class SolvedProblem(NamedTuple):
-    """A problem's text, its worked solution, and its answer in a unit, as the motion itself has it.
+    """Text and worked solution of a problem, with the answer from the motion in `unit`.
 
-    A solution without an answer says why. So does `reason` where there is none at all. `read_as` tells how a question
-    in ordinary English was read.
+    A solution without an answer gives the reason. If the motion has no answer either, `reason` says why. `read_as` is
+    the reading of a question in ordinary English.
     """
 
     problem: str
@@ -58,17 +58,17 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     compare: str = "ratio",
     seed: int = 0,
 ) -> SolvedProblem:
-    """Solve the problem of an item or an `id`, made again from its name, or a question about a scene, in steps.
+    """Solve a question about a scene, or the problem of an item or `id`, made again from its id, in steps.
 
     A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`,
-    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, that of the scene's file is
-    taken, or one is drawn. Another seed, other words.
+    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, the question in the
+    scene's file is taken, or a question is drawn. Another seed gives other words.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
         SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
-        TextError: a question that asks nothing known.
-        DrawError: what is no id, or one of no problem.
+        TextError: a question that is not understood.
+        DrawError: an invalid id, or the id of no problem.
     """
     if (scene is None) == (id is None):
         raise SceneError("solve", "it takes a scene or an id", "give one of the two")
@@ -97,7 +97,7 @@ def _of_request(request: Request) -> SolvedProblem:
 
 
 def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
-    """The problem of a sentence, in the words of the library or in ordinary English; without one it is drawn."""
+    """Return the solved problem of a question about a scene, in words; a question is drawn if none is given."""
     motion = motion_of(scene)
     search = QuestionSearch(eventful(motion).study, seed)
     if question is None:
@@ -119,7 +119,7 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
-    """The problem of a question in parts; told in a sentence, where the library has one for it."""
+    """Return the solved problem of a question in parts, put as a sentence if the library has words for the question."""
     motion = motion_of(scene)
     search = QuestionSearch(motion.study, seed)
     asked = StructuredQuestion.read(parts)
@@ -129,7 +129,7 @@ def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> Solv
 
 
 def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: Followed) -> SolvedProblem:
-    """A problem with its answer, and its worked solution where a strategy has a way to it."""
+    """Return a problem with its answer, and with its worked solution if a strategy solves the problem."""
     unit = question.unit(search.words)
     if found.answer is None:
         return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)

@@ -26,7 +26,7 @@ def worked(request: Request, found: CertifiedQuestion) -> Solution:
 
 
 def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
-    """Return the solution of each part, which starts from the answers to earlier parts; see `in_sequence`."""
+    """Return the solution of each part of a problem, starting from the answers to earlier parts; see `in_sequence`."""
     settings = [part.certified.setting for part in found.parts]
     solutions = in_sequence(settings, [part.solution for part in found.parts], whole=whole)
     asked = (part.certified.question for part in found.parts)

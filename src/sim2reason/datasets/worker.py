@@ -43,7 +43,7 @@ Message = list[Attempt] | DatasetError | None
 def serve(pipe: "Connection[Message, Batch]", maker: str, modules: Sequence[str] = ()) -> None:
     """Answer each batch that comes through `pipe`, until its other end is closed.
 
-    `modules` are those outside the library whose members a maker may ask for.
+    `modules` are imported first: modules outside the library whose members a maker may ask for.
     """
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)  # the parent is interrupted, and decides

@@ -91,9 +91,9 @@ class Frame:
         name: str = "slide",
         static: float | None = None,
     ) -> "Frame":
-        """Lay it on its parent's face: it slides along `along` and is pressed along `normal`.
+        """Lay the body on its parent's face, free to slide along `along` and pressed along `normal`.
 
-        Until it slides, the face holds it by the coefficient `static`, by default that of `friction`.
+        Until the body slides, the face holds it by the coefficient `static`, by default equal to `friction`.
         """
         self.slide(along, speed, limits, name)
         slip = ((f"{self.name}.{name}", 1.0),)
@@ -110,9 +110,9 @@ class Frame:
         spin: float | None = None,
         static: float | None = None,
     ) -> "Frame":
-        """Lay a round body on its parent's face, its axis at the origin of its frame: it slides and turns there.
+        """Lay a round body on its parent's face, free to slide and turn there, its axis at the origin of its frame.
 
-        `spin`, rad/s, is positive the way in which it rolls along `along`; by default it rolls at the start. With an
+        `spin`, rad/s, is positive in the sense of rolling along `along`; by default the body rolls at the start. With
         infinite `friction` it never slips; until it slips, the coefficient is `static`, by default that of `friction`.
         """
         own, way, out = self._own(), unit(along), unit(normal)
@@ -200,9 +200,9 @@ class Frame:
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
 
     def wound(self, name: str, rim: str, end: str, across: float) -> None:
-        """Lead a string from its rim, round which it is wound, down to another site; it turns about y by its hinge.
+        """Lead a string wound round the rim of this body down to the site `end`; the body turns about y by its hinge.
 
-        `rim` is a site of the room, `across`, m, to the right of the axle: what turns right-handed takes in string that
+        `rim` is a site of the room, `across`, m, to the right of the axle: a right-handed turn takes in a string that
         hangs to the left. A body that is glued holds its string.
         """
         self._builder.add_wound(self.address(name), self._own(), (rim, end), -across)
@@ -265,7 +265,7 @@ class Frame:
 
 
 def _ratio(static: float | None, friction: float) -> float:
-    """The coefficient of static friction in units of that of kinetic friction."""
+    """Return the ratio of static to kinetic friction; 1 if `static` is None or `friction` is 0 or infinite."""
     return 1.0 if static is None or not 0.0 < friction < inf else static / friction
 
 
@@ -274,7 +274,7 @@ def _flat(through: Iterable[str | Rim]) -> list[str]:
 
 
 def axial_inertia(inertia: float) -> Tensor:
-    """What has a moment of inertia about y, kg m², and no thickness: half of it across."""
+    """Return the inertia tensor of a flat disc about y, kg m², with half of its axial moment of inertia across."""
     return (0.5 * inertia, inertia, 0.5 * inertia, 0.0, 0.0, 0.0)
 
 

@@ -172,7 +172,7 @@ class Collector:
         self._lines[name] = Line(name, name, ends, wheels, law, bodies)
 
     def add_wound(self, name: str, body: str, ends: tuple[str, str], radius: float) -> None:
-        """Enter a string wound round a body that turns: its free length shrinks by the `radius` times the angle."""
+        """Add a string wound round a body that turns; its free length shrinks by `radius` times the angle."""
         self._new(name, self._lines)
         self.wound.add(name)
         wheels = tuple(Wheel(hinge.name, radius) for hinge in self._bodies[body].coordinates)

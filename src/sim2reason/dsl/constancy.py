@@ -41,8 +41,8 @@ def may_turn_back(mechanism: Mechanism) -> bool:
 def turns_one_way(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body that rolls or slips on a plane never reverses its rotation, whatever its numbers are.
 
-    What starts from rest does not where nothing may turn back. Nor does what is sent off alone, its centre and its rim
-    in one sense that is not up the slope: friction makes one slower and the other faster till they agree.
+    A body that starts from rest never does if no motion may turn back. Nor does a lone body launched with its centre
+    and its rim moving in one sense, not up the slope: friction slows one and speeds up the other until they agree.
     """
     if not may_turn_back(mechanism):
         return True

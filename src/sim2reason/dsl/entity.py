@@ -66,9 +66,9 @@ class Entity(Part):
     schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
 
     def horizon(self, gravity: float) -> float | None:
-        """How long its motion is worth following, in the units of its text: a period, a flight; None for no matter.
+        """Return how long to follow the motion, in the units of its text: a period, a flight; None for the default.
 
-        `gravity` is that of its scene, in m/s².
+        `gravity` is that of the scene, in m/s².
         """
         del gravity
         return None
@@ -151,9 +151,9 @@ def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> l
 
 
 def check_lines(cls: type[Part]) -> frozenset[str]:
-    """Compare what a class declares with what its lines tell; TypeError names the difference.
+    """Compare the numbers that a class declares with those that its lines state; TypeError names the difference.
 
-    What a body usually does without may stay untold: that is returned.
+    Return the numbers that may remain unstated because a body usually does without them.
     """
     required = {name for name, port in ports_of(cls).items() if port.required}
     chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
@@ -176,14 +176,14 @@ def check_lines(cls: type[Part]) -> frozenset[str]:
 
 
 def _is_spared(cls: type[Part], path: str) -> bool:
-    """Whether a number of a body is one that it usually does without."""
+    """Return whether a number may remain unstated because its body usually does without it."""
     name, _, field = path.partition(".")
     models = field_types(cls)[name].models if field else ()
     return any(field in field_types(model) and field_types(model)[field].usual is False for model in models)
 
 
 def _told(cls: type[Part], saying: Saying) -> set[str]:
-    """The numbers that a line tells; what it tells without a number that it hangs on, it tells with that, too."""
+    """Return the numbers that a line states; TypeError if its wordings with the given optional number state fewer."""
     *without, found = (_common(cls, templates) for templates in variants(saying))
     if isinstance(saying, Wordings) and saying.given and saying.given not in found:
         raise TypeError(f"{cls.__name__}: a line is said so where {saying.given} is given, and does not tell it")

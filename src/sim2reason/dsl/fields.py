@@ -13,7 +13,7 @@ from sim2reason.dsl.vectors import Vector, add, inner
 
 @dataclass(frozen=True, slots=True)
 class Profile:
-    """How strong a field is: (value + slope·(axis·r) + rate·t) · cos(frequency·t + phase)."""
+    """The strength of a field: (value + slope·(axis·r) + rate·t) · cos(frequency·t + phase)."""
 
     value: float
     slope: float = 0.0

@@ -1,4 +1,4 @@
-"""How long a motion is followed at first."""
+"""The duration for which a motion is followed by default."""
 
 from collections.abc import Iterable
 from math import inf, pi, sqrt
@@ -11,9 +11,9 @@ MANY, FEW = 100, 40  # oscillations of the stiffest spring that engines can't fo
 
 
 def horizon(entities: Iterable[Entity], gravity: float) -> float:
-    """As long as the slowest of some entities wants where gravity is as strong, in m/s²; in the units of their text.
+    """Return the longest duration that any entity asks for under `gravity`, m/s², in the units of their text.
 
-    Where none wants anything, as long as something falls as far as it does on Earth in 2 s.
+    If no entity asks for any, it is the time of a fall from the height from which a body falls for 2 s on Earth.
     """
     wanted = (entity.horizon(gravity) for entity in entities)
     usual = HORIZON * sqrt(GRAVITY / gravity) if gravity else HORIZON
@@ -21,13 +21,13 @@ def horizon(entities: Iterable[Entity], gravity: float) -> float:
 
 
 def within_oscillations(duration: float, mechanism: Mechanism) -> float:
-    """A duration, s, or that of some oscillations if it has more of them than an engine follows with ease."""
+    """Return `duration`, s, or some periods of the stiffest spring if it has more than engines easily follow."""
     period = stiffest_period(mechanism)
     return duration if duration <= MANY * period else FEW * period
 
 
 def stiffest_period(mechanism: Mechanism) -> float:
-    """How long an oscillation takes on the stiffest spring of what is lightest at its ends, s; infinite without any."""
+    """Return the shortest period of a body on a spring whose other end is held, s; infinite without springs."""
     shortest = inf
     for line in mechanism.lines:
         if isinstance(line.law, Elastic) and line.law.acts == "both":

@@ -40,9 +40,9 @@ class Spherical:
 
 @dataclass(frozen=True, slots=True)
 class Axial:
-    """A cylinder about z, with `sides` a prism; a hole through it is parallel to z, its axis at x = `offset`.
+    """A cylinder about z, or a prism if `sides` is given; a hole is parallel to z, with its axis at x = `offset`.
 
-    Without a height it is a ring or a disc, without a radius a rod. A `step` is the radius of a drum on its end.
+    Without a height the shape is a ring or a disc, without a radius a rod. A `step` is the radius of a drum on the end.
     """
 
     radius: float

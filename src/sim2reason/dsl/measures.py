@@ -54,7 +54,7 @@ class Chance:
 
 @dataclass(frozen=True, slots=True)
 class Usually:
-    """Marks something optional that is always drawn, or never, where no recipe says so: no random number decides."""
+    """A mark of an optional field that is always or never drawn, without a random number, unless a recipe chooses."""
 
     present: bool
 
@@ -75,7 +75,7 @@ class Member:
 
 @dataclass(frozen=True, slots=True)
 class Above:
-    """Marks a number that is greater than that of a field beside it, which is not zero."""
+    """A mark of a number that must be greater than the number in another field, which must not be zero."""
 
     field: str
 
@@ -87,7 +87,7 @@ class Hidden:
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """What a number is, more narrowly, where an optional field beside it is there, as µ is µ_k beside µ_s."""
+    """The symbol and name of a number if an optional field beside it is given, such as µ_k for µ beside µ_s."""
 
     field: str
     symbol: str
@@ -98,10 +98,9 @@ class Beside:
 class Measure:
     """The meaning of a number.
 
-    `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
-    `decimals` places, though not with more than three significant digits, or, where that is None, with two.
-    `called` is what a question that asks for it calls it, where that is not its name, and `beside` what becomes of
-    both beside another number.
+    `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. A value is spoken with `decimals` places, but at
+    most three significant digits, or, if `decimals` is None, with two significant digits. `called` is the name in a
+    question, if it is not `name`; `beside` has the symbol and name beside another number.
     """
 
     name: str
@@ -121,7 +120,7 @@ class Measure:
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":
-        """What it means of an owner, by what else that has."""
+        """Return this measure as it applies to an owner: with the symbol and name of `beside` if its field is given."""
         beside = self.beside
         if beside is None or getattr(owner, beside.field, None) is None:
             return self
@@ -159,7 +158,7 @@ FAINT, VAST = 1e-5, 1e7  # what is smaller, or at least as large, is told with a
 
 
 def in_powers(value: float, unit: str) -> str:
-    """A number that is not zero with a power of ten, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
+    """Write a nonzero number in scientific notation, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
     bare, size = coherent(unit)
     sign, digits, _ = (told := (Decimal(repr(value)) * size).normalize()).as_tuple()
     first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"

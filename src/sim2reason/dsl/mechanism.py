@@ -69,7 +69,7 @@ class Face:
 
     @property
     def static_friction(self) -> float:
-        """The coefficient of static friction, up to which it holds what does not slip."""
+        """The coefficient of static friction, which bounds the friction while a body does not slip."""
         return self.friction * self.static_ratio
 
 
@@ -225,7 +225,7 @@ class Meeting:
 
 @record()
 class Mechanism(Memo):
-    """Everything that an engine needs; `bodies` are in order: a parent stands before its children."""
+    """A mechanism with everything that an engine needs; in `bodies` a parent stands before its children."""
 
     bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()

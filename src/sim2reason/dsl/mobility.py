@@ -73,7 +73,7 @@ def weighs(mechanism: Mechanism) -> bool:
 
 
 def would_weigh(mechanism: Mechanism) -> bool:
-    """Whether g could matter if there were gravity: that there is none must be said of such a mechanism."""
+    """Return whether gravity would affect a mechanism, so that a text must say if there is no gravity."""
     if mechanism.contacts:
         return True
     frames = start(mechanism)

@@ -201,7 +201,7 @@ def _drawn(
 
 
 def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: Choices) -> bool:
-    """Whether something that its class can do without is drawn."""
+    """Return whether to draw a field that a model can leave out, by the recipe's choice, the field's mark or chance."""
     kind = field_types(model)[name]
     chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
     if chance is None and kind.usual is not None:

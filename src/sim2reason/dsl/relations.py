@@ -1,4 +1,4 @@
-"""What fields say of one another: counts that follow from others, numbers that are greater, indices of members."""
+"""Relations between fields: counts that follow from others, numbers that must exceed others, indices of members."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -20,7 +20,7 @@ class Related(Protocol):
 
     @property
     def above(self) -> str:
-        """The field whose number is less, if it must be greater than that."""
+        """The field whose number must be less than this field's number; empty if there is none."""
         ...
 
     @property

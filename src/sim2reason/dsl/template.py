@@ -64,10 +64,10 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Wordings:
-    """One sentence in its wordings, of which a seed chooses one.
+    """A sentence in alternative wordings, of which a seed chooses one.
 
-    With `several`, a variable-length part, it is said only where that has two members or more; with a `topic`, only
-    for a question that it matters to. Where the optional number `given` is there, it is said `instead` so.
+    With `several`, the sentence is said only if that variable-length part has two members or more; with a `topic`, only
+    for a question to which it matters. If the optional number `given` is present, the wordings are `instead`.
     """
 
     wordings: tuple[str, ...]
@@ -79,7 +79,7 @@ class Wordings:
     rare: bool = False  # where it stays unsaid, no wording of it is drawn, so that all others are as without it
 
     def if_given(self, path: str, *wordings: str) -> "Wordings":
-        """Say it in these wordings where an optional number is there, and in its own where that is absent."""
+        """Return this sentence with other wordings for the case that the optional number at `path` is given."""
         return replace(self, given=path, instead=wordings)
 
 
@@ -111,7 +111,7 @@ def either(*wordings: str) -> Wordings:
 
 
 def rarely(*wordings: str) -> Wordings:
-    """A sentence on what is hardly ever there, added to others whose wordings it must not change."""
+    """Return a sentence that is hardly ever said, and does not affect the choice of other wordings while unsaid."""
     return Wordings(wordings, rare=True)
 
 
@@ -161,9 +161,9 @@ def lines_of(field: str) -> PartLines:
 
 
 def wordings(saying: Saying, *, given: bool = False) -> tuple[str, ...]:
-    """The templates of a sentence, where the number that it depends on is `given`, or where it is not.
+    """Return the wordings of a sentence if the optional number that it depends on is `given`, or if it is absent.
 
-    A place for the lines of parts has none.
+    A place for the lines of parts has no wordings.
     """
     if isinstance(saying, PartLines):
         return ()
@@ -173,7 +173,7 @@ def wordings(saying: Saying, *, given: bool = False) -> tuple[str, ...]:
 
 
 def variants(saying: Saying) -> tuple[tuple[str, ...], ...]:
-    """All sets of templates that a sentence may be said in: two where it hangs on whether a number is given."""
+    """Return the sets of wordings of a sentence: two if the sentence depends on an optional number, else one."""
     several = isinstance(saying, Wordings) and saying.given
     return (wordings(saying), wordings(saying, given=True)) if several else (wordings(saying),)
 

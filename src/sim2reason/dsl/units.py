@@ -190,7 +190,7 @@ def parse_unit(text: str) -> Unit:
 
 
 def combined(text: str, further: Mapping[str, Unit]) -> Unit:
-    """Return a copy of this table with `further` units, a mapping from spellings to units."""
+    """Return the unit that a text spells, by this table and `further` units; UnitError if unknown or out of range."""
     powers: dict[str, int] = {}
     factor, dimension = 1.0, Dimension()
     for word, power in factors(text):

@@ -11,7 +11,7 @@ UPRIGHT_ON_Y = (X, scale(-1.0, Z), Y)  # the axes of what is round about the axl
 
 @entity
 class BlocksOnSteppedPulley(Entity):
-    """Strings wound round both radii carry a block each, on opposite sides of the axle or on the same one."""
+    """Two blocks on strings wound round the two radii of a pulley, on opposite sides of its axle or on one side."""
 
     pulley: SteppedPulley
     outer_block: Block
@@ -43,7 +43,7 @@ class BlocksOnSteppedPulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The axle at the origin; the string of the outer radius hangs to its left."""
+        """Build the pulley, its axle at the origin, and the blocks; the outer string hangs to the left of the axle."""
         pulley = self.pulley
         wheel = room.body("pulley", inertia=axial_inertia(pulley.inertia)).hinge(Y).turned(UPRIGHT_ON_Y)
         inner = pulley.inner if self.sides == "opposite" else -pulley.inner

@@ -88,7 +88,7 @@ class Projectile(Entity):
     @model_validator(mode="before")
     @classmethod
     def _released(cls, given: object) -> object:
-        """A speed of zero is none, and no angle belongs to it."""
+        """Remove a given speed of zero, with its angle and side, so that the ball is released from rest."""
         if not isinstance(given, dict):
             return given
         numbers = cast("dict[str, object]", given)
@@ -109,7 +109,7 @@ class Projectile(Entity):
 
     @property
     def _velocity(self) -> tuple[float, float]:
-        """Forward and up at the start, m/s."""
+        """The horizontal and vertical velocity at the start, m/s."""
         speed, angle = self.speed or 0.0, radians(self.angle or 0.0)
         ahead = cos(angle) if self.angle != STRAIGHT else 0.0  # which rounding would leave a little of
         return speed * ahead, speed * sin(angle) * (1.0 if self.side == "above" else -1.0)
@@ -120,7 +120,7 @@ class Projectile(Entity):
         return self._velocity[1]
 
     def horizon(self, gravity: float) -> float | None:
-        """A little more than two flights from where it is thrown to the ground, s; None if it does not come down."""
+        """Return a little more than twice the duration of the flight to the ground, s; None without gravity."""
         if not gravity:
             return None
         return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * gravity * self.height)) / gravity

@@ -114,7 +114,7 @@ class StackedMassPlane(Entity):
             self._slab(upper, "top", self.top, (self.top_friction or 0.0, None), -speed)
 
     def _slab(self, below: Frame, name: str, slab: Slab, rubs: tuple[float, float | None], speed: float = 0.0) -> Frame:
-        """A slab on what is below it by the coefficients of kinetic and static friction, with a hook on either side."""
+        """Lay a slab on `below`, with coefficients of kinetic and static friction `rubs` and a hook on either side."""
         uphill, normal = self.plane.directions()
         at: Vector = scale(THICK, normal)
         frame = below.body(name, slab.mass, at=at).rest(uphill, normal, rubs[0], speed, static=rubs[1])

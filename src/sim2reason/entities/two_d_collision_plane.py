@@ -56,7 +56,7 @@ class PairRestitution(Part):
 
 
 def _wall(name: str, axis: str) -> Wordings:
-    """The line on a wall square to an axis, at the place that a field says."""
+    """Return the sentence about a wall perpendicular to `axis`, at the position given by the field `name`."""
     return rarely(
         f"a smooth vertical wall bounds the table at {axis} = {{{name}}}; {{pucks:s}} bounce off it as off one another.",
         f"at {axis} = {{{name}}} the table ends at a smooth wall, off which {{pucks:s}} bounce as off one another.",
@@ -169,7 +169,7 @@ class TwoDCollisionPlane(Entity):
 
     @property
     def _walls(self) -> list[tuple[str, float, float]]:
-        """Along which axis, on which side and where walls stand, m."""
+        """The walls, each with its axis, its side of the table (−1 or 1) and its position, m."""
         found = (
             ("x", -1.0, self.left),
             ("x", 1.0, self.right),

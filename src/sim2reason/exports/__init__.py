@@ -22,9 +22,9 @@ class Place(NamedTuple):
 
 
 class Export(ABC):
-    """One library's way to hold problems. All that the rest knows of it stands on its class.
+    """Format in which a library for training or evaluation reads problems.
 
-    The folder that is written holds a file of rows for each split, and all that stands in `files`: Python as it is,
+    The folder that is written holds a file of rows for each split, and a copy of all in `files`: Python as it is,
     other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
     all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
     ``{source}`` filled in.
@@ -50,7 +50,7 @@ class Export(ABC):
         """What a file says of an item; None to leave it out."""
 
     def license(self, name: str) -> str:
-        """What the library calls a licence that the Hugging Face hub calls `name`."""
+        """Return the export's name for the licence that the Hugging Face Hub calls `name`."""
         return name
 
     @property

@@ -29,7 +29,7 @@ class HuggingFace(Export):
     }
 
     def row(self, item: Item, place: Place) -> Row:
-        """What TRL hands to a reward by name, what people read, and what curves are drawn by."""
+        """Return the row of an item: the prompt, columns for rewards, a readable solution, and facts to group by."""
         del place
         told = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": worked(item)}
         return {"prompt": asked(item.prompt), **told, "id": item.id, **facts(item)}

@@ -14,7 +14,7 @@ class InspectTask(Export):
     also = ("inspect-ai", "inspect_evals")
 
     def row(self, item: Item, place: Place) -> Row:
-        """A sample; its target is for people, the scorer reads the ground truth."""
+        """Return the sample of an item; the target is for people, and the scorer reads the ground truth."""
         del place
         told = {"ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "input": item.prompt, "target": item.answer.told, "metadata": told}

@@ -14,7 +14,7 @@ class HarnessTask(Export):
     also = ("lm_eval", "harness", "lm-evaluation-harness")
 
     def row(self, item: Item, place: Place) -> Row:
-        """A document; the target is what a worked example shows, and `ground_truth` what is graded by."""
+        """Return the document of an item; few-shot examples show the target, and the grader reads `ground_truth`."""
         del place
         shown = boxed(answered(item))
         return {

@@ -24,7 +24,7 @@ class NemoGym(Export):
     data = "resources_servers/sim2reason/data/{split}.jsonl"
 
     def license(self, name: str) -> str:
-        """As its configuration may say it; of any other it says that it is still to be stated."""
+        """Return NeMo Gym's name for a licence; ``TBD`` for a licence that NeMo Gym's configuration cannot name."""
         return LICENSES.get(name, "TBD")
 
     def row(self, item: Item, place: Place) -> Row:

@@ -109,7 +109,7 @@ class DrawingPlan:
         return said if said.startswith("$") else f"{letter} = {said}"
 
     def rubbing(self, owner: str, face: Face, letter: str = "µ") -> str:
-        """The coefficient of friction of a face with its letter, or both if they differ, as far as they are stated."""
+        """Return a face's stated friction coefficient with its letter, or both coefficients if they differ."""
         said = self.stated(owner, "", face.friction) if face.friction else ""
         if not said or face.static_ratio == 1.0:
             return self.equated(letter, said) if said else ""

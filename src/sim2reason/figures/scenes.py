@@ -19,12 +19,12 @@ def figure(
     seed: int | None = None,
     wording: Wording | None = None,
 ) -> None:
-    """Draw the initial state of a scene into a .svg, .png or .pdf file, labelled as its text names things.
+    """Draw the initial state of a scene into a .svg, .png or .pdf file, with labels from its text.
 
-    That is the text of a `seed`, by default that of the `wording` which the scene's file states (`wording_of`, which
-    is called where a file, its text or an item is given), or 0;
-    for numbers that the wording says as symbols, symbols are shown. `numbers` writes masses, too. A FigureWarning says
-    what can only be hinted at.
+    The text has the given `seed`; by default the seed of `wording`, or 0. `wording` is by default the wording in the
+    scene's file, which `wording_of` reads where a file, its text or an item is given. Numbers that the wording replaces
+    by symbols are shown as symbols. `numbers` writes masses, too. A FigureWarning names features that the figure can
+    only hint at.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
@@ -61,7 +61,7 @@ def plot(
 
 
 def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:
-    """The scene, and how its problem words it: as is said, or else as its file does."""
+    """Return the scene with its wording; by default the wording in the scene's file, None without a file."""
     held, text = given_scene(scene, function)
     return held, wording or (wording_of(text) if text else None)
 

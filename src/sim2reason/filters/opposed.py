@@ -29,7 +29,7 @@ class Opposed(Filter):
         return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the initial vertical acceleration of each body."""
+        """Yield the vertical direction in which each accelerated body initially accelerates."""
         moving = {name: up for name, up in _accelerations(candidate).items() if abs(up) > STILL}
         yield from (f"{name} is accelerated {'up' if up > 0.0 else 'down'}" for name, up in moving.items())
 

@@ -41,7 +41,7 @@ _NO_MEANING: Final = frozenset(_UNFIT.split())
 def vector_as_direction(content: str) -> str:
     r"""Rewrite the unit vector in ``2.4\,\hat{i}\text{ m/s}`` as a direction at the end; leave other vectors unchanged.
 
-    One that is not alone, or has more than a unit behind it, stays, and is read as no number.
+    A vector that is not alone, or is followed by more than a unit, stays and is not read as a number.
     """
     found = list(_VECTOR.finditer(content))
     if len(found) != 1:
@@ -56,7 +56,7 @@ def vector_as_direction(content: str) -> str:
 def vectors_as_components(content: str) -> str:
     r"""Replace vectors along one line by their components: ``m(\vec{g}+\vec{a})`` becomes m(g + a).
 
-    One with bars, products by a sign or powers stays, and is refused where it is no name.
+    Vectors with bars, products by a sign or powers stay; the answer is then refused unless it is a name.
     """
     if r"\vec" not in content and r"\overrightarrow" not in content:
         return content

@@ -23,9 +23,9 @@ _ARC: Final = re.compile(
 
 
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
-    """Read a value in several units, as 1 h 5 min: its first unit, and the fraction that the others add, or None.
+    """Return the first unit of a value in several units, as 1 h 5 min, and the fraction that the other units add.
 
-    The same number twice is none either: that offers two units to choose from.
+    None if there is no such value, or the same number stands twice, which offers two units to choose from.
     """
     if not whole.isdecimal():
         return None
@@ -55,6 +55,6 @@ def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tupl
 
 
 def _of_arc(found: re.Match[str]) -> tuple[Unit, float] | None:
-    """Return the unit of degrees and the fraction that minutes and seconds of arc add."""
+    """Return the unit of degrees and the fraction that minutes and seconds of arc add; None if either is 60 or more."""
     minutes, seconds = float(found["minutes"]), float(found["seconds"] or 0)
     return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None

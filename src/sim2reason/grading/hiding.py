@@ -1,4 +1,4 @@
-r"""Boxes that do not count as answers: invisible ones when typeset, and ones that the text denies.
+r"""Boxes that do not count as answers: boxes invisible when typeset, and boxes that the text denies.
 
 A box is hidden by a command around it (``\phantom``, ``\cancel``), by white ink, in a comment of LaTeX or HTML, or in
 an element that is not shown; it is denied by *not* before it or *is wrong* behind it.

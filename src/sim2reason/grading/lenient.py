@@ -120,7 +120,7 @@ def _refuse_doubt(before: str) -> None:
 
 
 def _equation(before: str) -> str:
-    """Return the left sides of the equation that ends here, back to the last English word."""
+    """Return the left sides of the equation at the end of `before`, back to the last English word."""
     start = len(before)
     for piece in reversed(list(_LEFT.finditer(before))):
         if _WORDS.fullmatch(piece[0].strip("().")) and not is_unit(piece[0]):

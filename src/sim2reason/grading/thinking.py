@@ -34,8 +34,8 @@ _ANALYSIS: Final = re.compile(r"\s{0,8}(?:assistant)?(?:analysis|commentary)(?=[
 def without_thinking(text: str) -> str:
     """Return the text after the last closing mark of thinking.
 
-    Raises `Refused`: no answer where thinking is open at the end. A mark that is only spoken of opens none: it stands
-    within a line, and no box is behind it.
+    Raises `Refused`: no answer where thinking is open at the end. A mark that is only quoted, within a line and with no
+    box after it, opens no thinking.
     """
     begins = _ANALYSIS.match(text) is not None
     if not begins and "<" not in text and "THINK]" not in text and "◁" not in text and "assistantfinal" not in text:

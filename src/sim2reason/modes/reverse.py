@@ -127,7 +127,7 @@ class Reverse(QuestionMode):
         return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
 
     def _read(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """What a sentence asks, with its numbers spelled as they are."""
+        """Return what a sentence asks, with its numbers spelled as they are."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):
@@ -144,7 +144,7 @@ class Reverse(QuestionMode):
         return None
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
-        """The only value for which the query has the answer that is given."""
+        """Return the only value for which the query has the answer that is given."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in _besides(asked.query, words):

@@ -147,7 +147,7 @@ def _saying(
 
 
 def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseState) -> ParseState | None:
-    """What a set of wordings means of the number that a line hangs on: in its usual ones that is absent."""
+    """Return the state with an optional number absent if `line` is the set of wordings used without that number."""
     if not isinstance(saying, Wordings) or not saying.given or line is not saying.wordings:
         return state
     return state.with_value(f"{address}.{saying.given}", None)

@@ -189,7 +189,7 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
 
 
 def _touches(scene: Scene) -> bool:
-    """Whether bodies that may bounce off each other touch at the start, beside others that may."""
+    """Return whether a pair that may bounce is in contact at the start of a scene with several such pairs."""
     mechanism = scene.mechanism
     bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
     if len(bouncing) < 2:
@@ -199,7 +199,7 @@ def _touches(scene: Scene) -> bool:
 
 
 def _gap(frames: Frames, meeting: Meeting) -> float:
-    """What is left between two bodies at the start, m."""
+    """Return the gap at the start, m, between two bodies, or between a body and a surface."""
     other = frames.center(meeting.b).place
     apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
     return float(hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)) - meeting.distance

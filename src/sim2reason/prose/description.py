@@ -45,7 +45,7 @@ class Description:
         return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
 
     def __str__(self) -> str:
-        """Return the text, as it is printed."""
+        """Return the text of the description."""
         return self.text
 
     def role(self, sentence: str) -> Role:
@@ -80,15 +80,15 @@ def describe(
     *,
     hide: Collection[str] = (),
 ) -> Description:
-    """The text of a scene; wordings depend on `seed` alone, so that all voices say the same sentences.
+    """Describe a scene in words; `seed` alone selects the wordings, so that all voices use the same sentences.
 
-    `voice` is ``numeric``, ``symbolic``, or a function; of the numbers at the addresses in `hide` symbols are said. A
-    first pass finds the order of mention, from which follow the letters; a second one writes, `without` what it is
-    to leave out.
+    `voice` is ``numeric``, ``symbolic``, or a function; the numbers at the addresses in `hide` appear as symbols. A
+    first pass finds the order of mention, which determines the letters; a second pass writes the text and leaves out
+    the topics in `without`.
 
     Raises:
-        TypeError: neither a scene nor the path of its file, its text or an item.
-        SceneError: an address to hide at which no number is told.
+        TypeError: `scene` is neither a scene nor the path of its file, its text or an item.
+        SceneError: `hide` has an address at which the text tells no number.
     """
     scene = scene_of(scene, "describe")
     return written(draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)

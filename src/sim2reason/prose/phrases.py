@@ -53,7 +53,7 @@ def canonical(part: Model, path: str) -> str:
 
 
 def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
-    """The templates of a sentence about a part: which they are may hang on whether a number is there."""
+    """Return the templates for a sentence about a part, which may depend on the presence of an optional number."""
     given = isinstance(saying, Wordings) and saying.given
     return wordings(saying, given=bool(given) and resolved(part, str(given)) is not None)
 

@@ -112,7 +112,7 @@ class Writer(Terms):
         return [line for saying in said for line in self._say(saying, part, address)]
 
     def _passes_over(self, saying: Saying, part: Part) -> bool:
-        """Whether a line on what is hardly ever there stays unsaid, without a wording drawn for it."""
+        """Return whether a rarely needed line is left out of the text, so that no wording is drawn for the line."""
         rare = isinstance(saying, Wordings) and saying.rare
         return rare and not self.says_line(saying, wordings(saying)[0], part)
 

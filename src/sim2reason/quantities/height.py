@@ -1,4 +1,4 @@
-"""How high a body is above the ground, where the scene has one."""
+"""The height of a body above the ground, in scenes with a ground."""
 
 from math import inf
 
@@ -14,7 +14,7 @@ UPRIGHT = 1.0 - 1e-9
 
 @quantity
 class Height(Quantity):
-    """The height above the ground of a body that flies; it is asked for in parts, and never drawn."""
+    """The height of a flying body above the ground; used only in structured questions, and never drawn."""
 
     name, unit, symbol = "height above the ground", "m", "h"
     of = Bodies()
@@ -22,7 +22,7 @@ class Height(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """How far the ground is below it, (n,)."""
+        """Return the height of a body above the ground in m, (n,)."""
         mechanism = state.mechanism
         number = _falling(mechanism, subject)
         if number is not None:
@@ -31,13 +31,13 @@ class Height(Quantity):
         return state.vector(state.frames.center(subject).place) @ np.array(gap.normal) - gap.distance
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies that come down to the ground, or bounce from it."""
+        """Return the names of the bodies that fall to the ground or bounce off the ground."""
         names = self.of.names(mechanism)
         return tuple(name for name in names if _falling(mechanism, name) is not None or _bounces(mechanism, name))
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:
-    """The coordinate of a body that ends at the ground."""
+    """Return the number of the vertical coordinate along which a body falls to the ground; None if there is none."""
     for coordinate in mechanism.body[name].coordinates:
         if coordinate.kind == "slide" and coordinate.axis[2] > UPRIGHT and coordinate.lower > -inf:
             return mechanism.number[coordinate.name]

@@ -175,7 +175,7 @@ class QuestionMode(ABC):
         return KINDS[asked.query.kind].answer(asked.query, study)
 
     def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
-        """Why what was read has no answer, in a clause, where nothing more is known of it."""
+        """Return a clause explaining why a parsed question has no answer, if nothing more specific is known."""
         del asked, study, words
         return "the scene has no such value"
 

@@ -48,13 +48,14 @@ class Dependence:
         likely: Callable[[float], float] | None = None,
         patience: Sequence[float] = (),
     ) -> None:
-        """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
+        """Prepare to vary the number at `path`, given the study of a scene in which that number has any value.
 
-        Where its mechanism is changed, those of the scenes with other values are changed likewise.
+        `error` is the error allowed in an integration step. If the study's mechanism is changed, the mechanisms of the
+        scenes with other values are changed likewise.
 
-        `scene` may be another one that a text can not tell from it. `likely` answers are looked for first, where a kind
-        looks for its answers. `patience` are further times of a scene's own horizon, until which something is waited
-        for that has not come by then.
+        `scene` may be another scene that a text cannot tell from the study's. `likely` answers are tried first, if a
+        kind searches for its answers. `patience` lists further multiples of a scene's horizon: an event that has not
+        occurred by the usual time is awaited until then.
         """
         moment = query.moment.first() if query.moment is not None else None
         self._query, self._study, self._path = replace(query, moment=moment), study, path
@@ -144,7 +145,7 @@ class Dependence:
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
     def _never(self, trace: Trace) -> bool:
-        """Whether what has not come by the end of a motion is known not to come any more."""
+        """Return whether an event that has not occurred by the end of a motion is known never to occur."""
         return nothing_new(trace) or flies_away(self._query.moment, trace)
 
     @property

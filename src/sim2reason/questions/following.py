@@ -1,4 +1,4 @@
-"""A motion followed until a query has its answer, or until it is known that it never has one."""
+"""The simulation of a motion until a query has an answer, or is known never to have one."""
 
 from typing import NamedTuple
 
@@ -24,7 +24,7 @@ BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until the
 
 
 class Followed(NamedTuple):
-    """A scene with its motion as long as an answer needs it, and the answer; without one the reason."""
+    """A scene with a motion long enough to answer a query, and the answer; or None and the reason why there is none."""
 
     study: Study
     answer: float | None
@@ -32,17 +32,17 @@ class Followed(NamedTuple):
 
 
 class FollowedMotion(NamedTuple):
-    """A scene with its motion, and why that is followed no longer than it is; empty if it is as long as asked for."""
+    """A scene with its motion, and the reason for a motion shorter than requested; otherwise an empty reason."""
 
     study: Study
     limit: str = ""
 
 
 def motion_of(scene: Scene, until: float | None = None) -> FollowedMotion:
-    """A scene's motion to a time, s, by default its horizon; or as far as it can be followed at all.
+    """Return a scene's motion up to a time, s, by default the scene's horizon; or as far as the simulation succeeds.
 
     Raises:
-        SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+        SceneError, UnsupportedError, SimulationError: the scene cannot be built, modelled or solved.
     """
     until = scene.horizon if until is None else until
     limit: SimulationError | None = None
@@ -57,12 +57,12 @@ def motion_of(scene: Scene, until: float | None = None) -> FollowedMotion:
 
 
 def _without_remedy(limit: SimulationError | None) -> str:
-    """Who asks for an answer has no duration to change."""
+    """Return the text of a simulation error without its remedy, which a caller cannot apply; empty without an error."""
     return str(limit).partition("; ")[0] if limit is not None else ""
 
 
 def follow(query: Query, begun: FollowedMotion) -> Followed:
-    """The answer to a query, for which a motion is followed as long as it takes: ever twice as long as before.
+    """Return the answer to a query, doubling the duration of the motion until there is an answer.
 
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
@@ -96,7 +96,7 @@ def _followed(query: Query, begun: FollowedMotion) -> Followed:
 
 
 def _given_up(study: Study, limit: str) -> str:
-    """What is said where a limit of work was reached."""
+    """Return the reason to report if a motion reaches a limit of work before a query has an answer."""
     by = f"it has not happened by {_end(study):.6g} {study.mechanism.units.time}"
     return f"{by}, and this motion is followed no longer{f': {limit}' if limit else ''}"
 
@@ -106,7 +106,7 @@ def _end(study: Study) -> float:
 
 
 def _looked_for(query: Query, study: Study) -> tuple[float | None, str]:
-    """The answer in a motion as long as it is; or the reason why there is none, empty if it may come yet."""
+    """Return a query's answer in a motion; or None and the reason, which is empty if an answer may come later."""
     kind, trace = KINDS[query.kind], study.trace
     time = kind.time(query, study)
     found = kind.answer(query, study)
@@ -125,7 +125,7 @@ def _looked_for(query: Query, study: Study) -> tuple[float | None, str]:
 
 
 def _why_not_nested(query: NestedQuery, study: Study) -> str:
-    """Why a query about the answers to another one in several motions has none; empty if it may come yet."""
+    """Return the reason why a nested query has no answer in its motions; empty if an answer may come later."""
     for other in (study, *query.others(study)):
         if other is None:
             return "with the other number there is no such scene, or none whose motion can be followed"
@@ -137,7 +137,7 @@ def _why_not_nested(query: NestedQuery, study: Study) -> str:
 
 
 def eventful(begun: FollowedMotion) -> FollowedMotion:
-    """A motion followed until something happens in it, twice as long each time; as it was, if nothing ever does."""
+    """Return a motion, doubled in duration until an event occurs or the motion ends or repeats; else unchanged."""
     study, limit = begun
     for _ in range(FEWER if changing(study.mechanism) else DOUBLINGS):
         if limit or study.trace.cut or study.trace.events or nothing_new(study.trace):

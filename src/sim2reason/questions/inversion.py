@@ -15,7 +15,7 @@ SPARSE = 4  # every so many points of a range are tried with that patience
 
 
 def values_giving(query: Query, given: float, unknown: Unknown, study: Study) -> list[float]:
-    """The values of an unknown number for which a query has a given answer: in its range, else beyond it."""
+    """Return the values of an unknown number that give a query's answer, from the usual range or else from beyond."""
 
     def looked_for() -> list[float]:
         scene, path = study.scene, unknown.path
@@ -30,7 +30,7 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Study) ->
 
 
 def why_not_one(unknown: Unknown, found: Sequence[float], scene: Scene) -> str:
-    """Why some values of an unknown number are not one answer, in a clause; empty if there is just one."""
+    """Return a clause explaining why an unknown number has no single value; empty if there is exactly one."""
     if len(found) == 1:
         return ""
     if found:

@@ -1,4 +1,4 @@
-"""Why what has not come by the end of a motion is known never to come."""
+"""Reasons why an event that has not occurred by the end of a motion is known never to occur."""
 
 import numpy as np
 
@@ -17,9 +17,9 @@ TURNED = 1e-3  # of the greatest excursion: what comes back has not turned all t
 
 
 def why_never(moment: Moment | None, trace: Trace) -> str:
-    """Why a moment, or the repetition of a motion, that has not come by the end of a motion never comes, in a clause.
+    """Return a clause explaining why a moment, or the repetition of a motion, never occurs; empty if it may yet occur.
 
-    Empty if it may come yet. It comes in no motion whose description ends before it.
+    A motion whose description ends before the moment never reaches the moment.
     """
     unit = trace.mechanism.units.time
     until, last = f"{trace.stable_until:.6g} {unit}", f"{_last_change(trace):.6g} {unit}"
@@ -41,10 +41,10 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
 
 
 def confined(moment: Moment | None, trace: Trace) -> bool:
-    """Whether a place is never reached since a motion of one coordinate has turned back on both sides of its start.
+    """Return whether a motion of one coordinate can never reach a place, having turned back on both sides of its start.
 
-    A force that hangs on that coordinate alone has a potential, and whatever else acts takes energy away: where it has
-    turned back its energy was the potential there, so that it never passes that place again.
+    A force that depends on that coordinate alone has a potential, and all other forces take energy away. At a turning
+    point the energy equals the potential there, so that the motion never passes a turning point again.
     """
     mechanism = trace.mechanism
     placed = isinstance(moment, Threshold) or (isinstance(moment, Reached) and moment.target.quantity in PLACES)
@@ -55,9 +55,9 @@ def confined(moment: Moment | None, trace: Trace) -> bool:
 
 
 def flies_away(moment: Moment | None, trace: Trace) -> bool:
-    """Whether a moment never comes since bodies that it is about fly off for ever.
+    """Return whether a moment never occurs because the bodies that take part in the moment fly off for ever.
 
-    Of two that move, while one flies off the other may go round, and overtake it again and again.
+    If only one of two moving bodies flies off, the other may still go round and overtake it again and again.
     """
     if moment is None or not moment.comes_round:
         return False
@@ -68,19 +68,19 @@ def flies_away(moment: Moment | None, trace: Trace) -> bool:
 
 
 def _last_change(trace: Trace) -> float:
-    """When the last event was, s; the start without any."""
+    """Return the time of the last event, s; 0 if there is none."""
     return max((event.time for event in trace.events), default=0.0)
 
 
 def _own(trace: Trace) -> float:
-    """How long the motion takes to show what it does where nothing happens: till velocities are doubled, or 1 s."""
+    """Return the time, s, in which the initial accelerations double the initial velocities, at least 1 s."""
     start = trace.at(0.0)
     speeds, rates = np.abs(start.v[0]).max(initial=0.0), np.abs(start.a[0]).max(initial=0.0)
     return float(max(1.0, speeds / rates if rates else 0.0))
 
 
 def _period(trace: Trace) -> float | None:
-    """After which all is where it was, s; not where a hinge has gone all the way round, which counts its turns."""
+    """Return the period of a motion, s; None if there is none, or if a hinge makes whole turns in a period."""
     period = first_return(trace)
     if period is None:
         return None

@@ -37,9 +37,9 @@ _FORMS = [
 
 @dataclass(frozen=True)
 class ParsedPrompt:
-    """What a prompt means: a scene, its motion, what is asked of it, the unit of the answer; and the prompt's shape.
+    """The meaning of a prompt: its scene, motion, question and shape, and the unit of the answer.
 
-    Where what is asked about never comes, or not within a limit of `work`, that is said there.
+    If the event asked about never occurs, or does not occur within a limit of work, `work` says so.
     """
 
     reading: ParsedScene
@@ -77,7 +77,7 @@ class ParsedPrompt:
 
     @property
     def reason(self) -> str:
-        """Why there is no answer, in a clause; empty if there is one."""
+        """Return a clause explaining why there is no answer; empty if there is an answer."""
         if self.counted is not None:
             return ""
         return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))
@@ -163,7 +163,7 @@ def _understood(
 def _in_ordinary_english(
     draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
 ) -> ParsedPrompt:
-    """What a draft means whose question is not in the words of the library; TextError for one that means nothing."""
+    """Return the meaning of a draft with a question in ordinary English; TextError if the question has no meaning."""
     reading = parse_scene(draft.story, rng, draft.given, startless=True)
     if len(reading.unknown) > 1:
         raise untold(reading.unknown.values())
@@ -179,7 +179,7 @@ def _in_ordinary_english(
 
 
 def _begun(reading: ParsedScene) -> FollowedMotion:
-    """The motion of a scene at first; where a number is unknown, with the one that was drawn."""
+    """Return a first motion of a scene, in which an unknown number has its drawn value."""
     scene = reading.scene
     for share in SHARES if reading.unknown else ():
         with suppress(SimulationError):

@@ -7,9 +7,9 @@ from sim2reason.questions.targets import targets
 
 
 def parse_question(text: str, study: Study, words: Words) -> Query | None:
-    """What a sentence asks about a motion, found by trying every phrase of every kind; None if it is none of them.
+    """Return the query that a sentence expresses, found by trying all phrases of all kinds; None if none matches.
 
-    Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give, but
+    Each kind reads numbers and names from the sentence. The rest must match the kind's `shapes` word for word, but
     numbers may be spelled in any usual way.
     """
     text, offered = sentence(plainly(text, words.units)), targets(words)

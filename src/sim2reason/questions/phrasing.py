@@ -82,10 +82,10 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
-    """Return a moment with a pronoun, *when it stops*, if the noun phrase before it names its subject alone.
+    """Return `when` with a pronoun for the moment's subject, *when it stops*, if `noun` names that subject alone.
 
-    Nothing else is a body, or does something: after *the energy that the dashpot beside spring 2 dissipates* the one
-    that *it* would be is the dashpot.
+    `noun` must name no other body or agent: after *the energy that the dashpot beside spring 2 dissipates*, *it* would
+    refer to the dashpot.
     """
     subject, pronoun = moment.subject(words), moment.pronoun
     part, of, whole = subject.rpartition(" of ")

@@ -1,4 +1,4 @@
-"""From a structured question to its query: every kind of question is tried that finds what is asked for."""
+"""The conversion of a structured question into a query, by the first kind of question that accepts the parts."""
 
 from dataclasses import dataclass, replace
 
@@ -27,24 +27,24 @@ SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
 @dataclass(frozen=True)
 class PosedQuestion:
-    """A query; where a number of the scene is looked for, that, and the answer to the query that it must lead to."""
+    """A query; if the question asks for a number of the scene, also that number and the query's required answer."""
 
     query: Query
     unknown: Unknown | None = None
     given: float = 0.0
 
     def unit(self, words: Words) -> str:
-        """The unit of the answer."""
+        """Return the unit of the answer."""
         return (
             self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
         )
 
     def given_unit(self, words: Words) -> str:
-        """The unit of the result that is given."""
+        """Return the unit of the given result."""
         return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
     def followed(self, motion: FollowedMotion) -> Followed:
-        """The answer, with the motion that has it, or the reason why there is none."""
+        """Return the answer with the motion that leads to the answer, or the reason why there is none."""
         if self.unknown is None:
             return follow(self.query, motion)
         found = values_giving(self.query, self.given, self.unknown, motion.study)
@@ -52,7 +52,7 @@ class PosedQuestion:
         return Followed(motion.study, None if reason else found[0], reason)
 
     def sentence(self, words: Words) -> str:
-        """The same question as the library says it; empty where it has no words for it."""
+        """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
         if self.unknown is not None or (target is not None and noun is None):
@@ -62,13 +62,13 @@ class PosedQuestion:
 
 
 def findable(words: Words) -> tuple[str, ...]:
-    """All that can be found in a scene, by name: quantities, functionals, times, and the numbers of the scene."""
+    """Return the names of everything that can be found in a scene: quantities, functionals, times and numbers."""
     named = (name for kind in KINDS.values() for name in kind.finds(words))
     return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
 
 
 def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """What a structured question asks of a scene; TextError for a part that means nothing there."""
+    """Return the query for a structured question about a scene; TextError for a part that has no meaning there."""
     if asked.given:
         return _reversed(asked, motion, words)
     find = one_of("find", asked.find, findable(words))
@@ -84,7 +84,7 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
 
 
 def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Which number of the scene makes a result so."""
+    """Return the query for the value of a number of the scene that leads to a given result or an extreme value."""
     scene = motion.study.scene
     paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
     offered = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
@@ -102,7 +102,7 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
 
 
 def _changed(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> Query:
-    """How an answer changes with a number; what it approaches as a mass grows or vanishes; or its extreme value."""
+    """Return the query for an answer's change with a number, limit for a large or small mass, or extreme value."""
     number, _, value = (part.strip() for part in asked.change.partition("="))
     if value in (*LIMITS, *EXTREMES):
         held = {p.path: p for p in study.scene.parameters if p.value}

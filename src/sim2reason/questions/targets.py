@@ -92,14 +92,14 @@ Targets = Mapping[Target, Noun]
 
 @lru_cache(maxsize=4)
 def quantities_named(mechanism: Mechanism) -> Mapping[str, Quantity]:
-    """By name, the quantities that something in a mechanism has; also by what phrases call their size, as *speed*."""
+    """Return the quantities that a mechanism has, by name and by the phrase for their magnitude, such as *speed*."""
     here = {name: quantity for name, quantity in QUANTITIES.items() if quantity.subjects(mechanism)}
     called = {found[1]: quantity for quantity in here.values() if (found := _SIZE.match(quantity.magnitude))}
     return called | here
 
 
 def target_named(asked: StructuredQuestion, words: Words) -> Target:
-    """The quantity that a structured question finds, of the subject and along the direction that it names.
+    """Return the quantity, the subject and the direction that a structured question asks for.
 
     TextError for a quantity, a subject or a direction that the scene does not have.
     """

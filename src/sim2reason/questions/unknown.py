@@ -114,7 +114,7 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
 
 
 def limits_of(scene: Scene, path: str) -> tuple[float, float]:
-    """Between which numbers one may lie, by its declaration and by numbers beside it that are less or greater."""
+    """Return the least and the greatest value that a number's declaration and the related numbers beside it allow."""
     owner, _, name = path.rpartition(".")
     value, held = scene.value(owner), _field(scene, path)
     kinds = field_types(cast("type[Model]", type(value)))
@@ -125,10 +125,10 @@ def limits_of(scene: Scene, path: str) -> tuple[float, float]:
 
 
 def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
-    """Points on the logarithmic scale below and above the `range_of` a number, to where its declaration ends, in order.
+    """Return logarithmically spaced values below and above the `range_of` a number, within its limits, in order.
 
-    They begin with the ends of that range, and go no farther than to a ten thousandth of the one and ten thousand times
-    the other. There are none for angles, whose range is the whole one, nor for numbers of either sign.
+    The values begin at the ends of that range, and extend to at most a ten thousandth of the lower end and ten thousand
+    times the upper end. There are none for angles, whose range is complete, nor for numbers of either sign.
     """
     unit = next(p.measure.unit for p in scene.parameters if p.path == path)
     values = range_of(scene, path)

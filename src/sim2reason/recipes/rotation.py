@@ -97,7 +97,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
 
 
 def _is_worth(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
-    """Return whether a piece keeps all of them large, and is large itself unless it is a small ball."""
+    """Return whether the pieces stay large with `piece` among them, and `piece` alone is large or a small ball."""
     return (isinstance(piece, BallPiece) or _is_large([piece])) and _is_large([*others, piece])
 
 
@@ -108,7 +108,7 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
 
 
 def _bears(arm: WeldedArm) -> bool:
-    """Whether sizes count one by one; the mass of a lone piece cancels."""
+    """Return whether nearly every size of an arm's pieces affects the motion; the mass of a lone piece cancels."""
     unmoved = [*islice((path for path in idle(arm, _responses) if path.startswith("pieces.")), TOO_MANY)]
     return len(unmoved) <= (len(arm.pieces) >= MANY) or unmoved == ["pieces.0.body.mass"]
 

@@ -1,4 +1,4 @@
-"""The scene that a caller gives: itself, its file, its text, or a problem about it."""
+"""The scenes that callers pass: objects, paths of files, YAML texts, or problems about a scene."""
 
 from pathlib import Path
 from typing import NamedTuple, Protocol, runtime_checkable
@@ -12,11 +12,11 @@ __all__ = ["GivenScene", "SceneLike", "given_scene", "scene_of"]
 
 @runtime_checkable
 class AboutScene(Protocol):
-    """What has a scene, or its YAML: an item, or a text that was read."""
+    """An object with a scene or the scene's YAML text: an item, or a parsed text."""
 
     @property
     def scene(self) -> Scene | str:
-        """The scene."""
+        """Return the scene, or its YAML text."""
         ...
 
 
@@ -25,18 +25,18 @@ SceneLike = Scene | Path | str | AboutScene
 
 
 class GivenScene(NamedTuple):
-    """A scene, and the text of its file; empty where there is none."""
+    """A scene, and the text of its file; the text is empty if there is none."""
 
     scene: Scene
     text: str = ""
 
 
 def given_scene(source: SceneLike, function: str) -> GivenScene:
-    """Return the scene that is given to a public `function`, and the text in which it stands.
+    """Return the scene passed to the public `function`, with the text of its file.
 
     Raises:
-        TypeError: something else is given.
-        SceneError, OSError: as `load`.
+        TypeError: `source` is none of the types in `SceneLike`.
+        SceneError, OSError: as in `load`.
     """
     if isinstance(source, Scene):
         return GivenScene(source)
@@ -53,5 +53,5 @@ def given_scene(source: SceneLike, function: str) -> GivenScene:
 
 
 def scene_of(source: SceneLike, function: str) -> Scene:
-    """Return the scene that is given to a public `function`; it raises what `given_scene` does."""
+    """Return the scene passed to the public `function`; errors as in `given_scene`."""
     return source if isinstance(source, Scene) else given_scene(source, function).scene

@@ -1,4 +1,4 @@
-"""The text of a scene: given as it is, or in a file, of which no more is read than a scene may have."""
+"""The text of a scene, given directly or in a file, read only up to the size limit of a scene."""
 
 import re
 from pathlib import Path
@@ -12,7 +12,7 @@ _PATH = re.compile(r"[^\n\0{\[]*\.(?:yaml|yml|json)")
 
 
 def source_text(source: str | Path) -> str:
-    """The text that `load` reads of such a source, no more of it than a scene may have; OSError as there."""
+    """Return a scene's text, given directly or in a file that is read up to the size limit; OSError as in `load`."""
     if isinstance(source, str) and not _PATH.fullmatch(source):
         return source
     with Path(source).open("rb") as file:
@@ -20,7 +20,7 @@ def source_text(source: str | Path) -> str:
 
 
 def decoded(data: bytes) -> str:
-    """The text of a file's bytes; SceneError if they are too many or not UTF-8."""
+    """Return the text of a file's bytes; SceneError if they are too many or not UTF-8."""
     if len(data) > MAX_BYTES:
         raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
     try:

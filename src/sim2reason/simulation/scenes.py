@@ -20,7 +20,7 @@ BOTH = "both"
 
 
 def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
-    """Simulate a scene for `duration`, by default its horizon, by both engines: the exact trace and its certificate.
+    """Simulate a scene with both engines for `duration`, by default its horizon; return exact trace and certificate.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
@@ -38,11 +38,11 @@ def simulate(
     *,
     truncate: bool = False,
 ) -> Trace:
-    """Simulate a scene for `duration`, by default its horizon, by one engine, recorded at equal intervals.
+    """Simulate a scene with one engine for `duration`, by default its horizon, and record it at equal intervals.
 
-    By `both` engines: the exact one's, cut where they part. `truncate` cuts where a sample stands out by 5σ, events
-    included. No state is recorded beyond the end of the description, `stable_until`: the last one is at it. Where that
-    is before a `duration` that was asked for, a MotionEndsWarning says so, and why.
+    With engine `both`, the trace is that of the exact engine, cut where the engines part. `truncate` cuts the trace
+    where a sample stands out by 5σ, events included. The last state is at `stable_until`, the end of the description.
+    If that is before a `duration` that was asked for, a MotionEndsWarning gives the reason.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
@@ -60,7 +60,7 @@ def simulate(
 
 
 def whole(scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
-    """The same recorded for the whole duration, as a plot has it: beyond `stable_until` the states mean nothing."""
+    """Simulate a scene for the whole duration, as plots need; the states after `stable_until` mean nothing."""
     if engine == BOTH:
         return certify(scene, duration, samples)[0]
     return ENGINES[engine](scene.mechanism, _times(scene, duration, samples))

@@ -149,7 +149,7 @@ class Trace:
 
 
 def ending(trace: Trace) -> str:
-    """Why the description of a motion ends, and of what that is true, in words; empty if nothing ended it."""
+    """Return the reason why the description of a motion ends, with the names concerned; empty if nothing ended it."""
     why = ENDINGS.get(trace.cut, trace.cut)
     last = next((event for event in reversed(trace.events) if event.kind == trace.cut), None)
     return f"{why} ({', '.join(last.subjects)})" if last is not None else why

@@ -28,7 +28,7 @@ _UNSOLVED: Final = re.compile(r"[^=]*(?:[0-9+*/^]|\\(?:d?frac|sqrt)(?![A-Za-z])|
 
 
 class MathVerify(Scoring):
-    """By value where our grammar reads both answers, else by math-verify. Needs: pip install math-verify."""
+    """Scoring by value where our grammar reads both answers, else by math-verify. Needs: pip install math-verify."""
 
     needs = ("math_verify",)
 
@@ -54,7 +54,7 @@ class MathVerify(Scoring):
 
 
 def _equal(answer: str, said: str) -> bool | None:
-    """Compare two answers by the project's own grammar; None if it cannot read them."""
+    """Return whether two answers are equal by the project's own grammar; None if the grammar cannot tell."""
     if "%" in answer + said or _NAMED.search(_COMMAND.sub(" ", answer)):
         return None
     if read(answer) is None or _LETTER.fullmatch(answer):

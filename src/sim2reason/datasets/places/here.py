@@ -1,4 +1,4 @@
-"""On this machine: worker processes that can be killed one by one.
+"""Worker processes on this machine that can be killed one by one.
 
 One pipe per worker and no lock between them: a worker that crashes, hangs or is killed takes only its own
 batch with it. (`concurrent.futures` loses the whole pool to one crash.) One worker alone is this process itself.
@@ -84,7 +84,7 @@ class _Worker:
 @PLACES.register(HERE)
 @contextmanager
 def here(crew: Crew) -> Generator[Run, None, None]:
-    """This machine; DatasetError for an address, for it has none, or for workers that can't know what they need."""
+    """Work on this machine; DatasetError for an address, or for workers that would lack the program's own members."""
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
     if _workers(crew) == 1:
@@ -94,7 +94,7 @@ def here(crew: Crew) -> Generator[Run, None, None]:
 
 
 def _workers(crew: Crew) -> int | None:
-    """How many are asked for; one where only this process knows what it takes, and nobody asks for more."""
+    """Return the number of workers asked for; 1 if the caller's program registers members, which no worker has."""
     own = further_members().get(PROGRAM, ())
     if own and (crew.workers or 1) > 1:
         raise DatasetError(
@@ -105,7 +105,7 @@ def _workers(crew: Crew) -> int | None:
 
 
 def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
-    """Work on what `source` gives in this process, batch after batch: what crashes or hangs, takes it along.
+    """Yield each batch from `source` with its reply, made in this process; a crash or hang takes the process down.
 
     DatasetError if the maker can't be imported.
     """

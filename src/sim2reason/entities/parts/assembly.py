@@ -89,7 +89,7 @@ class WeldedArm(Entity):
         return self
 
     def horizon(self, gravity: float) -> float | None:
-        """A period and a half of a small swing, s: 2π√(I/(m g d)); on Earth not more than 6 s. None without gravity."""
+        """Return 1.5 periods 2π√(I/(m g d)) of a small swing, s; on Earth at most 6 s. None without gravity."""
         if not gravity:
             return None
         inertia = moment = 0.0

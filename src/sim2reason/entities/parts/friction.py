@@ -1,8 +1,8 @@
-"""How the coefficients of static and of kinetic friction are told where they differ."""
+"""Sentences that state different coefficients of static and kinetic friction."""
 
 
 def two_coefficients(where: str, of: str = "") -> tuple[str, ...]:
-    """Ways to tell both, `where` they hold, as in *on this plane*; `of` is the field of the body that has them."""
+    """Return sentences that state both coefficients `where` they hold (*on this plane*); `of` is their field."""
     static, kinetic = (f"{{{of}{'.' * bool(of)}{name}}}" for name in ("static_friction", "friction"))
     return (
         f"the coefficients of static and kinetic friction {where} are {static} and {kinetic}, respectively.",

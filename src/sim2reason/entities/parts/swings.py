@@ -20,8 +20,8 @@ PERIODS = 1.5  # of a small swing that the motion is followed for
 
 
 def swings(length: float, gravity: float) -> float | None:
-    """The duration, s, of the swings that are followed of a bob at that distance, m, from a fixed point.
+    """Return how long, in s, to follow a bob that swings at a distance `length`, m, from a fixed point.
 
-    None without gravity, in m/s², since nothing swings then.
+    None if `gravity`, in m/s², is zero, since nothing swings then.
     """
     return PERIODS * 2.0 * pi * sqrt(length / gravity) if gravity else None

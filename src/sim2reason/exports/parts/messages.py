@@ -26,7 +26,7 @@ def facts(item: Item) -> dict[str, str]:
 
 
 def worked(item: Item) -> str | None:
-    """The worked solution, or those of all parts with their labels; None where the dataset has none."""
+    """Return an item's worked solution, or the labelled solutions of all its parts; None if any is missing."""
     if not item.parts:
         return item.solution.text if item.solution is not None else None
     pairs = zip(LABELS, item.parts, strict=False)

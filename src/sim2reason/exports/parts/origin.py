@@ -1,4 +1,4 @@
-"""Where this library was installed from, as pip knows it: it stands on no index by its name."""
+"""Source from which pip installed this library, which is on no package index."""
 
 import json
 from importlib.metadata import PackageNotFoundError, distribution
@@ -11,7 +11,7 @@ UNKNOWN = f"# {NAME}: write here the path of a clone of its repository"
 
 
 def requirement() -> str:
-    """Return the line of a requirements file by which pip installs the library from the same repository or folder."""
+    """Return the requirements line by which pip installs the library from its source; a comment if that is unknown."""
     try:
         origin: dict[str, Any] = json.loads(distribution(NAME).read_text("direct_url.json") or "{}")
     except PackageNotFoundError:

@@ -19,14 +19,14 @@ FLAT = 1e-6  # deg or units: none
 
 
 def is_push(setting: Setting, force: Force) -> bool:
-    """Whether a force is no field: the same everywhere and always, on a body without a charge."""
+    """Return whether a force is constant in space and time and acts on a body without a charge."""
     look = setting.look(force.body)
     charged = isinstance(look, Small) and bool(look.mark)
     return isinstance(force.law, Push) and force.law.constant and force.region is None and not charged
 
 
 def pushes(setting: Setting) -> Sketch:
-    """An arrow from the rim of the body for each, with its size, and the angle to the line along which that moves."""
+    """Return an arrow for each constant force, from the body's rim, with the stated magnitude and angle."""
     found = Sketch()
     for force in setting.mechanism.forces:
         if setting.owns(force.body) and is_push(setting, force):
@@ -60,7 +60,7 @@ def _draw(setting: Setting, force: Force, found: Sketch) -> None:
 
 
 def _bases(setting: Setting, name: str) -> list[complex]:
-    """Directions from which an angle may be counted: those along which the body moves, and the level ones."""
+    """Return the directions from which a force's angle is measured: the body's slides, then the horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
     ways = [unit(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
     return [sign * way for way in (*ways, RIGHT) for sign in (1.0, -1.0)]

@@ -31,7 +31,7 @@ def rides(setting: Setting, body: RigidBody) -> bool:
 
 
 def walls(setting: Setting, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
-    """Where lines in the direction of a rail through a point end in the room, or on a body."""
+    """Yield the ends of lines on the rail through `point` that are fixed in the room, or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)

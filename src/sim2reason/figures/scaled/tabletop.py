@@ -1,4 +1,4 @@
-"""A table from above: how far it reaches, and the walls that bound it."""
+"""Outline and bounding walls of a table seen from above."""
 
 from collections.abc import Mapping
 
@@ -8,14 +8,14 @@ from sim2reason.figures.vectors import Box, Polygon, box, unit
 
 
 def sheet(setting: Setting, area: Box) -> Polygon:
-    """The outline of a tabletop."""
+    """Return the outline of a tabletop that covers an area."""
     del setting
     left, low, right, high = area
     return (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
 
 
 def spread(setting: Setting, margin: float = 2.1) -> Box:
-    """The smallest rectangle around all bodies and the origin, with a margin."""
+    """Return the rectangle around all bodies, origins and field regions with a margin, cut off at a table's walls."""
     origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
     borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
     left, low, right, high = box([*(setting.at(body.name) for body in setting.members), *origins, *borders])
@@ -24,7 +24,7 @@ def spread(setting: Setting, margin: float = 2.1) -> Box:
 
 
 def cushions(setting: Setting) -> dict[complex, float]:
-    """Where walls bound a table, by the directions of the page that lead there, as n·r of their points."""
+    """Return the offset n·r of each wall of a table on the page, by the direction n from the table to the wall."""
     found: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
@@ -41,7 +41,7 @@ def _within(area: Box, bounds: Mapping[complex, float]) -> Box:
 
 
 def bounding_walls(setting: Setting, area: Box) -> list[Shape]:
-    """The walls of a table that reaches so far, hatched on their far side."""
+    """Return the walls that bound a table of the given area, hatched on their far side."""
     found: list[Shape] = []
     for way in cushions(setting):
         left, low, right, high = area

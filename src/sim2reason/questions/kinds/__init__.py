@@ -132,14 +132,14 @@ class Kind(ABC):
         """
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Return the names of what it can find, as a structured question says them; none by default."""
+        """Return the names of everything that a structured question of this kind can find; by default none."""
         del words
         return ()
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """The query that a structured question means, one of whose `finds` it names; None if it is another kind's.
+        """Return the query for a structured question about one of `finds`; None for another kind's question.
 
-        By default it is. TextError for a part that means nothing.
+        By default None. TextError for a part that has no meaning.
         """
         del asked, study, words
 
@@ -219,11 +219,11 @@ class ValueKind(Kind):
         return (*super().told(query, words, noun, value), *first)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Every quantity of the scene."""
+        """Return the names of all quantities in the scene."""
         return tuple(quantities_named(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """The quantity at a moment of this kind."""
+        """Return the query for a quantity at a moment of this kind; None at other moments."""
         del study
         moment = moment_of(asked, words) if asked.when != EQUILIBRIUM else None
         asks = moment and KINDS[moment.kind] is self

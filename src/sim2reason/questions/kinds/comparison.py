@@ -41,7 +41,7 @@ class ComparisonQuery(NestedQuery):
     grows: bool = True
 
     def others(self, study: Study) -> list[Study | None]:
-        """The one with the number changed."""
+        """Return the motion with the changed number."""
         return [self.changed(study)]
 
     def changed(self, study: Study) -> Study | None:
@@ -151,9 +151,9 @@ class ComparisonKind(NestedKind):
 
 
 def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> ComparisonQuery:
-    """How the answer to a query changes with a number, as *ramp.speed = 5 m/s* or *ramp.speed × 2* says.
+    """Return the query for an answer's change with a number, as in *ramp.speed = 5 m/s* or *ramp.speed × 2*.
 
-    TextError for what names no number of the scene, or has no value for it.
+    TextError if the change names no number of the scene, or has no value for the number.
     """
     change = re.fullmatch(r"(.*?)\s*([=×*])\s*(.*)", asked.change)
     if change is None:

@@ -116,11 +116,11 @@ class EquilibriumKind(Kind):
         return tuple(f"{noun.phrase} {when}" for when in _whens(query))
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Every quantity of the scene."""
+        """Return the names of all quantities in the scene."""
         return tuple(quantities_named(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """The quantity in equilibrium."""
+        """Return the query for a quantity in equilibrium; None for a question about another moment."""
         if asked.when != EQUILIBRIUM:
             return None
         rest, target = equilibrium(study.mechanism), target_named(asked, words)

@@ -33,7 +33,7 @@ class LimitQuery(NestedQuery):
     large: bool = True
 
     def others(self, study: Study) -> list[Study | None]:
-        """Those with the mass far beyond all others."""
+        """Return the motions in which the mass is far larger, or far smaller, than all others."""
         return self.extremes(study)
 
     def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:

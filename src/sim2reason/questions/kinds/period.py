@@ -160,12 +160,12 @@ class PeriodKind(Kind):
         return (noun_of(query, words),)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """A period, a frequency, or an angular frequency."""
+        """Return the names of the measures: period, frequency and angular frequency."""
         del words
         return tuple(MEASURES)
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """That of the motion, or of its small oscillations in equilibrium, of all modes the slowest."""
+        """Return the query for the period of the motion, or of the slowest small oscillation about equilibrium."""
         if asked.when == EQUILIBRIUM:
             modes = _modes(study.mechanism)
             count = len(modes.frequencies) if modes is not None else 1

@@ -168,12 +168,12 @@ class ThresholdKind(Kind):
         return tuple(f"{limit} {clause}" for limit, clause in product(limits, clauses))
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """The addresses of the numbers of the scene, where it has an outcome that may hang on them."""
+        """Return the addresses of the scene's numbers if the scene has an outcome that may depend on such a number."""
         possible = any(outcome.candidates(words) for outcome in OUTCOMES.values())
         return tuple(unknown.path for unknown in words.unknowns) if possible else ()
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """The number beyond which something happens, as in *ramp.plane.angle* when it *slides*."""
+        """Return the query for the critical value of a number, such as *ramp.plane.angle* for the outcome *slides*."""
         said = asked.when.replace("_", " ")
         spelled = {name.replace("_", " "): cls for name, cls in OUTCOMES.items()}
         does = max((name for name in spelled if said.endswith(name)), key=len, default="")

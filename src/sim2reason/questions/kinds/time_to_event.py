@@ -86,12 +86,12 @@ class TimeToEventKind(Kind):
         return () if self.told(query, words, noun, "") else self.called(query, words, noun)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """The time."""
+        """Return the name *time*."""
         del words
         return ("time",)
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """When a moment comes, or a quantity first has a stated value."""
+        """Return the query for the time of a moment, or of a quantity's first reaching a stated value."""
         del study
         return Query(self.name, None, moment_of(asked, words))
 

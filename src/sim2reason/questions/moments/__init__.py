@@ -71,7 +71,7 @@ class Moment(ABC):
 
     @property
     def ahead(self) -> float | None:
-        """When it comes in any motion, s: a stated time, or the start; None for what the motion brings about."""
+        """Return a moment's stated time, s, or 0 for the start; None if the motion determines the time."""
         if self.event or self.channels:
             return None
         return next((time for time, _ in self.stated), 0.0 if self.kind == "start" else None)

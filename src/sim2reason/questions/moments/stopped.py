@@ -64,13 +64,13 @@ class Stopped(Occurrence):
         return {c.name for c in words.mechanism.coordinates} | words.mechanism.contacts.keys()
 
     def time(self, trace: Trace) -> float | None:
-        """The time of the event, or when its speed only touches zero, if that comes first."""
+        """Return the time of the stop, s, or of an earlier instant at which the body's speed only touches zero."""
         event = Occurrence.time(self, trace)
         before = trace.stable_until if event is None else event
         return next((time for time in self._touches(trace, before)), event) if self.may_touch else event
 
     def _touches(self, trace: Trace, before: float) -> Iterator[float]:
-        """When its speed is least, and zero, before a time and without an event, s: it goes on the way it went."""
+        """Yield the times before `before`, s, at which the body's speed touches zero without an event."""
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
         early = speeds[times < before * (1.0 - SLOW)]
         lowest = early[1:-1][(early[1:-1] <= early[:-2]) & (early[1:-1] < early[2:])]

@@ -1,1 +1,1 @@
-"""Questions in ordinary English, read as questions in parts."""
+"""Questions in ordinary English, read as structured questions."""

@@ -1,4 +1,4 @@
-"""What people ask that the library has no question for: why not, and what to ask instead."""
+"""Questions that the library cannot pose, each with the reason and what to ask instead."""
 
 import re
 from collections.abc import Mapping
@@ -37,6 +37,6 @@ BEYOND: Mapping[str, str] = {
 
 
 def reason(sentence: str) -> str:
-    """Why the library has no question that a sentence asks, in a clause; empty if it is not known why."""
+    """Return a clause that says why the library cannot pose a sentence's question; empty if the reason is unknown."""
     plain = " ".join(sentence.lower().split())
     return next((told for like, told in BEYOND.items() if re.search(like, plain)), "")

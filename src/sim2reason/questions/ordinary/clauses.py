@@ -1,4 +1,4 @@
-"""The clauses of questions in ordinary English that name a moment, each with what reads it."""
+"""Clauses of questions in ordinary English that name a moment, each with its reader."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -14,7 +14,7 @@ Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """All moments that a clause may mean; one without a subject may be about any that is named."""
+    """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
     for told, reader in CLAUSES.items():
         found = pattern(told).fullmatch(clause)
         if found is None:
@@ -30,7 +30,7 @@ def _who(found: re.Match[str], heard: Heard, subject: str) -> str:
 
 
 def simply(name: str, side: str = "") -> Reader:
-    """A moment of one subject by its name."""
+    """Return a reader for a named moment of one subject, such as *stopped*."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         groups = found.groupdict()
@@ -42,7 +42,7 @@ def simply(name: str, side: str = "") -> Reader:
 
 
 def _turned_back(name: str, way: str) -> Reader:
-    """The highest or lowest point of a path; of a straight one that is where the body comes to rest."""
+    """Return a reader for the highest or lowest point of a path or, on a straight path, for the stop of the body."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         who = _who(found, heard, subject)
@@ -53,7 +53,7 @@ def _turned_back(name: str, way: str) -> Reader:
 
 
 def _alone(name: str) -> Reader:
-    """A moment that a scene has but one of, whoever is named."""
+    """Return a reader for a moment that a scene has only one of, whatever subject is named."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         del found, heard, subject
@@ -63,7 +63,7 @@ def _alone(name: str) -> Reader:
 
 
 def _jump(*names: str) -> Reader:
-    """Something at which velocities jump: it is asked about on one side of it."""
+    """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         who = _who(found, heard, subject)
@@ -78,7 +78,7 @@ def _jump(*names: str) -> Reader:
 
 
 def _meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-    """A collision of two that are named."""
+    """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
     del subject
     both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
     for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
@@ -86,7 +86,7 @@ def _meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Itera
 
 
 def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """What reaches the ground does so with the speed that it has before."""
+    """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
     who = _who(found, heard, subject)
     number = found.groupdict().get("number") or ""
     if side != AFTER and number in ("", "first"):
@@ -95,7 +95,7 @@ def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
 
 
 def _rather(reader: Reader) -> Reader:
-    """The same, only where the scene has nothing else that is called so."""
+    """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
@@ -104,7 +104,7 @@ def _rather(reader: Reader) -> Reader:
 
 
 def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """How far something has gone."""
+    """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
     who, number = _who(found, heard, subject), heard.number(found["n"])
     ways = ways_of(found, who)
     if _is_time(number):
@@ -155,7 +155,7 @@ def _apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 
 def _balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Where a body on one spring would stay at rest, or a distance from there."""
+    """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
     del subject
     number = found.groupdict().get("n")
     told = f"extension = {heard.number(number)}" if number else "natural length"
@@ -163,7 +163,7 @@ def _balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
 
 
 def _strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """A spring that is stretched, or compressed, by so much."""
+    """Yield the moment when a spring is stretched or compressed by a given length."""
     who = _who(found, heard, subject)
     way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
     yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
@@ -174,7 +174,7 @@ def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def _apsis(name: str) -> Reader:
-    """Where two bodies are farthest from each other, or closest; of what goes round what it goes round."""
+    """Return a reader for the moment when two bodies are farthest apart or closest together, whatever body is named."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         del heard, subject, found

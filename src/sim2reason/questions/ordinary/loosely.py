@@ -1,4 +1,4 @@
-"""Main clauses in any order of words: one quantity, of one subject, and nothing else that could matter."""
+"""Main clauses in any word order, with one quantity, at most one subject, and otherwise only filler words."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -27,7 +27,7 @@ _QUANTITY, _SUBJECT, _ASKS = pattern("QUANTITY"), re.compile(r"@\d+@"), re.compi
 
 
 def plainly_ordered(question: str) -> Iterator[str]:
-    """The same clause in the plain order, if it has one quantity, at most one subject, and fillers else."""
+    """Yield the plain word order of a clause that has one quantity, at most one subject, and otherwise only fillers."""
     quantities = re.findall(rf"(?<![\w-])(?:{_QUANTITY.pattern})(?![\w-])", question)
     subjects = _SUBJECT.findall(question)
     if len(quantities) != 1 or len(set(subjects)) > 1 or _ASKS.search(question) is None:

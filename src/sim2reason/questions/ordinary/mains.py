@@ -1,4 +1,4 @@
-"""The main clauses of questions in ordinary English that ask for a value: what is found, of what, along which axis."""
+"""Main clauses of questions in ordinary English that ask for a value: a quantity, its subject and its axis."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -40,7 +40,7 @@ FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
-    """All that a main clause may ask for; nothing if it asks for nothing known."""
+    """Yield every meaning of a main clause; nothing if the clause matches no known frame."""
     found = list(_framed(question, heard))
     yield from found or (main for plain in plainly_ordered(question) for main in _framed(plain, heard))
 
@@ -54,12 +54,12 @@ def _framed(question: str, heard: Heard) -> Iterator[Main]:
 
 @cache
 def frames() -> Mapping[str, Reader]:
-    """All frames of main clauses."""
+    """Return the readers of all main clauses, by the template of the clause."""
     return {**FRAMES, **STRETCHES}
 
 
 def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """A quantity by its noun."""
+    """Yield the quantity that a main clause names by a noun, for each subject."""
     groups = found.groupdict()
     name = meant(QUANTITIES, groups["q"])
     axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
@@ -97,28 +97,28 @@ def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How far away something lands, along the ground."""
+    """Yield the horizontal displacement of a body at its landing."""
     yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
 
 
 def _far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How far something goes till it stays at rest."""
+    """Yield the displacement of a body when the body comes to rest for good."""
     for of in each(heard, found["s"]):
         yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
 
 
 def _balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """A quantity where all would stay at rest."""
+    """Yield the value of a quantity in equilibrium, where every body would stay at rest."""
     yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in _quantity(found, heard))
 
 
 def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """A quantity just after the start."""
+    """Yield the initial value of a quantity, just after the start."""
     yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
 
 
 def _final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """What a quantity is at last, from the last happening on that changes it."""
+    """Yield the final value of a quantity, after each event that may be the last to change that quantity."""
     for main in _quantity(found, heard):
         for when in ("burned out", "stopped slipping", "collided", "last collision"):
             last = ((main.of, LASTS),)
@@ -126,14 +126,14 @@ def _final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """The speed of what moves together at last."""
+    """Yield the common speed of bodies that move together, at a named moment or after slipping has stopped."""
     for of in each(heard, found["s"]):
         yield Main("speed", of, needs=CLAUSED)
         yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
 
 
 def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Of what starts at the origin, along an axis."""
+    """Yield a body's coordinate along an axis: the displacement, presuming that the body starts at the origin."""
     for of in each(heard, found["s"]):
         yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
 
@@ -143,7 +143,7 @@ def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How far something moves: as far as it is from its starting point, if it has not gone farther than that."""
+    """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
     groups = found.groupdict()
     way = meant(WAYS, groups["way"]) if groups.get("way") else ""
     for of in each(heard, groups["s"]):
@@ -160,12 +160,12 @@ def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How fast something gets faster."""
+    """Yield the acceleration of a body that speeds up."""
     yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
 
 
 def _presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """The normal force between a body and what it lies on."""
+    """Yield the normal force between a body and the face on which the body lies."""
     face = heard.subject(found["t"])
     for of in each(heard, found["s"]):
         yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
@@ -175,7 +175,7 @@ GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
 def _potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """By how much a potential energy changes, for a body that goes up, or down."""
+    """Yield the change of a body's potential energy, presuming that the body goes up for a gain and down for a loss."""
     way = "up" if found["verb"] in GAINS else "down"
     for of in each(heard, found["s"]):
         yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))

@@ -1,4 +1,4 @@
-"""Questions that a scene can be asked, nearest to one that is not understood."""
+"""Suggested questions about a scene, nearest to a sentence that is not understood."""
 
 import re
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ COMMON = frozenset(
 
 
 def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:
-    """What to ask instead: the sentences that share most words with one that is not understood; and why, if known."""
+    """Return a hint for a sentence not understood: the reason, if known, and the questions that share most words."""
     why = reason(sentence)
     said = _words(sentence)
     offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
@@ -37,7 +37,7 @@ def _words(sentence: str) -> set[str]:
 
 
 def _offered(motion: FollowedMotion, words: Words) -> Iterator[PosedQuestion]:
-    """Every quantity, at a time and when something happens; and when that is."""
+    """Yield questions for when each kind of event happens, and for every quantity at an event or at a given time."""
     study = eventful(motion).study
     rng = np.random.default_rng(0)
     moments: list[Moment] = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]

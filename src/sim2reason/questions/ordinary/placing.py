@@ -1,4 +1,4 @@
-"""Readings in a scene: its axes, the one subject that can be meant, and the addresses of its numbers."""
+"""Placement of readings in a scene: names of axes, subjects left unsaid, and addresses of the scene's numbers."""
 
 import re
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ PERIODS = ("period", "frequency", "angular frequency")
 
 
 def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
-    """Readings with the names of the scene; one for each subject that may be meant where none is said."""
+    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject."""
     for reading in found:
         for of in _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
@@ -56,7 +56,7 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
-    """A turning point of a line that swings, or of an arm: it is that of the body on it, or of each."""
+    """Yield a moment; say an arm's turning point of each body, and a swinging line's turning point of no subject."""
     bodies = dict.fromkeys(words.called(Bodies()).values())
     arms = [said for said in words.called(TurningBodies()).values() if said not in bodies]
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
@@ -70,7 +70,7 @@ def _hung(told: str, words: Words) -> Iterator[str]:
 
 
 def _met(told: str, words: Words) -> str:
-    """A moment of two bodies that are named, with the name of their pair."""
+    """Return a moment with two colliding bodies replaced by the name of their pair; any other moment unchanged."""
     found = re.match(r"(.+?) & (.+?) (collided.*)", told)
     if found is None:
         return told
@@ -81,15 +81,15 @@ def _met(told: str, words: Words) -> str:
 
 
 def _carries(of: str, words: Words) -> bool:
-    """Whether something lies on a body, so that a force of contact on it may be that force, too."""
+    """Return whether another body lies on a named body, which makes a contact force on the named body ambiguous."""
     named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
     return any(words.mechanism.body[name].parent in named for name in words.mechanism.contacts)
 
 
 def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
-    """The name of the axis that is said: of the vertical, and of the only horizontal one, whatever the text calls it.
+    """Return the scene's name for the vertical or the only horizontal axis; any other axis is returned unchanged.
 
-    A velocity on a track along which places are counted has a sign: it is the component to the right.
+    A velocity on a track along which places are counted has a sign: without an axis, the axis is that to the right.
     """
     quantity = quantities_named(words.mechanism).get(asked.find)
     if quantity is None or said not in ("horizontal", "vertical", *(("",) if asked.find in SIGNED else ())):
@@ -111,7 +111,7 @@ def _upright(sense: Sense) -> bool:
 
 
 def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
-    """Questions for a number of the scene, by its address."""
+    """Yield the readings of a sentence that asks for a number of the scene, by the number's address."""
     for found in wanted(heard):
         path = _path(found, scene, words)
         if not path:
@@ -126,7 +126,7 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
 
 
 def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
-    """The address of a number that a scene has but once, or its owner has; empty if there is no such one."""
+    """Return the address of the number that a sentence asks for; empty unless exactly one number of the scene fits."""
     given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
     owners = [address for address, said in words.mentions.items() if said == found.owner]
     named = [path for path in given if path.rpartition(".")[2] == found.name]

@@ -1,4 +1,4 @@
-"""What a question in ordinary English takes for granted: that something is steady, that a body goes up, or slows."""
+"""Presumptions of a question in ordinary English, such as that a quantity is steady or that a body goes up."""
 
 from collections.abc import Callable, Iterator, Mapping
 from math import isclose
@@ -53,7 +53,7 @@ LATER = 1.05  # times the end of what is over: so long at least it must have bee
 
 
 class Case(NamedTuple):
-    """What a reading takes for granted of a subject in a motion, up to an instant that it asks about, s."""
+    """A case in which to test a presumption: a subject, the motion, the query, and the instant asked about, s."""
 
     who: str
     followed: Followed
@@ -63,11 +63,11 @@ class Case(NamedTuple):
 
 
 def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
-    """Why what is asked for without a moment is not one number, in a clause; empty if it is.
+    """Return a clause that says why a quantity asked for without a moment has no single value; empty if there is one.
 
-    It is if it does not change, its direction included if it is asked for as a `vector`; or until something happens,
-    `during` which it is asked for, or after which all rests. What is told by a word for one that is not zero may be
-    zero later, too: it `vanishes`.
+    A value is single if it does not change, its direction included for a `vector`. It may change from the first event
+    on if the question asks `during` the motion before that event, or if everything is at rest afterwards. If the
+    question's wording implies a value other than zero (`vanishes`), it may also be zero afterwards.
     """
     values = target.values(trace.scan)[:, None]
     if vector:
@@ -86,7 +86,7 @@ def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector
 
 
 def two_sided(query: Query, study: Study, side: str) -> bool:
-    """Whether a quantity jumps at a moment of which no side is named."""
+    """Return whether the quantity of a query jumps at the query's moment while the question names no side."""
     moment, target = query.moment, query.target
     if moment is None or target is None or moment.sided is not None or moment.ahead is not None or side == AFTER:
         return False
@@ -98,7 +98,7 @@ def two_sided(query: Query, study: Study, side: str) -> bool:
 
 
 def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:
-    """What a reading takes for granted that is not so, in clauses; empty ones for what is."""
+    """Yield a clause for each presumption of a reading that fails, and an empty string for each that holds."""
     trace = followed.study.trace
     time = followed.study.time(query.moment) if query.moment is not None else None
     events = (event.time for event in trace.events if event.time > 0.0)
@@ -137,7 +137,7 @@ def _lies(who: str, face: str, words: Words) -> bool:
 
 
 def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
-    """Whether its distance from its starting point along an axis is its coordinate: no ground has another origin."""
+    """Return whether a body starts at the origin of an axis; false where heights count from the ground."""
     name = _name(who, words)
     if not name or Height().subjects(words.mechanism):
         return False
@@ -162,7 +162,7 @@ def _stretched(case: Case) -> bool:
 
 
 def _relaxed_at_rest(case: Case) -> bool:
-    """Whether the only spring is neither stretched nor compressed in equilibrium."""
+    """Return whether the only spring is neither stretched nor compressed in equilibrium."""
     rest = equilibrium(case.words.mechanism)
     springs = list(case.words.called(Springs()))
     if rest is None or rest.free or len(springs) != 1:
@@ -181,7 +181,7 @@ def _only(case: Case) -> bool:
 
 
 def _over(case: Case) -> bool:
-    """Whether a functional is no greater at the end of what is known of a motion, and that is some time later."""
+    """Return whether a functional keeps its value from the instant asked about to a later end of the known motion."""
     trace = case.followed.study.trace
     if not isinstance(case.query, StretchQuery) or trace.stable_until < LATER * case.then:
         return False
@@ -190,14 +190,14 @@ def _over(case: Case) -> bool:
 
 
 def _rising(case: Case) -> bool:
-    """Whether the answer is a height that is not zero."""
+    """Return whether the answer, a height above the start, is greater than zero."""
     scan = case.followed.study.trace.scan
     moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.called(Bodies()))
     return (case.followed.answer or 0.0) > STEADY * moved
 
 
 def _rolling(case: Case) -> bool:
-    """Whether something that could slip has not, from the start."""
+    """Return whether a body has rolled without slipping since the start; true for a body that cannot roll on a face."""
     name, trace = _name(case.who, case.words), case.followed.study.trace
     if name not in case.words.mechanism.contacts or not rolls(case.words, name):
         return True
@@ -207,13 +207,13 @@ def _rolling(case: Case) -> bool:
 
 
 def _rests(case: Case) -> bool:
-    """Whether all that moves is at rest for good."""
+    """Return whether all bodies are at rest for good by the end of the motion."""
     trace = case.followed.study.trace
     return trace.stable_until > LATER * case.then and ends_at_rest(trace)
 
 
 def _lasts(case: Case) -> bool:
-    """Whether a quantity keeps its value to the end of what is known of a motion, and that is some time later."""
+    """Return whether a quantity keeps its value from the instant asked about to a later end of the known motion."""
     trace = case.followed.study.trace
     if case.query.target is None or trace.stable_until < LATER * case.then:
         return False
@@ -222,7 +222,7 @@ def _lasts(case: Case) -> bool:
 
 
 def _straight(case: Case) -> bool:
-    """Whether a body has gone straight ahead so far."""
+    """Return whether a body has moved in a straight line, without turning back, up to the instant asked about."""
     name, scan = _name(case.who, case.words), case.followed.study.trace.scan
     if not name:
         return False
@@ -233,7 +233,7 @@ def _straight(case: Case) -> bool:
 
 
 def _one_way(case: Case) -> bool:
-    """Whether a body goes straight up or down, or along the only line that it can go along."""
+    """Return whether a body moves straight up or down, or along the only line on which the body can move."""
     name = _name(case.who, case.words)
     if not name:
         return False

@@ -1,4 +1,4 @@
-"""What several tables of main clauses share: what they give, and the simplest of their readers."""
+"""Meanings of main clauses, and the simple readers that several tables of main clauses share."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -13,12 +13,12 @@ FREE, STRETCH, MOMENT, CLAUSED, LANDING = "free", "stretch", "moment", "claused"
 
 @dataclass(frozen=True, slots=True)
 class Main:
-    """What is found, of what, along which axis; what is taken for granted of ways; and the moment that it implies.
+    """A meaning of a main clause: the quantity, its subject and axis, the presumed ways, and the implied moment.
 
-    `needs` says whether it asks for a value at a moment, which is steady where none is named; for something over a
-    stretch of the motion, up to a moment or the whole of it; for something *free* of moments; or for a value only
-    beside a clause, that of a landing at most. Those of a higher `rank` are meant only where the scene has none of a
-    lower one.
+    `needs` says whether the clause asks for a value at a moment, which is steady where no moment is named; for a
+    quantity over a stretch of the motion, up to a moment or the whole motion; for a quantity *free* of moments; or for
+    a value only beside a clause, or only beside the clause of a landing. A meaning of a higher `rank` counts only where
+    the scene has none of a lower rank.
     """
 
     find: str
@@ -34,13 +34,13 @@ Reader = Callable[[re.Match[str], Heard], Iterator[Main]]
 
 
 def each(heard: Heard, token: str | None) -> tuple[str, ...]:
-    """The subjects that a token stands for: one, or all that share a noun."""
+    """Return the subjects that a token stands for: a single subject, or all members of a joint phrase."""
     said = heard.subject(token)
     return tuple(said.removeprefix(f"{ALL} ").split(" & ")) if said.startswith(f"{ALL} ") else (said,)
 
 
 def of_one(*finds: str, needs: str = MOMENT) -> Reader:
-    """Something of one subject, by any of several names."""
+    """Return a reader for one or several quantities of the subject that a main clause names."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         for of in each(heard, found.groupdict().get("s")):
@@ -50,7 +50,7 @@ def of_one(*finds: str, needs: str = MOMENT) -> Reader:
 
 
 def of_none(*finds: str, needs: str = MOMENT) -> Reader:
-    """Something of the only subject that it can be of, whatever is named."""
+    """Return a reader for quantities of the only subject in the scene that has them, whatever subject is named."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         del found, heard
@@ -60,7 +60,7 @@ def of_none(*finds: str, needs: str = MOMENT) -> Reader:
 
 
 def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
-    """What implies its moment, as the time in the air does."""
+    """Return a reader for a quantity that implies its moment, as the time in the air implies the landing."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         who = heard.subject(found.groupdict().get("s"))

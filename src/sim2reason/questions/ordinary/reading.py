@@ -1,4 +1,4 @@
-"""The readings of a question in ordinary English: all questions in parts that it may be."""
+"""Readings of a question in ordinary English: all structured questions that a sentence may ask."""
 
 import re
 from collections.abc import Iterator
@@ -35,11 +35,12 @@ _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?=
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A question in parts; on which side of its moment it asks; and what it takes for granted.
+    """A structured question that a sentence may ask, the side of its moment, and its presumptions.
 
-    That is which ways bodies have `gone` till then, and are `moving` then. One that is `steady` names no moment: it
-    asks for what does not change. Those of a higher `rank` are meant only where the scene has none of a lower one.
-    Where a number of the scene decides an outcome, it is the `least` or the greatest for which that `happens`, or not.
+    The presumptions are the ways that bodies have `gone` until the moment and are `moving` at the moment. A `steady`
+    reading names no moment: it asks for a value that does not change. A reading of a higher `rank` counts only where
+    the scene has none of a lower rank. Where a number of the scene decides an outcome, the reading asks for the `least`
+    or the greatest number for which the outcome `happens`, or does not.
     """
 
     asked: StructuredQuestion
@@ -53,7 +54,7 @@ class Reading:
 
 
 def readings(heard: Heard) -> tuple[Reading, ...]:
-    """All that a sentence may ask; empty if it is not understood."""
+    """Return all readings of a sentence; empty if the sentence is not understood."""
     for told in (heard, _together(heard)):
         found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
         if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading))):
@@ -62,7 +63,7 @@ def readings(heard: Heard) -> tuple[Reading, ...]:
 
 
 def _together(heard: Heard) -> Heard:
-    """The same with two that are named side by side as one subject: what is asked of both."""
+    """Return a sentence with two subjects joined by *and* merged into one, so that the question is asked of both."""
     found = _BOTH.search(heard.text)
     if found is None:
         return heard
@@ -72,7 +73,7 @@ def _together(heard: Heard) -> Heard:
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
-    """One for each of several that do the same."""
+    """Yield a reading for each of the several subjects of its moment; a collision stays a single reading."""
     several = _SEVERAL.search(reading.asked.when)
     if several is None or "collided" in reading.asked.when:
         yield reading
@@ -84,7 +85,7 @@ def _of_each(reading: Reading) -> Iterator[Reading]:
 
 
 def _parts(text: str) -> Iterator[tuple[str, str, str]]:
-    """The main clause, the clause beside it and its side, however they are put."""
+    """Yield every split of a sentence into a main clause, a clause that names a moment, and the side of the moment."""
     text = re.sub(r" (?:,)$", "", text)
     stated, parted, question = text.rpartition(". ")
     if parted and "." not in stated:
@@ -125,7 +126,7 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
-    """An extreme on the way up, or down: until the body turns back."""
+    """Yield readings for a stretch of the way up or down, until the body turns back, or until slipping stops."""
     alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
     if side not in (DURING, THEN) or main.needs != STRETCH or not (main.of or alone):
         return
@@ -141,7 +142,7 @@ def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Re
 
 
 def _whole(main: Main) -> Iterator[Reading]:
-    """What is asked up to no moment: till the end of a flight, or till it rests; on its way up, till it turns back."""
+    """Yield readings of a distance asked for without a moment: up to the landing, the bounce or the body's stop."""
     way = next((way for _, way in main.ways if way in ("up", "down")), "")
     for rank, when in enumerate(("landed", "bounced", "stopped")):
         told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
@@ -149,7 +150,7 @@ def _whole(main: Main) -> Iterator[Reading]:
 
 
 def _late(clause: str) -> bool:
-    """Whether a clause names what happens: what is asked for *after* it does not begin at the start."""
+    """Return whether a clause names an event, not a number: a stretch *after* an event does not begin at the start."""
     return "#" not in clause
 
 

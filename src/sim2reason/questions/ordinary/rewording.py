@@ -1,4 +1,4 @@
-"""Turns of phrase that say no more than plainer ones: a question is reworded before anything is looked for in it."""
+"""Turns of phrase and their plainer equivalents, which replace them before a question is read."""
 
 from collections.abc import Mapping
 
@@ -39,7 +39,7 @@ REWORDINGS: Mapping[str, str] = {
 
 
 def reworded(text: str) -> str:
-    """A question without its turns of phrase."""
+    """Return a question with its turns of phrase replaced by plainer equivalents."""
     for told, plain in REWORDINGS.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

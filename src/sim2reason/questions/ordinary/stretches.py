@@ -1,4 +1,4 @@
-"""Main clauses that ask for what a stretch of the motion adds up to, for its extremes, and for periods."""
+"""Main clauses that ask for a total or an extreme over a stretch of the motion, or for a period."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -16,7 +16,7 @@ TURNS = {"greatest compression": "most compressed", "greatest extension": "most 
 
 
 def _extreme(size: str) -> Reader:
-    """The greatest or least of a quantity over a stretch of the motion."""
+    """Return a reader for the greatest or least value of a quantity over a stretch of the motion."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
@@ -33,54 +33,54 @@ def _extreme(size: str) -> Reader:
 
 
 def _rise(of: str) -> Iterator[Main]:
-    """How high something gets above where it starts; of what comes down that is where it turns back."""
+    """Yield the greatest height of a body above its start, up to the highest point or the stop of the body."""
     for rank, when in enumerate(("highest point", "stopped"), start=1):
         yield Main("greatest height", of, needs=FREE, ways=((of, "up"),), when=When(f"{of} {when}"), rank=rank)
 
 
 def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How high something gets above the ground."""
+    """Yield the height of a body above the ground at the highest point or, failing that, where the body stops."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
 
 
 def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How far from where it is thrown something lands, along the ground."""
+    """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
     for of in each(heard, found["s"]):
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed"))
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced"), rank=1)
 
 
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How high something gets: above the ground, or above where it starts; if that is there, it means one thing."""
+    """Yield the greatest height of a body above its start and, at a lower priority, above the ground."""
     yield from _above_start(found, heard)
     yield from (replace(main, rank=main.rank + 1) for main in _highest(found, heard))
 
 
 def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How high something gets above where it starts."""
+    """Yield the greatest height of a body above its start, presuming that the body rises."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
 
 
 def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How long something goes one way: until it turns back."""
+    """Yield the time for which a body moves one way, until the body turns back."""
     for of in each(heard, found["s"]):
         if ways := ways_of(found, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
 
 
 def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """How far the point of an orbit that has a name is from what it goes round."""
+    """Yield the distance of two bodies at the nearest or farthest point of an orbit, such as the perihelion."""
     del heard
     near = pattern("NEAREST").fullmatch(found["apsis"]) is not None
     yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
 
 
 def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """What friction dissipates: up to a moment, or in all, which is until nothing slips any more."""
+    """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
     del found, heard
     yield Main("energy dissipated by friction", needs=STRETCH)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
@@ -88,13 +88,13 @@ def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _lost(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """What a body loses in a collision: the only one so far."""
+    """Yield the energy lost in collisions up to a moment, presuming a single collision by that moment."""
     del found, heard
     yield Main("energy lost in collisions", needs=STRETCH, ways=(("", ONCE),))
 
 
 def _in_collision(*finds: str) -> Reader:
-    """Something of a collision, the first if none is named: it must be the only one."""
+    """Return a reader for quantities of a named collision or, where none is named, of the motion's only collision."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         del found, heard
@@ -106,7 +106,7 @@ def _in_collision(*finds: str) -> Reader:
 
 
 def _most(name: str) -> Reader:
-    """The greatest strain of a spring, in a motion that repeats itself or up to when it has it."""
+    """Return a reader for a spring's greatest extension or compression, over the whole motion or up to that extreme."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         for of in each(heard, found["s"]):
@@ -117,7 +117,7 @@ def _most(name: str) -> Reader:
 
 
 def _at_once(*finds: str) -> Reader:
-    """Something of the only pair, or of one body, that happens in a collision."""
+    """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
     return of_none(*finds, needs=STRETCH)
 
 

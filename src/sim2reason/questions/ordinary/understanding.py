@@ -1,4 +1,4 @@
-"""What a question in ordinary English asks of a motion: all its readings must come to the same answer."""
+"""Understanding of a question in ordinary English about a motion: all its readings must have the same answer."""
 
 from dataclasses import dataclass
 from math import isclose
@@ -23,7 +23,7 @@ SAME = 1e-6  # relative: answers that differ by less are one
 
 @dataclass(frozen=True)
 class Understood:
-    """What a sentence asks, in parts and as a query, and the answer with the motion that has it."""
+    """A sentence understood: the structured question, the posed question, and the answer with its motion."""
 
     asked: StructuredQuestion
     posed: PosedQuestion
@@ -31,10 +31,10 @@ class Understood:
 
 
 def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
-    """What a sentence asks, and its answer; None if it is none that is understood.
+    """Return the question that a sentence asks, and its answer; None if the sentence is not understood.
 
     Raises:
-        TextError: it can be read in several ways, which have different answers; or what it takes for granted is not so.
+        TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
     questions = [*placed(readings(heard), words), *numbers_wanted(heard, motion.study.scene, words)]
@@ -50,7 +50,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
 
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
-    """Those that can be asked, and why one that can is not what is meant."""
+    """Return the readings that fit a motion, and why the first unfit reading does not; empty if all readings fit."""
     found: list[Understood] = []
     refused = ""
     for reading in questions:
@@ -67,7 +67,7 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
 
 
 def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:
-    """Why a reading can't be what is meant; empty if it can."""
+    """Return why a reading cannot be the meaning of a sentence; empty if the reading can be."""
     if followed.answer is None:
         return ""
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):
@@ -87,7 +87,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
 
 
 def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
-    """Why a number is not the least or the greatest that is wanted; empty if it is, or neither is asked for."""
+    """Return why a threshold is not the least or the greatest number asked for; empty if nothing is wrong."""
     query = question.query
     if reading.least is None or not isinstance(query, ThresholdQuery):
         return ""
@@ -96,7 +96,7 @@ def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
 
 
 def _agree(found: list[Understood], words: Words) -> None:
-    """Refuse a sentence whose readings differ, with all of them."""
+    """Raise TextError, which lists all readings of a sentence, if the readings have different answers."""
     answers = [each.followed.answer for each in found]
     if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=SAME, abs_tol=1e-12) for answer in answers):
         return

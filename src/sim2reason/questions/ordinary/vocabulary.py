@@ -1,8 +1,8 @@
-"""What people call things: the words of ordinary English that the reader knows, each table for one meaning.
+"""Vocabulary of the reader: tables of the words and phrases that people use in ordinary English.
 
-Its patterns stand for whole questions on lower-case text without articles, with tokens for subjects (``@0@``) and for
-numbers with their unit (``#0#``). A sentence with a word that no pattern has is not understood, so that no word is
-passed over that could matter, a *not* or a *half* above all.
+Patterns match whole questions in lower-case text without articles, with tokens for subjects (``@0@``) and for numbers
+with their unit (``#0#``). A sentence with a word that no pattern has is not understood, so that no word that could
+matter, above all a *not* or a *half*, is passed over.
 """
 
 import re
@@ -195,13 +195,13 @@ WAYS: Mapping[str, str] = {
 
 
 def either(phrases: Iterable[str]) -> str:
-    """A group that matches any of some phrases, the longest first, with the words of the tables in them."""
+    """Return a regular expression group that matches any of the phrases, longest first, with table names expanded."""
     longest = sorted(dict.fromkeys(phrases), key=len, reverse=True)
     return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda found: _macro(found[0]), phrase) for phrase in longest)})"
 
 
 def meant(tables: Mapping[str, str], said: str, parted: str = "|") -> str:
-    """Which entry of a table is said; empty if none is."""
+    """Return the name of the table entry that a phrase matches; empty if no entry matches."""
     return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), said)), "")
 
 
@@ -220,10 +220,10 @@ def _macro(name: str) -> str:
 
 @cache
 def pattern(told: str) -> re.Pattern[str]:
-    """What matches a whole text that is told so: words in capitals stand for those of a table, as a group or not.
+    """Return the compiled regular expression of a template, in which a name in capitals stands for a table's words.
 
     ``{s}`` and ``{t}`` are subjects, ``{n}`` is a number with its unit; ``{way=WAY}`` is a named group of a table.
-    What stands in square brackets may be left out, and ``~`` stands for any auxiliaries.
+    Text in square brackets is optional, and ``~`` stands for any auxiliaries.
     """
     told = told.replace("{s}", r"(?P<s>@\d+@)").replace("{t}", r"(?P<t>@\d+@)").replace("{n}", r"(?P<n>#\d+#)")
     told = re.sub(r"\{([a-z]+)=([A-Z_]+)\}", lambda found: f"(?P<{found[1]}>{_macro(found[2])})", told)

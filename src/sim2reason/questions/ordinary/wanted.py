@@ -1,4 +1,4 @@
-"""Questions in ordinary English for a number of the scene: it leads to a result, or decides what happens."""
+"""Questions in ordinary English for a number of the scene that leads to a result or decides an outcome."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -85,9 +85,11 @@ _AT_TIME = "[{t} ]~(?P<clause>.+?) (?:after|at t =) {n}"
 
 @dataclass(frozen=True, slots=True)
 class WantedNumber:
-    """A number of the scene: its name and whose it is; the result that it leads to, of what, and when.
+    """A number of the scene that a sentence asks for: its name, its owner, and the result that it leads to.
 
-    Or the outcome that it decides, `does`, whether that happens, and at which end of those numbers.
+    The result `given`, such as *velocity = 2 m/s*, holds for the subject `of` at the moment `when`. A number that
+    decides an outcome has the outcome `does` of that subject instead, whether the outcome `happens`, and whether the
+    `least` or the greatest such number is asked for.
     """
 
     name: str
@@ -101,7 +103,7 @@ class WantedNumber:
 
 
 def wanted(heard: Heard) -> Iterator[WantedNumber]:
-    """All numbers that a sentence may want."""
+    """Yield every number of the scene that a sentence may ask for."""
     for told in _FRAMES:
         found = _compiled(told).fullmatch(heard.text)
         if found is not None:
@@ -125,7 +127,7 @@ def _compiled(told: str) -> re.Pattern[str]:
 
 
 def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[WantedNumber]:
-    """The results that a clause states."""
+    """Yield a wanted number for each way to read the result that a clause states."""
     for told in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
         found = _compiled(told).fullmatch(rest)
         if found is None:

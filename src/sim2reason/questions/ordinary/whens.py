@@ -1,4 +1,4 @@
-"""When a question in ordinary English asks: a moment in structured form, and where its clause stands in a sentence."""
+"""Moments of questions in ordinary English, and the splitting of a sentence into a question and a clause."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -24,10 +24,10 @@ _LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """A moment as a structured question names it, the side of it that is meant, and which ways bodies go till then.
+    """A moment as a structured question names it, the side of the moment, and the presumed ways of bodies until then.
 
-    `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of what is taken for granted. Those
-    of a higher `rank` are meant only where the scene has none of a lower one.
+    `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of each presumption. A moment of a
+    higher `rank` counts only where the scene has none of a lower rank.
     """
 
     told: str
@@ -37,7 +37,7 @@ class When:
 
 
 def split(text: str) -> Iterator[tuple[str, str, str]]:
-    """The question and the clause with its side, for every way to part a sentence; the whole of it first."""
+    """Yield every split of a sentence into a question, a clause and the clause's side, the whole sentence first."""
     yield text, "", ""
     for ending in (" initially", " at first"):
         if text.endswith(ending):
@@ -57,7 +57,7 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
-    """Which ways a subject goes, as a verb and what stands beside it tell."""
+    """Return the ways in which a subject moves, as told by the matched verb and the words beside that verb."""
     groups = found.groupdict()
     verb = meant(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
     told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())

@@ -19,7 +19,7 @@ class QuestionApart(PromptShape):
     share = 0.8
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Put the question into a paragraph of its own; None after a table, which an empty line always follows."""
+        """Return the text with the question as its own paragraph; None after a table, which ends with an empty line."""
         del rng
         return None if is_table(description.sentences[-1]) else f"{description.text}{BETWEEN}{question}"
 

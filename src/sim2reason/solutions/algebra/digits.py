@@ -27,7 +27,7 @@ def rounded(value: float, digits: int = DIGITS) -> str:
 
 
 def in_full(value: float) -> str:
-    """A number with all its digits, in LaTeX; with a power of ten where Python writes it so."""
+    """Write a number with all its digits in LaTeX, with a power of ten where Python uses an exponent."""
     mantissa, _, power = repr(value).partition("e")
     return rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
 

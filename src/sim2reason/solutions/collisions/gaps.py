@@ -1,4 +1,4 @@
-"""How far bodies on a line, or a body and a wall, are apart at t = 0, in the symbols of the text."""
+"""Distances between bodies on a line, or between a body and a wall, at t = 0, in the symbols of the text."""
 
 from sim2reason.dsl.frames import Frames
 from sim2reason.dsl.mechanism import Mechanism
@@ -10,9 +10,9 @@ Side = tuple[Frames, Mechanism]
 
 
 def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -> Polynomial:
-    """How far apart the two of a meeting are, m; UnreadError if that is no simple function of the text's numbers.
+    """Return the gap between the partners of a meeting, m; UnreadError if the text's numbers give no simple function.
 
-    Of a disc and a wall it may be a sum of three lengths: the place of the wall, that of the disc and its radius.
+    For a disc and a wall the gap may be a sum of three lengths: the positions of the wall and the disc, and the radius.
     """
     sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
     whole = Both(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
@@ -26,7 +26,7 @@ def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -
 
 
 def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
-    """A length that the text says, or minus that, and a sum of two; entities may stand anywhere, so none is first."""
+    """Return a gap as a length of the text, or its negative, plus a sum of two lengths; None if no length fits."""
     for length in reversed(lexicon.lengths):
         for sign in (1.0, -1.0):
             try:
@@ -38,7 +38,7 @@ def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
 
 
 def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
-    """Where the second of a meeting is along the normal, seen from the first or from the origin of the room."""
+    """Return the position of the second partner of a meeting along the normal, from the first or the room's origin."""
     met = mechanism.meetings[number]
     assert met.normal is not None
     other = frames.center(met.b).place

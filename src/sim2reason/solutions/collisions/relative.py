@@ -26,7 +26,7 @@ class RelativeMotion:
         return self.names[-1]
 
     def quotient(self) -> Expression:
-        """Return the first of two named numbers over the second; UnsolvedError where one was zero, as of a gap."""
+        """Return the first named number divided by the second; UnsolvedError if one of the two was zero, as a gap."""
         if len(self.names) != 2:
             raise UnsolvedError("two that touch collide as soon as they approach each other")
         return ratio(*self.names)

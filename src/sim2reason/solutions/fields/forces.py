@@ -41,7 +41,7 @@ class Drive:
         return self.strength + self.growth * time if self.growth is not None else self.strength
 
     def angle(self, time: Expression) -> Expression:
-        """Of which an oscillating field is the cosine."""
+        """Return the argument νt + φ of the cosine of an oscillating field."""
         assert self.frequency is not None
         return self.frequency * time + self.phase
 
@@ -90,12 +90,12 @@ class Fields:
 
     @cached_property
     def clock(self) -> Symbol:
-        """The time since the start, which runs."""
+        """The symbol τ of the running time since the start."""
         return self.book.fresh(r"\tau")
 
     @cached_property
     def instant(self) -> Symbol:
-        """The time of the moment that is asked about."""
+        """The symbol t of the time of the moment that a question asks about."""
         return self.book.fresh("t")
 
     @cached_property

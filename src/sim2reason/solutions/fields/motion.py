@@ -93,7 +93,7 @@ class Driven(FieldMotion):
         return found + HALF * second * Power(time, 2) if second is not None else found
 
     def _drift(self, drive: Drive) -> Expression:
-        """The velocity that it keeps on average from the phase at which an oscillating field begins."""
+        """Return the velocity by which the initial phase of an oscillating field lowers the mean velocity."""
         assert drive.frequency is not None
         return drive.strength / drive.frequency * Call("sin", drive.phase)
 

@@ -131,7 +131,7 @@ class HeatGoal(SumGoal):
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of what slips; where that rolls, the point of contact slips, and not the centre alone."""
+        """Return words for the energy that friction dissipates, for a rolling body by the slip of the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
         return f"the energy that friction on {setting.called(target.subject)} dissipates{how}"

@@ -131,7 +131,7 @@ class Dynamics:
         return found
 
     def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
-        """Convert velocities or displacements relative to carriers to those relative to the ground, if named."""
+        """Convert the given velocities or displacements from relative to carriers to relative to the ground."""
         found = dict(relative)
         for k, (j, sign) in self.carried.items():
             if k in found or j in found:

@@ -36,7 +36,7 @@ def needs_modulus(setting: Setting, book: Book, held: Expression, body: str) -> 
 
 
 def reason_for_negative(setting: Setting, book: Book, held: Expression, body: str) -> str:
-    """Return a clause stating that a quantity is negative, or an empty text if the answer does not suppose that."""
+    """Return a clause that a quantity is negative; empty for an answer in numbers or one written as a modulus."""
     if not book.in_symbols or setting.formula is None or BAR in setting.formula.latex:
         return ""
     why = " under the assumption made" if has_either_sign(setting, book, held, [body]) else ""
@@ -44,7 +44,7 @@ def reason_for_negative(setting: Setting, book: Book, held: Expression, body: st
 
 
 def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[bool]:
-    """Yield the sign of a quantity, as whether it is positive, for random numbers in place of the given ones."""
+    """Yield whether a quantity is positive, for random numbers in place of the given numbers."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)

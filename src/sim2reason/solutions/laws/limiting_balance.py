@@ -23,10 +23,10 @@ REST = 1e-6  # m/s²: the rounding of an acceleration that is zero at the limit
 
 
 class _AtLimit(Newton):
-    """The laws with static friction, at its greatest, of what is about to slip."""
+    """Newton's laws with the greatest static friction on a body that is about to slip."""
 
     def coefficient(self, face: int) -> Polynomial:
-        """µ_s."""
+        """Return µ_s, the coefficient of static friction of a face."""
         return self.static_coefficient(face)
 
 
@@ -34,7 +34,7 @@ class LimitingDynamics(WrittenDynamics):
     """Newton's laws and their unknowns at the instant at which a body is about to move."""
 
     def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
-        """UnreadError if the mechanism is of another kind."""
+        """Prepare the laws of a segment at the limit; UnreadError if the mechanism is of another kind."""
         super().__init__(setting, book, segment)
         self.newton = _AtLimit(setting.lexicon, segment)
 

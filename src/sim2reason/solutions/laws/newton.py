@@ -78,7 +78,7 @@ class Newton:
 
     @cached_property
     def scale(self) -> list[Both]:
-        """By what the rate of each coordinate is multiplied: the radius of a wheel's rim, its larger one, else one."""
+        """The factor of each coordinate's rate: the radius of a wheel's rim (the larger of two), or else 1."""
         found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)
@@ -91,7 +91,7 @@ class Newton:
 
     @cached_property
     def _rims(self) -> dict[int, list[Both]]:
-        """The radii at which lines are wound round what turns, by its coordinate."""
+        """The radii at which lines are wound round a rotating body, by the number of its coordinate."""
         found: dict[int, list[Both]] = {}
         for number, line in enumerate(self.mechanism.lines):
             for place, wheel in enumerate(line.wheels):
@@ -100,7 +100,7 @@ class Newton:
         return found
 
     def _over(self, number: Both, *coordinates: int) -> Polynomial:
-        """A number over the scales of coordinates; where there are several radii, over the symbol of the larger one."""
+        """Divide a number by the scales of coordinates, or by the symbol of the larger radius if there are several."""
         stepped = [k for k in coordinates if len(set(self._rims.get(k, ()))) > 1]
         plain = (self.scale[k] for k in coordinates if k not in stepped)
         radii = (self.lexicon.read(self.scale[k]).symbol for k in stepped)
@@ -200,7 +200,7 @@ class Newton:
         return self._over(self._stretch(number, k), k)
 
     def _stretch(self, number: int, k: int) -> Both:
-        """The same in numbers, which many laws ask for; not over the radius of a rim."""
+        """Return the numeric change of a line's length with a coordinate, not divided by the radius of a rim."""
 
         def along(m: Mechanism, f: Frames) -> float:
             line = m.lines[number]
@@ -253,11 +253,11 @@ class Newton:
         return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
-        """µ of a face, µ_k if that has two."""
+        """Return µ of a face, or µ_k if the face has two coefficients of friction."""
         return self.read(lambda m, _: m.faces[face].friction)
 
     def static_coefficient(self, face: int) -> Polynomial:
-        """µ_s of a face, or its only µ."""
+        """Return µ_s of a face, or µ if the face has only one coefficient of friction."""
         return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:

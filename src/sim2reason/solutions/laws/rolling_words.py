@@ -13,13 +13,13 @@ REASON = "From then on it rolls, which on level ground needs no friction"
 
 
 def radius_of(setting: Setting, body: str) -> str:
-    """Return the radius of the rim of a body, in words; a thick-walled pipe and a stepped pulley have two."""
+    """Return the words for the radius of a body's rim: *outer radius* for a thick-walled pipe or a stepped pulley."""
     two = is_stepped(setting, body) or getattr(setting.scene.bodies.get(body), "bore", None)
     return "outer radius" if two else "radius"
 
 
 def rim_of(setting: Setting, body: str) -> str:
-    """Return what is said of the rim of a body."""
+    """Return the words for the rim of a body: *the outer rim* for a stepped pulley."""
     return f"the {'outer ' if is_stepped(setting, body) else ''}rim of {setting.called(body)}"
 
 

@@ -134,7 +134,7 @@ def _relative(dynamics: Dynamics, face: int) -> Expression | None:
 
 
 def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
-    """Return the accelerations of coordinates that make surfaces slip, each after its factor; None if not known."""
+    """Return the coordinates that make surfaces slip, each with its factor and acceleration; None if one is unknown."""
     rows, parts = _laws(dynamics), list[tuple[int, Polynomial, Expression]]()
     for k, part in dynamics.newton.slip(face).items():
         terms = [(k, 1.0)]
@@ -152,7 +152,7 @@ def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Express
 
 
 def _tell_carriers(dynamics: Dynamics, step: Writing, face: int) -> None:
-    """Write the acceleration of what carries a body, if it has no name yet."""
+    """Write the accelerations of the bodies that carry a sliding body, unless they have names already."""
     book, parts = dynamics.book, _parts(dynamics, face) or []
     own = dynamics.mechanism.faces[face].subject
     for n, _, found in parts if len(parts) > 1 else []:

@@ -1,4 +1,4 @@
-"""What was assumed of friction is verified: what sticks, or rolls, needs no more than µ_s N."""
+"""Verification of assumptions on friction: a body that sticks or rolls needs at most µ_s N."""
 
 from math import isinf
 
@@ -32,7 +32,7 @@ def verify_sticking(dynamics: Dynamics) -> None:
 
 
 def limit_of_friction(newton: Newton, face: int) -> Expression:
-    """Return the greatest static friction µN, where weights alone press on the face."""
+    """Return the greatest static friction µ_s N of a face on which weights alone press."""
     normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
     return multiplied(newton.static_coefficient(face).expression(), normal.expression())
 

@@ -141,7 +141,7 @@ class Way(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return a vector along the line on which a body moves, positive as its coordinate; None for several lines."""
+        """Return a vector of a body along its line of motion, signed like its coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
         senses = [product(way, ways[-1]) for way in ways]

@@ -18,10 +18,10 @@ UNCLEAR = "the names of its parts are not clear"
 
 
 def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, whole: bool = False) -> list[Solution]:
-    """Return the solution of each part, which starts from earlier answers; `solutions` are those of parts alone.
+    """Return a solution of each part that starts from earlier answers; `solutions` are those of the parts alone.
 
-    With `whole` it starts from all that their solutions find, too, as whoever has read them can. Names mean the same in
-    all parts; where they do not, none has an answer.
+    With `whole`, a solution also starts from all results of earlier solutions, as a reader of these can. Names mean the
+    same in all parts; if they do not, no part has an answer.
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     found, earlier = list[Solution](), list[tuple[str, Solution]]()

@@ -131,9 +131,9 @@ def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str
 
 
 def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
-    """Return names, and those without their subscripts that a solution does not introduce by themselves.
+    """Return names, and also their bases without subscripts for names that the solution does not introduce.
 
-    x_1 is a value of the x that a text introduces; but where a text introduces a_1, it is another acceleration than a.
+    x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is another acceleration than a.
     """
     found = {*names}
     own = {name for step in solution.steps if step.kind == "names" for name in introduced(step.text)}

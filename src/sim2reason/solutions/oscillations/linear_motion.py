@@ -205,7 +205,7 @@ class LinearMotion:
         return self._rubbed(i, self.laws.coefficient)
 
     def greatest_friction(self, i: int) -> Polynomial:
-        """Return what it is at rest at most: the same with the coefficients of static friction."""
+        """Return the greatest friction at rest along a free coordinate, with the coefficients of static friction."""
         return self._rubbed(i, self.laws.static_coefficient)
 
     def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:

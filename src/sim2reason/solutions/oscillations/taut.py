@@ -26,7 +26,7 @@ def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
 
 
 def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
-    """Yield half an oscillation and those before it, which friction makes wider than the later ones."""
+    """Yield a half-oscillation and all earlier half-oscillations, which are wider if there is friction."""
     earlier: Harmonic | None = held
     while earlier is not None:
         yield earlier

@@ -43,7 +43,7 @@ class Travelled(Stretch):
         return summed(self.paths(body))
 
     def paths(self, body: str) -> Sequence[Expression]:
-        """Return the length of each way."""
+        """Return the distance that a body travels between each two successive places."""
         own, book, found = self.way.moving([body]), self.way.book, list[Expression]()
         if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")

@@ -29,7 +29,7 @@ def tell_velocities(book: Book, there: Instant, start: Instant, *, flies: bool) 
 
 
 def tell_flight(book: Book, there: Instant) -> None:
-    """Write what remains of the velocity in free flight, at its highest point or at another one."""
+    """Write that the horizontal velocity is constant in free flight, and the vertical one zero at the highest point."""
     step = book.open("extreme")
     at = ", and the vertical one is zero at the highest point" if there.vy == ZERO else ""
     step.say(f"In free flight the horizontal velocity stays ${there.vx.latex()}${at}.")

@@ -197,7 +197,7 @@ class Lexicon:
 
     @cached_property
     def _nothing(self) -> float:
-        """Below which a number is what rounding leaves of zero: far below products of two, where some are tiny."""
+        """The threshold below which a number counts as zero up to rounding; lower if some given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
         return SAME if least >= TINY else SAME * least**2
 
@@ -260,7 +260,7 @@ def _counted(parameter: Parameter, value: float) -> float:
 
 
 def _is_word(scene: Scene, parameter: Parameter) -> bool:
-    """Whether a word tells a number, as *straight up* tells an angle of 90°: then it could be no other."""
+    """Return whether a word states the value of a parameter, as *straight up* states 90°, so that it is fixed."""
     owner, _, name = parameter.path.rpartition(".")
     words = cast("Mapping[str, Word]", getattr(cast("object", scene.value(owner)), "words", {}))
     return any(word.parameter == name and parameter.value in word.special for word in words.values())

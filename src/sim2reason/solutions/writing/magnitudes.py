@@ -1,4 +1,4 @@
-"""Sentences about a vector, made sentences about its magnitude where its sign is dropped."""
+"""Rewording of sentences about a vector whose sign is dropped, so that they are about its magnitude."""
 
 import re
 
@@ -6,9 +6,9 @@ from sim2reason.quantities import QUANTITIES
 
 
 def of_magnitude(said: str, quantity: str) -> str:
-    """Return the words before a formula, such as *The momentum is*, with the magnitude of a vector as their subject.
+    """Reword the text before a formula, such as *The momentum is*, so that its subject is the magnitude of a vector.
 
-    Words that do not name it are replaced; those about what is no vector stay as they are.
+    Text that does not name `quantity` is replaced; text about a scalar is unchanged.
     """
     if quantity not in QUANTITIES or not QUANTITIES[quantity].vector:
         return said

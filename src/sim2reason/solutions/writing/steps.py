@@ -233,9 +233,9 @@ class Writing:
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
-        """State what something comes to on which nothing rests, so that an assumption can be judged by it.
+        """State the value of a formula that only checks an assumption, so that no later result depends on the value.
 
-        The book keeps the value of a name that is new.
+        The book keeps the value of a new name.
         """
         relation, value = Relation(what, formula, "verified", self._book.unit_in_text(unit)), self._book.value(formula)
         self.relations.append(relation)

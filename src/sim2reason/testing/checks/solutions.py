@@ -18,12 +18,12 @@ TRIES = 3  # questions about one scene
 
 @check
 class SolutionsCheck(Check):
-    """Where it brings constant forces of its own, some question is solved by formulas, so that symbols can be asked."""
+    """A solution by formulas of some question about an entity's constant forces, so that symbols can be asked."""
 
     name = "solutions"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Ask of one scene after another, until a question of one is solved."""
+        """Yield a finding if no question about scenes with constant forces has a worked solution."""
         steady = [found for found in specimens.moving if _is_pushed(found.scene.mechanism)]
         reasons = [reason for found in steady for reason in _reasons(found)]
         if steady and reasons and "" not in reasons:
@@ -36,12 +36,12 @@ class SolutionsCheck(Check):
 
 
 def _is_pushed(mechanism: Mechanism) -> bool:
-    """Whether forces of no string, spring or face act, and nothing ever changes."""
+    """Return whether only constant forces act, among them some not due to strings, springs or faces."""
     return bool(mechanism.forces) and not changing(mechanism)
 
 
 def _reasons(found: Specimen) -> Iterator[str]:
-    """Why questions have no such solution; empty for one that has."""
+    """Yield the reason why each question drawn about a scene has no worked solution; empty if the question has one."""
     kind = KINDS["state"]
     for number in range(TRIES):
         query = kind.draw(found.study, found.words, found.targets, np.random.default_rng([found.seed, number]))

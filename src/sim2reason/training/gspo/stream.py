@@ -17,7 +17,7 @@ Row = dict[str, Any]
 
 
 class PromptStream(Protocol):
-    """Prompts without end, or as many as there are, in one order, whoever reads them and however often.
+    """Prompts, finitely many or endless, in an order that is the same for every reader and every reading.
 
     A row is a dictionary with *prompt*, a text or a list of messages, and whatever rewards read: *ground_truth*, *id*,
     *source*. All other columns reach the reward functions, with None where a row lacks them.

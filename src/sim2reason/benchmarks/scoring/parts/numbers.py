@@ -21,9 +21,9 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 
 
 def agrees(right: str, said: str, tolerance: float) -> bool | None:
-    """Return whether two answers give the same number, within a tolerance relative to the right one, in its unit.
+    """Return whether two answers give the same number, within a tolerance relative to the right answer.
 
-    None where the right one is no number; of one without a unit, the unit of the other is not looked at.
+    None where the right answer is no number. Its unit holds for both; without a unit, the other's unit is ignored.
     """
     stated = unit_stated(right)
     unit = stated if stated is not None and any(stated.dimension) else None

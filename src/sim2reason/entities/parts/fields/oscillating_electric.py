@@ -41,7 +41,7 @@ class OscillatingElectric(ElectricField):
     )
 
     def law(self, charge: float) -> Law:
-        """F = q E₀ cos(ωt + φ)."""
+        """Return the law of the force on a charge, F = q E₀ cos(ωt + φ)."""
         phase = radians(self.phase or 0.0)
         return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
 

@@ -40,7 +40,7 @@ class ProblemsConfig:
 
 @dataclass
 class FreshConfig:
-    """Which problems are drawn; another seed, other problems."""
+    """Settings of problems that are drawn on request; another seed gives other problems."""
 
     seed: int = 0
     size: int = 500
@@ -49,20 +49,20 @@ class FreshConfig:
     mode: str = "numeric"
 
     def validate(self) -> None:
-        """Refuse what can't be; names are looked at where problems are drawn."""
+        """Raise ValueError if the size is not positive; names are checked when problems are drawn."""
         if self.size < 1:
             raise ValueError("size must be positive")
 
 
 class Graded(ProceduralDataset):
-    """What rows of ours have in common."""
+    """Base class of both datasets, which grades answers to their rows."""
 
     def score_answer(self, answer: str | None, entry: dict[str, Any]) -> float:
-        """1 or 0, for an answer in a box or without one."""
+        """Return the reward of 1 or 0 for an answer, with or without a box."""
         return score(entry["metadata"]["ground_truth"], boxed(answer or "")).reward
 
     def told(self, row: dict[str, Any], idx: int) -> dict[str, Any]:
-        """A row with where it stands."""
+        """Return a row with its source dataset and its index in the metadata."""
         return row | {"metadata": {"source_dataset": "sim2reason", "source_index": idx, **row["metadata"]}}
 
 
@@ -81,16 +81,16 @@ class Problems(Graded):
 
 
 class FreshProblems(Graded):
-    """Problems that are drawn when they are asked for; the same seed and place give the same one."""
+    """Problems that are drawn on request; the same seed and index give the same problem."""
 
     def __init__(self, config: FreshConfig) -> None:
-        """Draw nothing yet."""
+        """Prepare the rows without drawing a problem."""
         super().__init__(config=config, seed=config.seed, size=config.size)
         order = {"recipe": config.recipe, "difficulty": config.difficulty, "mode": config.mode, "seed": config.seed}
         self.rows = iterable("reasoning-gym", **order)
 
     def __getitem__(self, idx: int) -> dict[str, Any]:
-        """A problem with its answer and what it is graded by."""
+        """Return the problem at an index with its answer and its ground truth."""
         return self.told(self.rows[idx], idx)
 
 

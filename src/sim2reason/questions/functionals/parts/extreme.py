@@ -24,17 +24,17 @@ CLEAR = 0.01  # of the value: how far it lies beyond those at both ends of the s
 
 
 class Extreme(Functional):
-    """The greatest value of a function of the state, which is the answer itself, positive.
+    """The greatest or least value of a function of the state, which must be positive.
 
-    It is refused where the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
-    top within the stretch is one, so that no one asks on which side of a jump it is, nor reads it off the text. A force
-    or an acceleration has no greatest value in a stretch with an impact.
+    There is no answer if the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
+    maximum within the stretch counts, so that no question depends on the side of a jump or can be read off the text. A
+    force or an acceleration has no greatest value in a stretch with an impact.
 
     Class data:
-        quantity: whose greatest or least value it is; the size of a vector, and of what has a sign its size, too.
-        sense: along which the component of a vector is taken; None for its size.
-        sign: 1 for the greatest, −1 for the least.
-        impulsive: whether an impact makes it infinite.
+        quantity: the quantity to maximize or minimize, by magnitude if it is a vector or has a sign.
+        sense: the direction in which the component of a vector is taken; None for its magnitude.
+        sign: 1 for the greatest value, −1 for the least.
+        impulsive: whether an impact makes the quantity infinite.
     """
 
     kind = "extremum"

@@ -44,7 +44,7 @@ class NestedQuery(Query):
         return replace(self.base, target=self.target, moment=self.moment)
 
     def others(self, study: Study) -> list[Study | None]:
-        """The motions with other values of the number that a motion's answer is compared with; none by default."""
+        """Return the motions with other values of the number, to compare with a given motion; by default none."""
         del study
         return []
 

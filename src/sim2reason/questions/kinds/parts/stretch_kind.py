@@ -150,11 +150,11 @@ class StretchKind(Kind):
         return tuple(f"{named.phrase} {again(moment, named.phrase, when, words)}" for when in whens)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Every functional that something in the scene has."""
+        """Return the names of all functionals that apply to something in the scene."""
         return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """The functional from the start to a moment, or where none is named over one round of a motion that repeats."""
+        """Return the query for a functional from the start to a moment, by default over one period of the motion."""
         del study
         found, moment = FUNCTIONALS[asked.find], MOMENTS["whole_motion"]()
         called = words.called(found.of)

@@ -1,4 +1,4 @@
-"""The instant just before what happens, at which a force or an acceleration may jump."""
+"""The instant just before an event, at which a force or an acceleration may jump."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from sim2reason.simulation.trace import Trace
 
 @dataclass(frozen=True, slots=True)
 class JustBefore(Happening):
-    """Just before another moment, the words of which say no side; people ask for it, and nothing draws it."""
+    """The instant just before a moment whose words name no side; used only in structured questions, and never drawn."""
 
     label = "before"
 
@@ -23,45 +23,45 @@ class JustBefore(Happening):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """None."""
+        """Return no moments, since none is ever drawn."""
         del study, words, rng
         return ()
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """None: the words of ordinary English for it are read as a question in parts."""
+        """Return no moments: a sentence about such an instant is read as a structured question."""
         del text, trace, words
         return iter(())
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """Those of the moment."""
+        """Return the subjects of the inner moment."""
         return self.inner.subjects
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Those of the moment."""
+        """Return the channels of the inner moment."""
         return self.inner.channels
 
     @property
     def sided(self) -> bool | None:
-        """Just before it."""
+        """Return False, for just before the event."""
         return False
 
     def time(self, trace: Trace) -> float | None:
-        """That of the moment."""
+        """Return the time of the inner moment, s; None if the moment does not occur."""
         return self.inner.time(trace)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just before the block comes to rest."""
+        """Return phrases such as *just before the block comes to rest*."""
         told = (phrase for phrase in self.inner.phrases(words) if phrase.startswith("when "))
         return tuple(f"just before {phrase.removeprefix('when ')}" for phrase in told)
 
     def clause(self, words: Words) -> Clause | None:
-        """None: when it comes is asked of the moment itself."""
+        """Return None: a question about the time asks about the inner moment instead."""
         del words
         return None
 
     def subject(self, words: Words) -> str:
-        """That of the moment."""
+        """Return the phrase for the inner moment's subject."""
         return self.inner.subject(words)

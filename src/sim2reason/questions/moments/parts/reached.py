@@ -95,7 +95,7 @@ class Reached(Happening):
 
 
 def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tuple[Target, float]:
-    """The quantity and the value of an equation, as in *velocity of block A = 2 m/s*; TextError if it is none."""
+    """Return the target and the value in *velocity of block A = 2 m/s*; TextError if there is no equation."""
     left, equals, right = said.partition("=")
     name, _, of = left.partition(" of ")
     if not equals:
@@ -106,7 +106,7 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
 
 
 def moment_of(asked: StructuredQuestion, words: Words) -> Moment:
-    """When a structured question asks: at a moment by its name, or when a quantity first has a stated value."""
+    """Return the moment of a structured question, given by name or by a value that a quantity first reaches."""
     if "=" not in asked.when or _TIME.match(asked.when):
         return moment_named(asked, words)
     target, value = stated(asked, asked.when, words, "when")

@@ -1,8 +1,8 @@
-"""A long stretch of linear motion at once, by its eigenmodes, where an integrator would need too many steps.
+"""Long stretches of linear motion solved at once by eigenmodes, where an integrator would need too many steps.
 
-Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves by itself: as a
-cosine, or with a constant acceleration. Whether they are is found by trial, at corners of the box that holds the whole
-stretch: nothing that bends passes. A stretch is as long as no margin can be used up on it, whatever the phases.
+Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves independently: as a
+cosine, or with a constant acceleration. Whether they are affine is tested at corners of the box that contains the whole
+stretch. A stretch is short enough that no margin can be used up on it, whatever the phases of the modes.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,7 +29,7 @@ POLISHES = 60  # bisections of the time of a turn
 
 @dataclass(frozen=True)
 class Modes:
-    """q − q₀ = `ways` · s, with s̈ = force − square · s; all from one instant on."""
+    """Eigenmodes s of a linear motion from one instant on: q − q₀ = `ways` · s, with s̈ = force − square · s."""
 
     time: float
     place: Array  # q₀, (n,)
@@ -40,11 +40,11 @@ class Modes:
 
     @property
     def rate(self) -> Array:
-        """The angular frequencies."""
+        """The angular frequencies of the modes, rad/s."""
         return np.sqrt(self.square)
 
     def at(self, times: Array) -> Array:
-        """Coordinates and rates at times, (m, 2n)."""
+        """Return the coordinates and rates at times (m,), of shape (m, 2n)."""
         since, w = (times - self.time)[:, None], self.rate
         swings = w > 0.0
         divisor = np.where(swings, w, 1.0)
@@ -55,7 +55,7 @@ class Modes:
         return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
 
     def ranges(self, span: float) -> tuple[Array, Array]:
-        """Between what s and ṡ stay for so long, (n, 2) each."""
+        """Return the bounds of s and of ṡ during the first `span`, s, of shape (n, 2) each."""
         w = self.rate
         swings = w > 0.0
         divisor = np.where(swings, w, 1.0)
@@ -78,27 +78,27 @@ class Stretch:
 
     @property
     def time(self) -> float:
-        """When it begins."""
+        """The time at which the stretch begins, s."""
         return self.modes.time
 
     @property
     def knots(self) -> Array:
-        """Instants between which it is smooth and simple, s."""
+        """The times between which the motion is smooth and simple, s."""
         return self.time + np.arange(1, pieces(self.modes, self.length)) * self.length / pieces(self.modes, self.length)
 
     @property
     def new(self) -> Values:
-        """Coordinates and rates at its end."""
+        """The coordinates and rates at the end of the stretch."""
         return tuple(self.modes.at(np.array([self.time + self.length]))[0].tolist())
 
 
 def pieces(modes: Modes, span: float) -> int:
-    """Into how many pieces a span is divided, so that the fastest mode is simple on each."""
+    """Return the number of pieces into which to divide a span so that the fastest mode is simple on each piece."""
     return max(1, int(np.ceil(span * float(modes.rate.max()) / (2.0 * pi) * SHARE)))
 
 
 def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes | None:
-    """The eigenmodes at an instant, if it has them; `sizes` (2n,) are of changes by which it is tried."""
+    """Return the undamped eigenmodes at an instant, or None; `sizes` (2n,) are the changes for differences."""
     n = len(values) // 2
     here = np.array(values)
     base = np.array(rate(time, values))[n:]
@@ -118,7 +118,7 @@ def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes 
 
 
 def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array) -> Array:
-    """How numbers change with each of some values, (numbers, values)."""
+    """Return the derivatives of numbers with respect to values by central differences, of shape (numbers, values)."""
     columns: list[Array] = []
     for number, size in enumerate(sizes):
         change = np.zeros(len(here))
@@ -129,7 +129,7 @@ def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array
 
 
 def stretch(modes: Modes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
-    """The longest stretch of at most `span`, s, on which nothing can be due; None if it is none worth while."""
+    """Return a linear stretch of at most `span`, s, on which no event can be due; None if no stretch is worthwhile."""
     least = SHORTEST * 2.0 * pi / float(modes.rate.max())
     n = len(modes.place)
     here = np.concatenate([modes.place, modes.ways @ modes.speed])
@@ -157,7 +157,7 @@ def stretch(modes: Modes, span: float, rate: Rate, margins: Margins, sizes: Arra
 def _is_affine(
     modes: Modes, code: tuple[Rate, Margins], known: tuple[Array, Array], changes: Sequence[Array], end: float
 ) -> bool:
-    """Whether rates and margins are as the eigenmodes have it at far corners, at the beginning and at the end."""
+    """Return whether rates and margins agree with the eigenmodes at far corners, at both ends of a stretch."""
     n = len(modes.place)
     here = np.concatenate([modes.place, modes.ways @ modes.speed])
     inverse = np.linalg.inv(modes.ways)
@@ -175,7 +175,7 @@ def _is_affine(
 
 
 def turns(modes: Modes, span: float) -> list[tuple[float, int]]:
-    """When the speed of a coordinate passes through zero, in order of time."""
+    """Return the times when the speed of a coordinate passes through zero, in order, each with its coordinate."""
     n, count = len(modes.place), pieces(modes, span)
     times = modes.time + np.linspace(0.0, span, count + 1)
     speeds = modes.at(times)[:, n:]

@@ -62,7 +62,7 @@ class _Run(Settling):
     """A motion in the making, from event to event."""
 
     def finished(self) -> Motion:
-        """The whole motion; SimulationError if that takes too many events or operations."""
+        """Return the whole motion; SimulationError if the motion takes too many events or operations."""
         while self.step():
             self.system.budget.spend(SETTLING * (1 + self.system.size))
             if len(self.segments) > SEGMENTS:

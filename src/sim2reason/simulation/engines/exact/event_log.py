@@ -26,9 +26,9 @@ class EventLog:
         self._hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body, or jerk of each row
 
     def record(self, time: float, kind: str, *subjects: str) -> None:
-        """Note an event, once: a body may enter the regions of several forces at one instant.
+        """Record an event unless it is already recorded: a body may enter the regions of several forces at one instant.
 
-        Two that touch others may collide more than once at an instant.
+        Collisions are always recorded, since two bodies that touch others may collide more than once at an instant.
         """
         event = Event(time, kind, subjects)
         if kind == "collision" or event not in self.events[-SAME:]:

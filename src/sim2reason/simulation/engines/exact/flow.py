@@ -153,7 +153,7 @@ class Flow:
         return StopReason(duration, ())
 
     def _leap(self, end: float, length: float) -> bool:
-        """Take a linear stretch at once where steps of such a length would cost too much; whether there is one."""
+        """Take a linear stretch at once if steps of `length` would exceed the budget; return whether this was done."""
         budget = self._equations.system.budget
         if self.formulas.held is not None or (end - self.time) / length * self.formulas.cost < budget.left:
             return False

@@ -1,4 +1,4 @@
-"""One instant as a linear complementarity problem: what is known of it, and what is looked for.
+"""The linear complementarity problem of one instant: its known quantities and its unknowns.
 
 For forces x is the acceleration, for impulses the velocity after the impact:
 
@@ -41,7 +41,7 @@ def gradient(along: Row, lift: Row) -> Gradient:
 
 @dataclass(frozen=True, slots=True)
 class RoughContact:
-    """A rough contact: its number among the contacts, how its surfaces slip, and its kinetic friction."""
+    """A rough contact: its number among the contacts, the gradient of its slip, and its coefficients of friction."""
 
     contact: int
     slip: Gradient

@@ -67,7 +67,7 @@ class Settling:
         return None if self.event_log.cut else snapped
 
     def _takes_part(self, number: int, near: Near) -> bool:
-        """Whether a pair is in an impact: one that only rests against each other and may bounce is struck after it."""
+        """Return whether a pair takes part in an impact; a pair at rest in contact that may bounce is struck later."""
         resting = near.meeting.restitution > 0.0 and near.rate >= -STILL
         return near.touching and not resting and not self.phase.stuck[number]
 

@@ -4,8 +4,8 @@
 `balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
 what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
 `record` keeps what the steps leave. `changing_equations` does the same for mechanisms that the library's own
-constraints cannot keep. `own_units` counts what is tiny in other units first. The library is loaded when the first
-mechanism is simulated.
+constraints cannot keep. `own_units` first converts very light mechanisms to other units. The library is loaded when
+the first mechanism is simulated.
 """
 
 from importlib import import_module

@@ -1,6 +1,6 @@
-"""Motions of what the library takes for massless, in units of mass and time in which its numbers are near 1.
+"""Simulation of very light mechanisms in units of mass and time in which their numbers are near 1.
 
-Lengths keep their unit, so that the geometry stays as it is.
+MuJoCo would take such masses for zero. Lengths keep their unit, so that the geometry is unchanged.
 """
 
 from collections.abc import Callable, Mapping
@@ -27,31 +27,31 @@ LEAST = 1e-15  # kg: MuJoCo takes a mass or an inertia below that for nothing
 
 
 def is_tiny(mechanism: Mechanism) -> bool:
-    """Whether a body that moves is so light that the library would take it for massless."""
+    """Return whether a moving body is so light that MuJoCo would take it for massless."""
     return any(0.0 < body.mass < LEAST for body in mechanism.bodies)
 
 
 @dataclass(frozen=True, slots=True)
 class OwnUnits:
-    """Units of mass and time, kg and s, or in whatever a mechanism counts."""
+    """Units of mass and time, measured in kg and s or in the units of a mechanism."""
 
     mass: float
     time: float
 
     @classmethod
     def of(cls, mechanism: Mechanism, duration: float) -> "OwnUnits":
-        """The mass of the heaviest body, and the duration."""
+        """Return the units suited to a motion: the mass of the heaviest body, and the duration."""
         return cls(max(body.mass for body in mechanism.bodies), duration)
 
     @property
     def force(self) -> float:
-        """The unit of force in which lengths keep theirs."""
+        """The unit of force that follows from these units if lengths keep their unit."""
         return self.mass / self.time**2
 
     # ---- there
 
     def counted(self, mechanism: Mechanism) -> Mechanism:
-        """The same mechanism in these units."""
+        """Return a mechanism with its numbers converted to these units."""
         x, y, z = mechanism.gravity
         square = self.time**2
         return replace(
@@ -94,7 +94,7 @@ class OwnUnits:
     # ---- and back
 
     def told(self, trace: Trace, mechanism: Mechanism) -> Trace:
-        """A motion of the counted mechanism as one of the mechanism itself."""
+        """Return a motion of the converted mechanism, converted back to the units of the original `mechanism`."""
 
         def sample(at: Array) -> State:
             return self._state(trace.sample(at / self.time), mechanism, at)
@@ -113,33 +113,33 @@ class OwnUnits:
 
 @dataclass(frozen=True, slots=True)
 class LawInUnits:
-    """A law of force in other units of mass and time."""
+    """A law of force, converted to other units of mass and time."""
 
     law: Law
     units: OwnUnits
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """The force, in their unit."""
+        """Return the force in the converted units."""
         units = self.units
         found = self.law.force(place, times(1.0 / units.time, velocity), time * units.time, maths)
         return times(1.0 / units.force, found)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """The potential energy, in their unit; None where the law has none."""
+        """Return the potential energy in the converted units; None if the law has none."""
         found = self.law.potential(place, maths)
         return None if found is None else found * (1.0 / self.units.force)
 
     @property
     def constant(self) -> bool:
-        """Whether the force never changes."""
+        """Return whether the force never changes."""
         return self.law.constant
 
     def moved(self, by: Vector) -> "LawInUnits":
-        """The same law about another origin."""
+        """Return this law about another origin."""
         return replace(self, law=self.law.moved(by))
 
 
 def in_own_units(run: Callable[[Mechanism, Array], Trace], mechanism: Mechanism, at: Array) -> Trace:
-    """The motion at times (m,) by an engine that counts it in units of its own."""
+    """Return the motion of a mechanism at times (m,), simulated by `run` in units suited to the mechanism."""
     units = OwnUnits.of(mechanism, float(at[-1]))
     return units.told(run(units.counted(mechanism), at / units.time), mechanism)

@@ -1,4 +1,4 @@
-"""The problems beside this file, or fresh ones without end, and their reward."""
+"""Tasks from the problems beside this file, or from endless fresh problems, and their reward."""
 
 import json
 from collections.abc import Iterable, Iterator
@@ -44,7 +44,7 @@ class Problem(vf.Task[ProblemData]):
 
 
 class Sim2ReasonConfig(vf.TasksetConfig):
-    """Which problems: those of a split, or `fresh` ones, which are drawn; the other settings are for these."""
+    """Settings of the taskset: a `split`, or `fresh` problems, which are drawn by the other settings."""
 
     split: str = "train"
     fresh: bool = False
@@ -55,15 +55,15 @@ class Sim2ReasonConfig(vf.TasksetConfig):
 
 
 class Sim2ReasonTaskset(vf.Taskset[Problem, Sim2ReasonConfig]):
-    """All problems of a split, or fresh ones without end."""
+    """All problems of a split, or endless fresh problems."""
 
     def __init__(self, config: Sim2ReasonConfig) -> None:
-        """Say whether there is an end."""
+        """Store the settings, and mark a taskset of fresh problems as infinite."""
         super().__init__(config)
         self.INFINITE = config.fresh
 
     def load(self) -> Iterator[Problem]:
-        """One task for each row."""
+        """Return an iterator over the tasks, a task for each row."""
         return (Problem(ProblemData.model_validate(row), self.config.task) for row in self._rows())
 
     def _rows(self) -> Iterable[dict[str, Any]]:

@@ -171,7 +171,7 @@ class HardSettling:
         return not self.cut
 
     def meets(self) -> bool:
-        """Whether bodies that touch move towards each other."""
+        """Return whether any touching bodies that do not stick together move towards each other."""
         near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
         pairs = zip(near, self.situation.stuck, strict=True)
         return any(gap <= TOUCHING and rate < -STILL and not stuck for (gap, rate, *_), stuck in pairs)
@@ -229,7 +229,7 @@ class HardSettling:
         return True
 
     def note(self, kind: str, *subjects: str) -> None:
-        """An event, now; once but for collisions: a body may enter the regions of several forces at one instant."""
+        """Record an event now unless it is already recorded, as for overlapping regions; collisions may repeat."""
         event = Event(self.now, kind, subjects)
         if kind == "collision" or event not in self.events[-SAME:]:
             self.events.append(event)
