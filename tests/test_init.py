@@ -1,4 +1,4 @@
-"""What `import sim2reason` gives: names, version, signatures."""
+"""The names, version and signatures of the package."""
 
 import builtins
 import inspect

@@ -14,7 +14,7 @@ USUAL = "--items", "30", "--recipe", "incline,pulley", "--difficulty", "easy", "
 
 
 def generated(out: Path, *options: str) -> str:
-    """What a command says on stderr."""
+    """Run `generate` and return what it writes to standard error."""
     command = ["generate", str(out), *USUAL, "--maker", "fake_makers:slow", *options]
     result = CliRunner().invoke(main, command)
     assert result.exit_code == 0, result.stderr

@@ -141,7 +141,7 @@ def test_without_a_worked_solution_there_is_an_answer(tmp_path: Path) -> None:
 
 
 def test_a_part_that_means_nothing_is_one_line(tmp_path: Path) -> None:
-    """With its place and what may have been meant."""
+    """The error names the part and the nearest names."""
     path = tmp_path / "scene.yaml"
     path.write_text(SLIDING)
     told = call(path, "--find", "velocty")
@@ -157,7 +157,7 @@ def test_it_wants_a_scene_or_an_id(args: tuple[str, ...]) -> None:
 
 
 def test_a_question_in_ordinary_english_is_answered_and_told_back(scene: Path) -> None:
-    """How it was read stands beside the answer."""
+    """The output says how the command read the question."""
     told = call(scene, "--question", "How fast is the block moving after half a second?")
     assert told.exit_code == 0, told.output
     assert "Read as: How fast is the block moving at t = 0.50 s?" in told.output

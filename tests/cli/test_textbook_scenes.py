@@ -18,7 +18,7 @@ EXACT = 1e-6  # relative
 
 
 def answered(*options: str) -> dict[str, Any]:
-    """What the command prints for a program."""
+    """Run the command with --json and return its output."""
     found = CliRunner().invoke(command, [*options, "--json"])
     assert found.exit_code == 0, found.output
     read: dict[str, Any] = json.loads(found.stdout)
@@ -27,7 +27,7 @@ def answered(*options: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize("row", ROWS, ids=[row["scene"] for row in ROWS])
 def test_each_scene_is_answered_in_words_and_in_parts(row: dict[str, Any]) -> None:
-    """By closed forms."""
+    """Both answers agree with the closed form."""
     path = str(DATA / "textbook_scenes" / f"{row['scene']}.yaml")
     parts = [option for name, part in row["parts"].items() for option in (f"--{name}", part)]
     for options in ([], ["--question", row["question"]], parts):

@@ -69,13 +69,13 @@ def test_there_must_be_a_dataset_and_a_split(data: Path, tmp_path: Path) -> None
 
 @pytest.fixture
 def halves(make: Make, tmp_path: Path) -> Dataset:
-    """Two splits in files of several shards."""
+    """Build a dataset of two splits, each in several shards."""
     make("halves", split={"train": 0.5, "test": 0.5})
     return Dataset(tmp_path / "halves")
 
 
 def test_items_are_found_by_place_slice_and_split(halves: Dataset) -> None:
-    """As in a list, and as Hugging Face's datasets are used."""
+    """Indices and slices work as in a list, split names as in Hugging Face's datasets."""
     items = list(halves)
     assert [halves[number] for number in range(len(halves))] == items
     assert halves[-1] == items[-1]

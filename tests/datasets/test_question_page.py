@@ -28,7 +28,7 @@ def test_the_page_is_up_to_date(page: str) -> None:
 
 
 def test_every_member_has_a_row_with_an_example(page: str) -> None:
-    """Of every registry that questions have."""
+    """The page covers every registry that questions are made from."""
     for registry in (QUANTITIES, FUNCTIONALS, MOMENTS, KINDS, OUTCOMES):
         for name in registry:
             said = name.replace("_", " ")
@@ -38,5 +38,5 @@ def test_every_member_has_a_row_with_an_example(page: str) -> None:
 
 
 def test_every_connection_has_an_example(page: str) -> None:
-    """As a file has it."""
+    """The example is written as in a scene file."""
     assert all(f"connections:\n- {name}:\n" in page for name in CONNECTIONS)

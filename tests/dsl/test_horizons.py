@@ -1,4 +1,4 @@
-"""How long motions are followed at first."""
+"""The time for which a motion is followed at first."""
 
 from math import cos, pi, sin, sqrt
 
@@ -45,6 +45,6 @@ def test_it_is_asked_about(find: str, when: str, answer: float) -> None:
 
 
 def test_ordinary_springs_keep_their_horizon() -> None:
-    """Two seconds, as of anything without a wish of its own."""
+    """It is two seconds, the default horizon of an entity."""
     assert spring("wall", 250.0, 0.1).horizon == 2.0
     assert spring("wall", 2e4, 1.0).horizon == 2.0

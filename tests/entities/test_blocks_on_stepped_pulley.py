@@ -1,4 +1,4 @@
-"""Two blocks on a stepped pulley, against the closed form."""
+"""Comparison of two blocks on a stepped pulley with the closed form of their acceleration."""
 
 import pytest
 
@@ -20,7 +20,7 @@ SIDES = {"opposite": -1.0, "same": 1.0}
 
 
 def scene(sides: str) -> Scene:
-    """Two blocks, on opposite sides of the axle or on the same one."""
+    """Build a scene whose blocks hang on opposite sides of the axle, or on the same side."""
     pulley = f"{{outer: {OUTER}, inner: {INNER}, inertia: {INERTIA}}}"
     parameters = f"pulley: {pulley}, outer_block: {{mass: {BIG}}}, inner_block: {{mass: {SMALL}}}, sides: {sides}"
     return loads(f"scene: {{entities: [{{name: it, type: BlocksOnSteppedPulley, parameters: {{{parameters}}}}}]}}")
@@ -44,7 +44,7 @@ def test_both_engines_turn_it_as_the_torques_do(sides: str) -> None:
 
 @pytest.mark.parametrize("sides", SIDES)
 def test_it_is_told_read_back_and_written_to_a_file(sides: str) -> None:
-    """In every wording; how long the strings are is never said."""
+    """Every wording is read back; none states the lengths of the strings."""
     own = scene(sides)
     assert loads(dump(own)) == own
     for seed in range(6):
@@ -67,7 +67,7 @@ def test_it_is_told_read_back_and_written_to_a_file(sides: str) -> None:
     ],
 )
 def test_it_is_asked_about_and_solved(sides: str, find: str, of: str, when: str, per_alpha: float) -> None:
-    """By Newton's second law for each block and the torque on the pulley."""
+    """The solution uses Newton's second law for each block and the torque on the pulley."""
     found = solve(scene(sides), find=find, of=of, when=when)
     assert found.answer == pytest.approx(per_alpha * turning(sides), rel=1e-10)
     assert "Torque on the stepped pulley, whose moment of inertia is $I$" in found.solution.text, found.solution.reason
@@ -88,7 +88,6 @@ def test_the_outer_radius_is_the_larger_one() -> None:
 
 
 def test_it_conforms() -> None:
-    """As any entity."""
     check_entity(BlocksOnSteppedPulley)
 
 

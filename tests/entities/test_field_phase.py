@@ -15,7 +15,7 @@ RATE, PULL = 2.0, 1.5 * 1.2 / 2.0  # rad/s and q E₀/m
 
 
 def bead(phase: float | None) -> Scene:
-    """One that is let go in such a field."""
+    """Build a bead that is released in a field with a phase."""
     field = "kind: oscillating_electric, strength: 1.2, way: positive x, frequency: 2.0"
     field += f", phase: {phase}" if phase is not None else ""
     start = "particle: {mass: 2.0, charge: 1.5, sign: positive}, start: {kind: released}"
@@ -33,7 +33,7 @@ def test_the_bead_moves_by_the_double_integral_of_a_cosine(phase: float) -> None
 
 
 def test_it_is_told_and_read_back() -> None:
-    """In place of where the field is greatest."""
+    """The text states the phase instead of saying that the field is greatest at the start."""
     held = bead(30.0)
     assert loads(dump(held)) == held
     for seed in range(4):
@@ -65,7 +65,7 @@ def closed_form(find: str, time: float, phi: float) -> float:
 @pytest.mark.parametrize("phase", [-90.0, 30.0, 120.0])
 @pytest.mark.parametrize("find", ["acceleration", "speed", "displacement"])
 def test_it_is_solved_in_closed_form(phase: float, find: str) -> None:
-    """Not by a numerical integration."""
+    """No step integrates numerically."""
     found = solve(bead(phase), find=find, of="it.particle", when="1 s")
     assert found.answer == pytest.approx(abs(PULL * closed_form(find, 1.0, radians(phase))), rel=1e-9)
     assert r"\varphi" in found.solution.text, found.solution.reason
@@ -80,7 +80,7 @@ def test_the_first_acceleration_is_solved_in_closed_form() -> None:
 
 
 def test_the_greatest_speed_is_solved_in_closed_form() -> None:
-    """Where ωt + φ is an odd multiple of 90°: (q E₀/m ω)(1 + sin φ)."""
+    """The speed is greatest where ωt + φ is an odd multiple of 90°: (q E₀/m ω)(1 + sin φ)."""
     found = solve(bead(30.0), find="greatest speed", of="it.particle", when="2.5 s")
     assert found.answer == pytest.approx(1.5 * PULL / RATE, rel=1e-9)
     assert "passes through zero" in found.solution.text, found.solution.reason

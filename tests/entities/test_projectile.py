@@ -86,6 +86,6 @@ def test_a_speed_of_zero_is_a_start_from_rest() -> None:
     ],
 )
 def test_what_can_not_be_is_refused_in_words(numbers: Numbers, said: str) -> None:
-    """One line, with what to do."""
+    """The error is one line with a remedy."""
     with pytest.raises(SceneError, match=said):
         thrown(numbers)

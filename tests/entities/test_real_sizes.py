@@ -24,7 +24,7 @@ def scene(kind: str, parameters: str) -> Scene:
 
 
 def electron(rest: str) -> Scene:
-    """One in fields."""
+    """Build an electron in electric and magnetic fields."""
     return scene("EmEntity", f"particle: {{mass: 9.109e-25, charge: 1.602e-13, sign: negative}}, {rest}")
 
 
@@ -46,7 +46,7 @@ FROM_EARTH = scene("RocketEntity", f"{STAGE}, place: {{kind: airless_planet, rad
 
 @pytest.mark.parametrize("held", [TURNING, DRIVEN, ORBITER, ROCKET, FROM_EARTH])
 def test_they_are_written_told_and_read_back(held: Scene) -> None:
-    """With a power of ten, in units without prefixes, where a number needs that."""
+    """Tiny and vast numbers have a power of ten and a unit without prefix."""
     assert loads(dump(held)) == held
     for seed in range(3):
         text = describe(held, seed).text
@@ -71,7 +71,7 @@ def test_tiny_and_vast_numbers_are_said_with_a_power_of_ten(value: float, unit: 
 
 
 def test_an_electron_turns_in_a_magnetic_field() -> None:
-    """On a circle of m v/(q B), followed for about a turn."""
+    """The radius of the circle is m v/(q B); the motion is followed for about one turn."""
     rate = CHARGE * FIELD / MASS
     trace = simulate(TURNING)
     times, radius = trace.state.times, SPEED / rate
@@ -99,7 +99,7 @@ def test_both_engines_follow_electrons_and_protons(held: Scene) -> None:
 
 
 def test_the_second_engine_turns_an_electron_by_itself() -> None:
-    """On the same circle; its states come back in SI units."""
+    """The circle is the same, and the states are in SI units."""
     rate = CHARGE * FIELD / MASS
     trace = simulate(TURNING, engine="mujoco")
     radius, turned = SPEED / rate, rate * trace.state.times
@@ -120,7 +120,7 @@ def test_an_electron_in_an_electric_field_is_followed_while_newton_holds() -> No
 
 
 def test_a_probe_circles_the_moon() -> None:
-    """In 2π √(r³/GM), as both engines see it."""
+    """Both engines find the period 2π √(r³/GM)."""
     trace, certificate = certify(ORBITER)
     assert certificate.stable_until == trace.state.times[-1] == pytest.approx(2.4 * pi * sqrt(LOW**3 / (G * MOON)))
     found = solve(ORBITER, find="time", when="orbited 360°").answer

@@ -33,7 +33,7 @@ def test_the_motion_is_harmonic() -> None:
 
 
 def test_it_is_told_read_back_and_written_to_a_file() -> None:
-    """In every wording."""
+    """Every wording is read back."""
     assert loads(dump(SCENE)) == SCENE
     for seed in range(5):
         text = describe(SCENE, seed).text
@@ -57,7 +57,6 @@ def test_it_is_asked_about_and_solved(find: str, of: str, when: str, answer: flo
 
 
 def test_it_conforms() -> None:
-    """As any entity."""
     check_entity(SpringOnWedge)
 
 

@@ -45,7 +45,7 @@ def slope(angle: float, speed: float = 0.0, static: float | None = STATIC) -> Sc
 
 
 def sphere(angle: float) -> Scene:
-    """One on a plane with both coefficients."""
+    """Build a sphere on a plane with both coefficients of friction."""
     grip = f"{{kind: rough, friction: {KINETIC}, static_friction: {STATIC}}}"
     parameters = f"{{plane: {{angle: {angle}}}, body: {{kind: sphere, radius: 0.1, mass: {M}}}, grip: {grip}}}"
     return loads(f"scene: {{entities: [{{name: it, type: RollingEntity, parameters: {parameters}}}]}}")
@@ -151,7 +151,7 @@ def test_their_symbols_say_which_is_which() -> None:
     ],
 )
 def test_either_can_be_asked_for_and_decides_answers(scene: Scene, parts: dict[str, str], answer: float) -> None:
-    """By structured questions, against closed forms."""
+    """Questions in parts agree with closed forms."""
     assert solve(scene, question=parts).answer == pytest.approx(answer, rel=1e-6)
 
 
@@ -174,7 +174,7 @@ def test_solutions_name_the_one_that_acts(scene: Scene, parts: dict[str, str], s
 
 
 def test_a_figure_shows_both() -> None:
-    """As the text has them."""
+    """The figure names both coefficients as the text does."""
     scene = slope(20.0)
     labels = {label.text for label in drawing(scene, describe(scene)).labels}
     assert r"$\mu_s$ = 0.50, $\mu_k$ = 0.20" in labels

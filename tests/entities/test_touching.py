@@ -22,7 +22,7 @@ def scene(kind: str, parameters: str) -> Scene:
 
 
 def discs(count: int, e: float = 1.0, masses: tuple[float, ...] = (1.0,) * 5) -> Scene:
-    """One disc runs into a row of others that touch."""
+    """Build a scene in which one disc runs into a row of discs that touch."""
     rows = zip(masses, (-1.0, 0.0, 0.2, 0.4, 0.6), (V, 0.0, 0.0, 0.0, 0.0), strict=True)
     pucks = [f"{{mass: {m}, x: {x}, y: 0.0, vx: {v}, vy: 0.0}}" for m, x, v in rows][:count]
     return scene("TwoDCollisionPlane", f"table: {{}}, radius: 0.1, restitution: {e}, pucks: [{', '.join(pucks)}]")
@@ -98,7 +98,6 @@ def test_they_are_solved_in_steps(held: Scene, name: str) -> None:
 
 
 def test_what_overlaps_is_refused() -> None:
-    """As ever."""
     pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 1.0, vy: 0.0}, {mass: 1.0, x: 0.19, y: 0.0, vx: 0.0, vy: 0.0}"
     with pytest.raises(SceneError, match="overlap; move them apart by two radii or more"):
         scene("TwoDCollisionPlane", f"table: {{}}, radius: 0.1, restitution: 1.0, pucks: [{pucks}]")

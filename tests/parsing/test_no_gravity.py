@@ -10,7 +10,7 @@ from sim2reason.prose.description import describe
 
 @pytest.mark.parametrize("scene", [ramp(angle=0.0, friction=0.0, speed=7.0), ramp(speed=2.0), atwood(), swing(60.0)])
 def test_that_there_is_none_is_said_and_read(scene: Scene) -> None:
-    """Where there could be some."""
+    """A text says g = 0 where gravity could matter."""
     weightless = scene.model_copy(update={"world": World(gravity=0.0)})
     text = describe(weightless).text
     assert "0 m/s²" in text

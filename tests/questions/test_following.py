@@ -123,7 +123,7 @@ def test_there_is_as_much_room_as_it_takes() -> None:
     ],
 )
 def test_what_never_happens_has_a_reason(scene: Scene, question: str, reason: str) -> None:
-    """In words, and no answer."""
+    """There is no answer, and the reason is in words."""
     found = asked(scene, question)
     assert found.answer is None
     assert reason in found.reason
@@ -169,7 +169,7 @@ def test_a_slow_motion_is_followed_until_something_happens() -> None:
 
 
 def test_a_prompt_is_followed_as_far() -> None:
-    """Its answer, or the reason."""
+    """A prompt has the answer, or the reason why there is none."""
     text = describe(SLIDING).text
     rests = parse_prompt(f"{text} How long after t = 0 does the block first come to rest?{FORM.format('s')}")
     assert rests.answer == pytest.approx(5.0 / (0.05 * G))

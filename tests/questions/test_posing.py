@@ -24,13 +24,13 @@ FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)
 
 
 def read(scene: Scene, **parts: str) -> tuple[PosedQuestion, Words]:
-    """What a question in parts asks."""
+    """Return the query of a question in parts, and the words of its scene."""
     words = words_of(describe(scene))
     return posed(StructuredQuestion.read(parts), motion_of(scene), words), words
 
 
 def found(scene: Scene, **parts: str) -> Followed:
-    """Its answer."""
+    """Return the answer to a question in parts, with the motion."""
     return read(scene, **parts)[0].followed(motion_of(scene))
 
 
@@ -69,7 +69,7 @@ def found(scene: Scene, **parts: str) -> Followed:
     ],
 )
 def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str], answer: float) -> None:
-    """By closed forms."""
+    """The answers agree with closed forms."""
     told = found(scene, **parts)
     assert told.answer == pytest.approx(answer, rel=1e-6), told.reason
 
@@ -116,7 +116,7 @@ def test_what_no_text_gives_is_not_found() -> None:
 
 @pytest.mark.parametrize("recipe", list(RECIPES))
 def test_every_moment_that_a_scene_offers_is_told_and_read(recipe: str) -> None:
-    """As many as its motion has, of every registered class."""
+    """Each moment that a motion offers is read back from its name."""
     scene = sample(recipe, seed=3)
     study, words = motion_of(scene).study, words_of(describe(scene))
     for cls in MOMENTS.values():

@@ -44,7 +44,7 @@ STUDY, WORDS = Study.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(describe(SCE
     ],
 )
 def test_a_number_is_told_as_the_library_tells_it(written: str, told: str) -> None:
-    """In its unit and digits; what has another unit stays."""
+    """It is converted to the library's unit and digits; numbers in other units stay."""
     assert plainly(f"when it is {written} there", SI) == f"when it is {told} there"
     assert plainly(plainly(written, SI), SI) == plainly(written, SI)
 

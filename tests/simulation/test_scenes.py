@@ -1,4 +1,4 @@
-"""What simulating a scene gives, and where it ends."""
+"""The records of simulated scenes, and where they end."""
 
 import warnings
 

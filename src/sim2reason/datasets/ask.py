@@ -32,11 +32,11 @@ class AskedScene:
 
     text: str
     found: dict[str, tuple[CertifiedQuestion, Item]] = field(default_factory=dict[str, tuple[CertifiedQuestion, Item]])
-    """By the question's own words."""
+    """The questions that passed, by their text, each with its item."""
     refused: Counter[str] = field(default_factory=Counter[str])
-    """By filter."""
+    """The number of questions refused by each filter."""
     reason: str = ""
-    """Why nothing can be asked about the scene, in a clause, where that is known."""
+    """The reason why no question can be asked about the scene, as a clause; empty where none is known."""
 
 
 def ask(

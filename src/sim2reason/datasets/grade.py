@@ -141,7 +141,7 @@ def responses(file: IO[bytes], name: str) -> Iterator[Response]:
 
 
 def _each(line: Response) -> Iterator[Response]:
-    """Yield the responses of one line: a list of texts is several samples, a list of messages one conversation."""
+    """Yield the responses on a line of a responses file: each text in a list, or the messages of one conversation."""
     held = line.response
     if isinstance(held, list) and held and all(isinstance(said, str) for said in held):
         yield from (line.model_copy(update={"response": said}) for said in held)

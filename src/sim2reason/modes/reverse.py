@@ -153,7 +153,7 @@ class Reverse(QuestionMode):
         return None
 
     def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
-        """That no value of the number has that result, or that several have."""
+        """Return why the stated result fixes no value of the unknown number: none gives it, or several do."""
         unknown = next(iter(_besides(asked.query, words)), None)
         if asked.given is None or unknown is None or isinstance(asked.query.moment, Reached):
             return super().lacking(asked, study, words)

@@ -86,6 +86,5 @@ def test_it_is_asked_about_in_every_mode(mode: str) -> None:
 
 
 def test_it_conforms() -> None:
-    """As any entity."""
     with registered(PushedBlock):
         check_entity(PushedBlock)

@@ -23,7 +23,7 @@ BEST = 15.0 / sqrt(15.0**2 + 2.0 * G * 20.0)
 
 
 def answer(scene: Scene, **parts: str) -> float | None:
-    """Of a question in parts."""
+    """Return the answer to a question in parts."""
     motion, words = motion_of(scene), words_of(describe(scene))
     return posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
 

@@ -59,7 +59,7 @@ def scene(name: str) -> tuple[FollowedMotion, Words]:
 
 
 def outcome(asked: Asked) -> str:
-    """Whether a question is answered *right* or *wrong*, or refused."""
+    """Return *right*, *wrong* or *refused* for a question."""
     motion, words = scene(asked.scene)
     try:
         found = understood(asked.question, motion, words)
@@ -100,7 +100,7 @@ def test_most_questions_are_understood() -> None:
     ],
 )
 def test_the_nearest_questions_are_offered(name: str, question: str, told: str) -> None:
-    """In sentences that are understood."""
+    """Each question that an error offers is understood."""
     motion, words = scene(name)
     said = nearest_said(question, motion, words)
     assert "did you mean: " in said
@@ -154,7 +154,7 @@ def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
     ],
 )
 def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> None:
-    """With other nouns for the only thing that they can mean."""
+    """A noun that fits one body alone is heard as that body."""
     assert hear(question, scene("atwood")[1]).text == text
 
 

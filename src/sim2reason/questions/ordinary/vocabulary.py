@@ -61,7 +61,7 @@ QUANTITIES: Mapping[str, str] = {
     "moment of inertia": "moment of inertia",
     "mass": "mass",
 }
-"""By what is found, how people call it; some of it stands for a quantity only beside certain words: see `mains`."""
+"""Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
 
 MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "

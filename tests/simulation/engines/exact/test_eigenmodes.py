@@ -35,7 +35,7 @@ WEDGE = scene(
 
 
 def stretches(trace: Trace) -> int:
-    """How many linear stretches were taken at once."""
+    """Count the linear stretches that the engine takes in closed form."""
     assert isinstance(trace.record, Motion)
     return sum(len(segment.flow.stretches) for segment in trace.record.segments if segment.flow)
 
@@ -96,6 +96,6 @@ def test_what_bends_is_not_taken_for_linear() -> None:
 
 
 def test_ordinary_motions_are_integrated_as_before() -> None:
-    """Only where there would be too many steps."""
+    """Closed forms replace integration only where it would take too many steps."""
     soft = scene("AnchoredSpring", "spring: {stiffness: 100.0, length: 0.5}, block: {mass: 0.1}, start: 0.6")
     assert stretches(simulate(soft, 100.0)) == 0

@@ -52,5 +52,5 @@ def test_a_motion_is_the_same_in_other_units(kind: str, monkeypatch: pytest.Monk
 
 
 def test_ordinary_motions_keep_their_units() -> None:
-    """Only what the library would take for massless is counted anew."""
+    """Units change only where MuJoCo would take a body for massless."""
     assert not any(mujoco.is_tiny(of(kind).mechanism) for kind in SCENES)
