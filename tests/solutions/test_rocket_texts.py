@@ -24,7 +24,8 @@ from worked import asked
 VELOCITY = re.compile(r"the velocity of the probe with the engine on is \$([^$]*)\$ at the time \$\\tau\$ after")
 UPPER = re.compile(r"\\int_0\^\{(.*?)\} .*? So the distance covered(?: by burnout)? is \$(s(?:_\{\\text\{out\}\})?) = ")
 MASSES = re.compile(
-    r"becomes \$(?P<factor>.*?) \\int_\{(?P<low>.*?)\}\^\{(?P<high>m[^ ]*)\} (?P<log>.*?)\\,\\mathrm\{d\}x(?P<fallen>[^$]*)\$; "
+    r"becomes \$(?P<factor>.*?) \\int_\{(?P<low>.*?)\}\^\{(?P<high>m[^ ]*)\} (?P<log>.*?)"
+    r"\\,\\mathrm\{d\}x(?P<fallen>[^$]*)\$; "
     r"the antiderivative of \$(?P<again>[^$]*)\$ is \$(?P<primitive>[^$]*)\$"
 )
 HEAVY, LIGHT = 20.0, 9.0  # kg/s: of these rates of burning the first lifts the rocket at once

@@ -83,7 +83,8 @@ def test_each_mode_has_an_equation_of_motion_that_its_displayed_solution_fulfils
     found = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3)))
     told = re.search(
         rf"The equation of motion of mode {number} is \$(?P<left>[^$=]*) = (?P<right>[^$]*)\$, and its solution with "
-        rf"\$q_{number} = 0\$ and \$\\dot{{q}}_{number} = (?P<rate>[^$]*)\$ at \$t = 0\$ is \$q_{number} = (?P<q>[^$]*)\$",
+        rf"\$q_{number} = 0\$ and \$\\dot{{q}}_{number} = (?P<rate>[^$]*)\$ at \$t = 0\$ is "
+        rf"\$q_{number} = (?P<q>[^$]*)\$",
         found.text,
     )
     assert told is not None, found.text
