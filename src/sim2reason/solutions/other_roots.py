@@ -10,12 +10,12 @@ from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.algebra.single_sine import beyond_right_angle
 from sim2reason.solutions.solution import SAME, with_unit
 from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 Sides = tuple[Expression, Expression]
 """Left and right of an equation."""
-UNDEFINED = (ValueError, ArithmeticError, KeyError, TypeError)
+UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
 
 class OtherRoots:
@@ -79,8 +79,8 @@ class OtherRoots:
     def _breaks_assumption(self, step: Writing, name: str, value: float) -> None:
         """Say that with another root a comparison would be false on which the equations rest."""
         for left, right in self._assumed(name):
-            would = [put(side, name, Number(value)) for side in (right, left)]
             try:
+                would = [put(side, name, Number(value)) for side in (right, left)]
                 broken = self.book.value(would[0]) > self.book.value(would[1])
             except UNDEFINED:
                 continue
@@ -108,9 +108,9 @@ class OtherRoots:
         if other < 0.0 < known and name == self.unknown:
             step.say(f"The other root, {number}, is negative, but ${name}$ is positive.")
         elif any(isinstance(part, Root) and name in part.symbols() for side in plain for part in _parts(side)):
-            gap = Absolute(put(plain[0], name, Number(other)) - put(plain[1], name, Number(other)))
             size = SAME * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
             try:
+                gap = Absolute(put(plain[0], name, Number(other)) - put(plain[1], name, Number(other)))
                 misses = self.book.value(gap) > size
             except UNDEFINED:
                 return
