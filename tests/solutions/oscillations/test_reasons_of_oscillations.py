@@ -111,7 +111,7 @@ def test_displacements_are_no_longer_called_deviations_from_equilibrium() -> Non
 def test_a_string_in_an_oscillation_is_shown_to_stay_taut() -> None:
     text = solution_text("mixed-easy-multipart-301914-0")
     assert "sets block A in motion to the right" in text
-    assert "and it stays taut" in text
+    assert "stays taut. Its tension is at least $T_{\\text{min}} = " in text
     assert "It turns back" not in text
 
 
