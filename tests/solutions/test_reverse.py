@@ -154,3 +154,9 @@ def test_a_quotient_of_numbers_has_its_equation_before_it() -> None:
     text = solve_prompt(PRISM)[0].text
     assert r"In SI units, $a_M = \frac{" in text
     assert r"so $M = \frac{4.5903}{3.2755} = 1.4014\ \text{kg}$." in text
+
+
+def test_the_other_angle_with_a_sine_is_more_than_a_right_angle() -> None:
+    found = solve_prompt(ENERGY)[0]
+    assert "The other angle with this sine, $144.10^\\circ$, is more than $90^\\circ$." in found.text
+    assert any(r.role == "exceeds" and r.left.latex() == r"\pi - \theta" for r in found.relations)
