@@ -67,3 +67,22 @@ def test_of_two_times_the_first_positive_one_counts(other: float, said: str) -> 
     step = book.open("time")
     assert why_this_time(book, step, Symbol("t"), Number(other)) == said
     assert [relation.role for relation in step.relations] == ["exceeds"]
+
+
+def test_another_positive_value_of_the_unknown_is_excluded_in_the_end() -> None:
+    """With a = 4 − x, which is positive as was written, x is not 5 but 3."""
+    book = Book()
+    book.know("x", 3.0)
+    book.know("a", 1.0)
+    book.formulas["a"] = Number(4.0) - X
+    step = book.open("verify")
+    step.say("Even then $a$ is positive.")
+    step.relations.append(Relation(A, Number(0.0), "exceeds"))
+    step.close()
+    OtherRoots(book, "x", lambda name: Chain(((name, X),))).exclude([5.0])
+    for write in book.checks.values():
+        write()
+    assert book.steps[-1].text == "With the other root for $x$, $5.0000$, $a$ would not be positive."
+    (relation,) = book.steps[-1].relations
+    assert relation.left == Number(0.0)
+    assert relation.right.value({}).real == pytest.approx(-1.0)

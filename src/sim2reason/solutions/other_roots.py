@@ -1,6 +1,7 @@
 """Why the other solution of an equation for a name does not count."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from math import pi
 
 from sim2reason.solutions.algebra.evaluated import Chain
@@ -15,6 +16,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 Sides = tuple[Expression, Expression]
 """Left and right of an equation."""
+LONGEST = 6000  # characters of a comparison with everything inserted
 UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
 
@@ -35,6 +37,8 @@ class OtherRoots:
         book = self.book
         if book.in_symbols:
             return
+        if name == self.unknown:
+            self.exclude(others)
         if len(others) == 1:
             self.drop(step, name, others)
             self._too_late(step, name, others)
@@ -58,6 +62,51 @@ class OtherRoots:
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
 
+    def exclude(self, others: Sequence[float]) -> None:
+        """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
+
+        By then all comparisons are written on which the equations rest.
+        """
+        for value in others:
+            if value > 0.0:
+                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value))
+
+    def _tell_excluded(self, value: float) -> None:
+        held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
+        relations = [relation for step in self.book.steps for relation in step.relations]
+        for relation in relations:
+            if relation.role == "verified" and isinstance(relation.left, Symbol):
+                held.setdefault(relation.left.name, relation.right)
+        for relation in relations:
+            if relation.role != "exceeds" or isinstance(relation.left, Number):
+                continue
+            try:
+                left, right = (self._with(side, held, value) for side in (relation.left, relation.right))
+                broken = self.book.value(right) > self.book.value(left)
+            except UNDEFINED:
+                continue
+            if broken:
+                step = self.book.open("verify")
+                exceeds(self.book, step, right, left)
+                positive = "positive" if relation.right == ZERO else f"greater than ${relation.right.latex()}$"
+                number = self._number(self.unknown, value)
+                step.say(f"With the other root for ${self.unknown}$, {number}, ${relation.left.latex()}$ would not be")
+                step.say(f"{positive}.")
+                step.close()
+                return
+
+    def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
+        """Return a formula with all inserted that hangs on the unknown, and a value for that.
+
+        Raises:
+            UnsolvedError: it becomes long.
+        """
+        for name in reversed(held):
+            side = put(side, name, held[name])
+            if len(side.latex()) > LONGEST:
+                raise UnsolvedError("it becomes too long")
+        return put(side, self.unknown, Number(value))
+
     def _too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
         """Say that another root is no time of a stage that ends before a stated instant."""
         book = self.book
@@ -80,12 +129,12 @@ class OtherRoots:
         """Say that with another root a comparison would be false on which the equations rest."""
         for left, right in self._assumed(name):
             try:
-                would = [put(side, name, Number(value)) for side in (right, left)]
-                broken = self.book.value(would[0]) > self.book.value(would[1])
+                more, less = put(right, name, Number(value)), put(left, name, Number(value))
+                broken = self.book.value(more) > self.book.value(less)
             except UNDEFINED:
                 continue
             if broken:
-                exceeds(self.book, step, *would)
+                exceeds(self.book, step, more, less)
                 step.say(
                     f"With the other root, {self._number(name, value)}, ${left.latex()}$ would not be greater than "
                     f"${right.latex()}$."

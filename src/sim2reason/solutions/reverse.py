@@ -196,6 +196,7 @@ class Inversion:
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
         self._roots.drop(step, self.unknown, others)
+        self._roots.exclude(others)
         self._tell_implied(step, names)
         step.close()
         return self.unknown

@@ -28,7 +28,7 @@ def solved(prompt: str) -> str:
     assert found.answer is not None, found.reason
     assert not faults(found, found.answer)
     assert not read(found.text).broken
-    taut = [r for s in found.steps if s.kind == "taut" for r in s.relations if r.role == "exceeds"]
+    taut = [r for s in found.steps if s.kind == "tension check" for r in s.relations if r.role == "exceeds"]
     assert all(relation.right.latex() == "0" for relation in taut)
     return found.text
 
@@ -36,8 +36,8 @@ def solved(prompt: str) -> str:
 def test_the_tensions_that_cancel_are_stated_after_the_accelerations() -> None:
     text = solved(ATWOOD)
     told = re.search(
-        r"The tensions \$T_1 = [^$]* = 22\.05\d\\ \\text\{N\}\$ and \$T_2 = 2\\,T_1 = 44\.10\d\\ \\text\{N\}\$ are "
-        r"positive, so the strings stay taut\.",
+        r"The strings stay taut, as \$T_1 = [^$]* = 22\.05\d\\ \\text\{N\}\$ and \$T_2 = 2\\,T_1 = 44\.10\d"
+        r"\\ \\text\{N\}\$ are positive\.",
         text,
     )
     assert told is not None, text
@@ -47,6 +47,6 @@ def test_the_tensions_that_cancel_are_stated_after_the_accelerations() -> None:
 def test_a_string_within_a_row_of_blocks_has_a_tension_of_its_own() -> None:
     """It cancels at once; of an unknown angle that follows in the end."""
     text = solved(ROW)
-    assert "The tensions $T_{AB} = m_A" in text
+    assert "The strings stay taut, as the tension $T_{AB} = m_A" in text
     assert "in the string between block A and block B, $T_2 = " in text
-    assert text.index("= 64.0") < text.index("The tensions")
+    assert text.index("= 64.0") < text.index("The strings stay taut")

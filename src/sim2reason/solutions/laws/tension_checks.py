@@ -13,7 +13,7 @@ from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
-TAUT = "taut"  # the kind of these steps
+TAUT = "tension check"  # the kind of these steps
 
 
 def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
@@ -51,14 +51,16 @@ def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
         told += new
     if len(told) == 1:
         ((place, formula),) = told
-        step.say(f"{capital(_line(dynamics, place))} stays taut, as its tension {formula} is positive.")
+        alone = len(dynamics.newton.lines) == 1 and f"T{place}" in dynamics.names
+        who, what = ("The string", "") if alone else (capital(_line(dynamics, place)), "its tension ")
+        step.say(f"{who} stays taut, as {what}{formula} is positive.")
     elif told:
         named = [
-            formula if f"T{place}" in dynamics.names else f"{formula} in {_line(dynamics, place)}"
+            formula if f"T{place}" in dynamics.names else f"the tension {formula} in {_line(dynamics, place)}"
             for place, formula in told
         ]
-        every = "the" if len(told) == len(dynamics.taut) else "these"
-        step.say(f"The tensions {joined(named)} are positive, so {every} strings stay taut.")
+        every = "The" if len(told) == len(dynamics.taut) else "These"
+        step.say(f"{every} strings stay taut, as {joined(named)} are positive.")
     step.close()
     book.phase = now
 
