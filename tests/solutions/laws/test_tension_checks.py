@@ -2,7 +2,10 @@
 
 import re
 
-from sim2reason.solutions import solve_prompt
+from sim2reason.questions.part_prompts import parse_parts
+from sim2reason.solutions import solve, solve_prompt
+from sim2reason.solutions.multipart.in_sequence import in_sequence
+from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 
@@ -20,6 +23,13 @@ passes over a light pulley Q fixed in place, goes straight down, under P and str
 at a fixed hook. Everything is let go from rest with all strings taut. Block B takes 0.563 s to move 1.1 \
 m, counted from release. Find the angle $\theta$. Friction at pulleys is negligible, and no body reaches \
 a pulley. Take g = 9.8 m/s². Write the answer in degrees, to three significant figures, in \boxed{}."""
+
+
+PARTS = ATWOOD.partition("Calculate")[0].replace("\\\n", "") + (
+    "The pulleys are frictionless, and every string is long enough. Here g = 9.8 m/s².\n\n(a) How long after "
+    "release has block B moved 0.84 m?\n(b) What is the distance between block C and its starting point at that moment?\n\nGive "
+    "all answers together in one box, as in \\boxed{(a) …; (b) …}: (a) in s and (b) in m, to three significant figures."
+)
 
 
 def solved(prompt: str) -> str:
@@ -50,3 +60,13 @@ def test_a_string_within_a_row_of_blocks_has_a_tension_of_its_own() -> None:
     assert "The strings stay taut, as the tension $T_{AB} = m_A" in text
     assert "in the string between block A and block B, $T_2 = " in text
     assert text.index("= 64.0") < text.index("The strings stay taut")
+
+
+def test_a_later_part_does_not_say_again_that_strings_stay_taut() -> None:
+    """The same motion is asked about in all parts; whoever reads one part alone is told."""
+    settings = [*map(setting_of, parse_parts(PARTS))]
+    alone = [solve(setting) for setting in settings]
+    whole = in_sequence(settings, alone, whole=True)
+    assert ["tension check" in [step.kind for step in found.steps] for found in alone] == [True, True]
+    assert ["tension check" in [step.kind for step in found.steps] for found in whole] == [True, False]
+    assert all(found.answer is not None for found in whole)
