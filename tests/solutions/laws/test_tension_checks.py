@@ -27,8 +27,9 @@ a pulley. Take g = 9.8 m/s². Write the answer in degrees, to three significant 
 
 PARTS = ATWOOD.partition("Calculate")[0].replace("\\\n", "") + (
     "The pulleys are frictionless, and every string is long enough. Here g = 9.8 m/s².\n\n(a) How long after "
-    "release has block B moved 0.84 m?\n(b) What is the distance between block C and its starting point at that moment?\n\nGive "
-    "all answers together in one box, as in \\boxed{(a) …; (b) …}: (a) in s and (b) in m, to three significant figures."
+    "release has block B moved 0.84 m?\n(b) What is the distance between block C and its starting point at that "
+    "moment?\n\nGive all answers together in one box, as in \\boxed{(a) …; (b) …}: (a) in s and (b) in m, to three "
+    "significant figures."
 )
 
 
