@@ -15,18 +15,35 @@ from sim2reason.parsing.assembly import assembled
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.lines import entity_lines, may_begin
 from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
+from sim2reason.parsing.ordinary.nearest import nearest
+from sim2reason.parsing.ordinary.recast import recast, unlike, with_presumed
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
-from sim2reason.parsing.proof import prove, unsaid
+from sim2reason.parsing.proof import UnsaidError, prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
-from sim2reason.parsing.tokens import pieces, shown
+from sim2reason.parsing.tokens import MAX_PIECES, pieces, shown
 from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
 ASKS = r"\boxed"  # how the last sentence of every prompt ends
 IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
+LIST_OF_SENTENCES = "say it in the words of the templates, or leave it out"
+PRESUMED_AT_MOST = 2  # closings that a text in ordinary English may leave out
 ENDS = 2  # of a connection
 SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
+
+
+class UnreadError(TextError):
+    """A text with a sentence that is none of the library's, or that does not belong where it stands."""
+
+    def __init__(self, index: int, sentence: str) -> None:
+        """Store which sentence it is, from 0, and the sentence."""
+        self.index, self.sentence = index, sentence
+        super().__init__(f"sentence {index + 1}", f"{shown(sentence)} fits nowhere", LIST_OF_SENTENCES)
+
+    def __reduce__(self) -> tuple[type, tuple[int, str]]:
+        """Return how to copy the error."""
+        return type(self), (self.index, self.sentence)
 
 
 @dataclass(frozen=True)
@@ -59,13 +76,70 @@ def parse_scene(
 
     A `startless` text may leave out where things are at first and how they are sent off, as some questions do.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
-    Readings that move alike and call things alike are one; the first is returned.
+    Readings that move alike and call things alike are one; the first is returned. Other texts may be in ordinary
+    English, where each sentence says neither more nor less than one of the library.
 
     Raises:
-        TextError: the text tells no scene, or more than one.
+        TextError: the text tells no scene, or more than one; the message has the nearest sentence of the library.
     """
     rng = rng if rng is not None else np.random.default_rng(0)
     said = pieces(text)
+    readings = _readings(said, rng, given, startless=startless)
+    if len(readings.found) == 1:
+        return readings.found[0]
+    error = readings.refusal()
+    if isinstance(error, UnreadError) and not startless and not given:
+        told = _in_ordinary_english(said, rng)
+        if told is not None:
+            return told
+        error = with_nearest(error, said)
+    raise _sent_on(text, error)
+
+
+@dataclass(frozen=True)
+class _Readings:
+    """All readings of a text that are proven, and why others are not, each with the number of facts that it lacks."""
+
+    found: list[ParsedScene]
+    refused: list[tuple[int, TextError]]
+    matcher: Matcher
+
+    @property
+    def unsaid(self) -> list[str]:
+        """The closings that alone are missing in some reading."""
+        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
+
+    def refusal(self) -> TextError:
+        """Return why there is not exactly one reading."""
+        if self.found:
+            one, other = (_described(reading.scene) for reading in self.found[:2])
+            return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
+        if self.refused:
+            return min(self.refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
+        reach = self.matcher.reach
+        if reach == len(self.matcher.pieces):
+            return TextError("text", "it ends before all is told", "give the whole text of one scene")
+        return UnreadError(reach, self.matcher.pieces[reach])
+
+
+def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
+    """The scene of a text whose sentences say the same as some of the library; None if there is none."""
+    for told in recast(said):
+        waiting = [told]
+        for attempt in waiting:  # grows as it is walked through
+            readings = _readings(attempt, rng, NONE_GIVEN)
+            if len(readings.found) == 1:
+                return readings.found[0]
+            if len(attempt) < len(told) + PRESUMED_AT_MOST:
+                added = (with_presumed(attempt, name) for name in readings.unsaid)
+                waiting.extend(text for text in added if text is not None and text not in waiting)
+    return None
+
+
+def _readings(
+    said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
+) -> _Readings:
+    """All readings of a text in the library's own sentences."""
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
@@ -85,9 +159,7 @@ def parse_scene(
                 refused.append((lacking, error))
             except (SceneError, UnsupportedError, ValueError) as error:
                 refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
-    if len(found) == 1:
-        return next(iter(found.values()))
-    raise _sent_on(text, _refusal(list(found.values()), refused, matcher))
+    return _Readings(list(found.values()), refused, matcher)
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
@@ -97,21 +169,18 @@ def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
-def _refusal(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> TextError:
-    if found:
-        one, other = (_described(reading.scene) for reading in found[:2])
-        return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
-    if refused:
-        return min(refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
-    if matcher.reach == len(matcher.pieces):
-        return TextError("text", "it ends before all is told", "give the whole text of one scene")
-    fits = f"{shown(matcher.pieces[matcher.reach])} fits nowhere"
-    return TextError(f"sentence {matcher.reach + 1}", fits, "say it in the words of the templates, or leave it out")
-
-
 def _sent_on(text: str, error: TextError) -> TextError:
     """The same, with what reads prompts where the text is one."""
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
+
+
+def with_nearest(error: UnreadError, said: tuple[str, ...]) -> TextError:
+    """The same on the first sentence that is not understood, with the sentence of the library that comes nearest."""
+    at = unlike(said[error.index :])
+    index = error.index + (at or 0)
+    near = nearest(said[index])
+    remedy = f"the nearest that is: {near!r}" if near else LIST_OF_SENTENCES
+    return TextError(f"sentence {index + 1}", f"{shown(said[index])} is not understood", remedy)
 
 
 def _described(scene: Scene) -> str:

@@ -26,8 +26,8 @@ from sim2reason.figures.scaled.lines import PIVOT
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape, outline
 from sim2reason.figures.vectors import common
 from sim2reason.prose.description import describe
-from sim2reason.testing.choices import choices
-from sim2reason.testing.closing import closed
+from sim2reason.dsl.choices import choices
+from sim2reason.dsl.closing import closed
 
 TRIES = 60
 

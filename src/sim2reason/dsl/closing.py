@@ -13,7 +13,7 @@ from sim2reason.dsl.ports import Pass, Port
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
-from sim2reason.testing.choices import choices, reachable
+from sim2reason.dsl.choices import choices, reachable
 
 USED = 0.5  # the chance that a port that may stay open is used
 
