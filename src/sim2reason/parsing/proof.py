@@ -37,9 +37,9 @@ class UnsaidError(TextError):
         self.name = name
         super().__init__("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
 
-    def __reduce__(self) -> tuple[type, tuple[str]]:
-        """Return how to copy the error."""
-        return type(self), (self.name,)
+    def __reduce__(self) -> tuple[type[TextError], tuple[str, str, str]]:
+        """Pickle it as the error without the name, which only the parser looks at."""
+        return TextError, (self.place, self.problem, self.remedy)
 
 
 class ScriptedWriter(Writer):

@@ -16,34 +16,20 @@ from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.lines import entity_lines, may_begin
 from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.parsing.ordinary.nearest import nearest
-from sim2reason.parsing.ordinary.recast import recast, unlike, with_presumed
+from sim2reason.parsing.ordinary.recast import first_unlike, recast
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.parsing.proof import UnsaidError, prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
-from sim2reason.parsing.tokens import MAX_PIECES, pieces, shown
+from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
 ASKS = r"\boxed"  # how the last sentence of every prompt ends
 IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
-LIST_OF_SENTENCES = "say it in the words of the templates, or leave it out"
-PRESUMED_AT_MOST = 2  # closings that a text in ordinary English may leave out
+PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may leave out
 ENDS = 2  # of a connection
 SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
-
-
-class UnreadError(TextError):
-    """A text with a sentence that is none of the library's, or that does not belong where it stands."""
-
-    def __init__(self, index: int, sentence: str) -> None:
-        """Store which sentence it is, from 0, and the sentence."""
-        self.index, self.sentence = index, sentence
-        super().__init__(f"sentence {index + 1}", f"{shown(sentence)} fits nowhere", LIST_OF_SENTENCES)
-
-    def __reduce__(self) -> tuple[type, tuple[int, str]]:
-        """Return how to copy the error."""
-        return type(self), (self.index, self.sentence)
 
 
 @dataclass(frozen=True)
@@ -87,13 +73,11 @@ def parse_scene(
     readings = _readings(said, rng, given, startless=startless)
     if len(readings.found) == 1:
         return readings.found[0]
-    error = readings.refusal()
-    if isinstance(error, UnreadError) and not startless and not given:
-        told = _in_ordinary_english(said, rng)
-        if told is not None:
-            return told
-        error = with_nearest(error, said)
-    raise _sent_on(text, error)
+    plain = readings.stuck is not None and not startless and not given
+    told = _in_ordinary_english(said, rng) if plain else None
+    if told is not None:
+        return told
+    raise _sent_on(text, _with_nearest(readings.stuck or 0, said) if plain else readings.refusal())
 
 
 @dataclass(frozen=True)
@@ -109,6 +93,12 @@ class _Readings:
         """The closings that alone are missing in some reading."""
         return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
 
+    @property
+    def stuck(self) -> int | None:
+        """The index of the first sentence that no reading got through; None if some got through all."""
+        reach = self.matcher.reach
+        return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
+
     def refusal(self) -> TextError:
         """Return why there is not exactly one reading."""
         if self.found:
@@ -116,23 +106,22 @@ class _Readings:
             return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
         if self.refused:
             return min(self.refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
-        reach = self.matcher.reach
-        if reach == len(self.matcher.pieces):
+        if self.stuck is None:
             return TextError("text", "it ends before all is told", "give the whole text of one scene")
-        return UnreadError(reach, self.matcher.pieces[reach])
+        return _unread(self.stuck, self.matcher.pieces[self.stuck])
 
 
 def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
     """The scene of a text whose sentences say the same as some of the library; None if there is none."""
-    for told in recast(said):
-        waiting = [told]
-        for attempt in waiting:  # grows as it is walked through
-            readings = _readings(attempt, rng, NONE_GIVEN)
-            if len(readings.found) == 1:
+    for first in recast(said):
+        waiting = [first]
+        for told in waiting:  # grows as it is walked through
+            readings = _readings(told.said, rng, NONE_GIVEN)
+            if len(readings.found) == 1 and told.whole:
                 return readings.found[0]
-            if len(attempt) < len(told) + PRESUMED_AT_MOST:
-                added = (with_presumed(attempt, name) for name in readings.unsaid)
-                waiting.extend(text for text in added if text is not None and text not in waiting)
+            if len(told.added) < PRESUMED_AT_MOST:
+                more = (told.adding(name) for name in readings.unsaid)
+                waiting.extend(text for text in more if text is not None and text not in waiting)
     return None
 
 
@@ -174,13 +163,21 @@ def _sent_on(text: str, error: TextError) -> TextError:
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
 
 
-def with_nearest(error: UnreadError, said: tuple[str, ...]) -> TextError:
-    """The same on the first sentence that is not understood, with the sentence of the library that comes nearest."""
-    at = unlike(said[error.index :])
-    index = error.index + (at or 0)
-    near = nearest(said[index])
-    remedy = f"the nearest that is: {near!r}" if near else LIST_OF_SENTENCES
-    return TextError(f"sentence {index + 1}", f"{shown(said[index])} is not understood", remedy)
+def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
+    """That a sentence is none of the library's, or not where it stands, with the one that comes nearest."""
+    remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
+    return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
+
+
+def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
+    """Why a text is no scene: the first sentence from one on that says what none of the library does."""
+    unlike = first_unlike(said[stuck:])
+    told = next(recast(said), None) if unlike is None else None
+    if told is not None:
+        words = f"in the library's words: {' '.join(told.said)}"
+        return TextError("text", "its sentences make no scene together", words)
+    index = stuck + (unlike or 0)
+    return _unread(index, said[index], nearest(said[index]))
 
 
 def _described(scene: Scene) -> str:

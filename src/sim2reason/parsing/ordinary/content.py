@@ -4,14 +4,14 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cache
+from functools import cache, lru_cache
 
 from sim2reason.dsl.units import UnitError, coherent
 from sim2reason.parsing.ordinary.vocabulary import FILLERS, ORDERED, PHRASES, SAME, SURFACES, TEXTURES
 
 MINUS, TIMES = "\N{MINUS SIGN}", "\N{MULTIPLICATION SIGN}"
 _NUMBER = re.compile(
-    rf"(?<![\w.])(?:(?:\b[a-zA-Z]|µ|μ|θ)\s?=\s?)?([-{MINUS}]?\d{{1,30}}(?:\.\d{{1,30}})?"
+    rf"(?<![\w.])([-{MINUS}]?\d{{1,30}}(?:\.\d{{1,30}})?"
     rf"(?:e[+-]?\d{{1,3}}|\s?[{TIMES}x*]\s?10\^?[-{MINUS}]?\d{{1,3}})?)"
     r"(?:[ \-]?(°|%|[A-Za-zµμΩ][A-Za-zµμΩ0-9²³⁻¹·*/^]{0,20}))?"
 )
@@ -52,7 +52,8 @@ class Content:
     @property
     def order(self) -> tuple[str, ...]:
         """The words of which the order matters."""
-        matters = ORDERED | (TEXTURES | SURFACES if sum(word in SURFACES for word in self.words) > 1 else frozenset())
+        several = sum(word in SURFACES for word in self.words) > 1
+        matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
         found = [word for word in self.words if word in matters]
         return tuple(word for index, word in enumerate(found) if index == 0 or found[index - 1] != word)
 
@@ -68,6 +69,7 @@ class Content:
         return frozenset(word for word in near if word[0] != "#")
 
 
+@lru_cache(maxsize=1024)
 def content(sentence: str) -> Content:
     """Return what a sentence tells; numbers count from 0 in the order in which they stand."""
     numbers: list[Told] = []
@@ -105,7 +107,8 @@ def _words(text: str) -> Iterator[str]:
     for pattern, plain in _phrases():
         text = pattern.sub(f" {plain} ", text)
         text = " ".join(text.split())
-    for word in _WORD.findall(text):
+    words: list[str] = _WORD.findall(text)
+    for word in words:
         if word.isupper() or word[0] == "#":
             yield word
         elif word not in FILLERS:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.units import coherent
@@ -17,7 +18,22 @@ _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 def same(sentence: str) -> list[Form]:
     """Return the forms that say neither more nor less than a sentence, in any wording, those with its letters first."""
     said = content(sentence)
-    return sorted((form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters)
+    return sorted(
+        (form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters
+    )
+
+
+@cache
+def _by_core() -> dict[frozenset[str], list[Form]]:
+    found: dict[frozenset[str], list[Form]] = {}
+    for form in forms():
+        found.setdefault(_core(form.content), []).append(form)
+    return found
+
+
+def _core(said: Content) -> frozenset[str]:
+    """The words of a sentence that a form which says the same has, too."""
+    return said.facts - NOUNS - {"rough"}
 
 
 def nearest(sentence: str) -> str | None:
@@ -40,11 +56,21 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
     for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):
         alone = kinds.count(kind) == 1 and sum(number.bare == kind for _, number in left) == 1
         chosen = next((each for each in left if each[1].bare == kind), None)
-        if chosen is None or not (alone or _alike(said.beside(chosen[0]), form.content.beside(index))):
+        if chosen is None or not (alone or _certain(said, chosen[0], form.content, index)):
             yield None
             continue
         left.remove(chosen)
         yield _told(chosen[1], unit)
+
+
+def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
+    """Whether two numbers, of several of their kind, stand beside the same words, or the bodies are in a mere list."""
+    listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
+    return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
+
+
+def _is_letter(word: str) -> bool:
+    return len(word) == 1
 
 
 def _told(number: Told, unit: str) -> str:
@@ -75,7 +101,8 @@ def _equal(said: Content, form: Form) -> bool:
 
 
 def _agree(said: Content, other: Content) -> bool:
-    return said.facts == other.facts and said.order == other.order
+    """Whether they say the same; that a face is rough may stay unsaid, since its friction must be told in any case."""
+    return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
 
 
 def _of_one(said: Content, other: Content) -> bool:
@@ -89,9 +116,8 @@ def _of_one(said: Content, other: Content) -> bool:
 
 def _introduced(form: Form) -> bool:
     """Whether all letters of a form stand beside a number, as those of bodies do that are named for the first time."""
-    words = form.content.words
     beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
-    return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters) and bool(words)
+    return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
 def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
@@ -101,9 +127,7 @@ def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], 
 
 
 def _alike(mine: frozenset[str], theirs: frozenset[str]) -> bool:
-    if any(len(word) == 1 for word in theirs):
-        return True
-    return bool(mine & theirs)
+    return any(map(_is_letter, theirs)) or bool(mine & theirs)
 
 
 def _of_kind(kinds: list[str], kind: str) -> list[int]:
