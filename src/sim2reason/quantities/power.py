@@ -13,7 +13,7 @@ from sim2reason.quantities.subjects.paths import center_path, is_welded_part
 from sim2reason.quantities.tension import StringLengthRate
 
 
-class Power(Quantity):
+class PowerOfForce(Quantity):
     """What the power of every force on a body shares."""
 
     unit, symbol = "W", "P"
@@ -23,7 +23,7 @@ class Power(Quantity):
 
 
 @quantity
-class NetPower(Power):
+class NetPower(PowerOfForce):
     """The power of the net force on a body."""
 
     name = "power of the net force"
@@ -42,7 +42,7 @@ class NetPower(Power):
 
 
 @quantity
-class GravityPower(Power):
+class GravityPower(PowerOfForce):
     """The power of the weight of a body in a uniform field."""
 
     name = "power of gravity"
@@ -61,7 +61,7 @@ class GravityPower(Power):
 
 
 @quantity
-class ThrustPower(Power):
+class ThrustPower(PowerOfForce):
     """The power of the thrust on a rocket: thrust times speed, while the engine burns."""
 
     name = "power of the thrust"
@@ -88,7 +88,7 @@ class ThrustPower(Power):
 
 
 @quantity
-class HandPower(Power):
+class HandPower(PowerOfForce):
     """The power of a hand that draws in a string with a constant force."""
 
     name = "power of a hand"

@@ -128,6 +128,11 @@ def test_others_are_refused_with_the_nearest_sentence(text: str) -> None:
         "A block of mass 3.0 kg rests on a frictionless incline of 30°.",
         "A block of mass 3.0 kg rests on a frictionless incline of 30°. It is released from rest. It is blue.",
         "A 3.0 kg block lies on a frictionless 25° incline. It is released from rest. It moves up the slope at 2 m/s.",
+        (
+            "A small ball of mass 0.2 kg hangs from a fixed point by a light string of length 1.2 m. The ball is not"
+            " released from rest with the string at 25° to the vertical."
+        ),
+        "A 1.2-kg block lies on a frictionless 25° incline. It starts not from rest.",
         "A ball of mass 0.2 kg is thrown down at 12 m/s from the top of a building 45 m high. Neglect wind.",
     ],
 )

@@ -11,6 +11,7 @@ from sim2reason.parsing.ordinary.forms import Form, forms
 from sim2reason.parsing.ordinary.vocabulary import NOUNS
 
 LEAST = 0.2  # of all words of two sentences that they share, for one to be shown as near the other
+LONGEST = 600  # characters of a sentence that may be like one of the library
 NUMBERS = 1.0  # the weight of a number beside that of a word
 _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
@@ -38,6 +39,8 @@ def _core(said: Content) -> frozenset[str]:
 
 def nearest(sentence: str) -> str | None:
     """Return the form that shares most words with a sentence, its numbers filled in; None if none is near."""
+    if len(sentence) > LONGEST:
+        return None
     said = content(sentence)
     ranked = max(forms(), key=lambda form: _likeness(said, form), default=None)
     return filled(ranked, said) if ranked is not None and _likeness(said, ranked) >= LEAST else None

@@ -9,7 +9,7 @@ from sim2reason.dsl.model import field_types
 from sim2reason.dsl.scene import World
 from sim2reason.parsing.ordinary.content import Content, content
 from sim2reason.parsing.ordinary.forms import Form
-from sim2reason.parsing.ordinary.nearest import filled, same
+from sim2reason.parsing.ordinary.nearest import LONGEST, filled, same
 from sim2reason.parsing.ordinary.rewordings import reworded
 from sim2reason.parsing.ordinary.vocabulary import NOUNS
 from sim2reason.prose.closings import CLOSINGS, RESTS, is_assumption
@@ -23,6 +23,7 @@ PRESUMED = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on fa
 
 _REST = "It is released from rest."
 _RELEASED_SOMEWHERE = re.compile(r"(?: is| are) (?:released|let go) from rest(?= (?:on|at|from|with)\b)")
+_RELEASED_WITH = re.compile(r"(?:The|A) \w+ is (?:released|let go) from rest with the (string|rod) at (.*)")
 _APART = re.compile(r"(?:;|,? and|, which|, where|,)(?: then)? ")
 _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
@@ -82,7 +83,9 @@ def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tupl
 
 def _unlettered(said: Sequence[str]) -> Sequence[str]:
     """The same without the letter of a body that is the only one to have a letter."""
-    if {letter for sentence in said for letter in content(sentence).letters} != {FIRST_LETTER}:
+    if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
+        FIRST_LETTER
+    }:
         return said
     return [re.sub(rf"(?<=[a-z]) {FIRST_LETTER}\b", "", sentence) for sentence in said]
 
@@ -126,10 +129,14 @@ def _lettered(text: str, form: Form, said: Content) -> str:
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """The ways in which a sentence comes apart into two."""
+    """The ways in which a sentence comes apart into two; none of one that is too long."""
+    if len(sentence) > LONGEST:
+        return
     if _RELEASED_SOMEWHERE.search(sentence):
         yield [_RELEASED_SOMEWHERE.sub(" is", sentence, count=1), _REST]
-        yield [re.sub(r".* from rest with (.*?)(?: at)? ", r"\1 is at ", sentence, count=1), _REST]
+        held = _RELEASED_WITH.fullmatch(sentence)
+        if held is not None:
+            yield [f"The {held[1]} is at {held[2]}", _REST]
     for found in _APART.finditer(sentence):
         rest = sentence[found.end() :]
         rest = f"It {rest}" if _ENDS.match(rest) else rest

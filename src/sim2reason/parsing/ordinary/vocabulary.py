@@ -27,7 +27,8 @@ PHRASES: Mapping[str, str] = {
     r"\bwith (?:(?:the|all|its|both) )*strings? taut": "",
     r"\b(?:the )?(?:motion|system|everything|all|bodies|masses) (?:starts?|begins?|is released|are released|is let go"
     r"|are let go)(?: from rest)?|\b(?:is|are) (?:then )?(?:released|let go)(?: from rest)?"
-    r"|\b(?:starts?|begins?) (?:\w+ )?from rest|\bat rest at first|\binitially at rest|\ball is at rest": "rest",
+    r"|\b(?:starts?|begins?) (?:moving |to move )?from rest|\bat rest at first|\binitially at rest"
+    r"|\ball is at rest": "rest",
     r"\b(?:to|with) the horizontal\b": "",
     r"\b(?:every|all|each|the) collisions? (?:is|are)|\bcollisions are": "collision",
     r"\b(?:perfectly|completely) elastic": "elastic",
