@@ -79,7 +79,7 @@ def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts:
     found = made()
     motion, words = motion_of(found), words_of(describe(found))
     if parts["find"] == "relative velocity":
-        parts = {**parts, "of": next(iter(words.called(QUANTITIES["relative velocity"].of)))}
+        parts = {**parts, "of": QUANTITIES["relative velocity"].of.names(words.mechanism)[0]}
     question = posed(StructuredQuestion.read(parts), motion, words)
     followed = question.followed(motion)
     assert followed.answer == pytest.approx(answer, rel=1e-6)

@@ -8,8 +8,8 @@ from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.momentum import NetForce
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.hands import Hands
 from sim2reason.quantities.subjects.paths import center_path, is_welded_part
+from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.quantities.tension import StringLengthRate
 
 
@@ -92,9 +92,17 @@ class HandPower(PowerOfForce):
     """The power of a hand that draws in a string with a constant force."""
 
     name = "power of a hand"
-    of = Hands()
-    magnitude = "the power of {hand}"
+    of = Strings()
+    magnitude = "the power with which the hand draws in {string}"
     order = 23
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the strings that a hand draws in."""
+        return tuple(line.name for line in mechanism.pulls)
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether a hand draws the string in."""
+        return name in self.subjects(mechanism)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

@@ -22,9 +22,9 @@ class RelativeBodies(Subject):
         return tuple(AND.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """As in: puck A relative to puck B."""
-        named = [name for name in mechanism.body if name in mentions and moves(mechanism, name)]
-        return {AND.join((a, b)): f"{mentions[a]} relative to {mentions[b]}" for a, b in permutations(named, 2)}
+        """None: they are asked about in parts only, since a sentence that has two bodies speaks of each."""
+        del mechanism, mentions
+        return {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Whether the text says it of both."""
