@@ -4,10 +4,22 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import COMPRESSED, RELAXED, STRAIGHT, STRETCHED, pattern
-from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, ways_of
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
+from sim2reason.questions.ordinary.vocabulary import (
+    COMPRESSED,
+    ORIGIN,
+    QUANTITIES,
+    RELAXED,
+    RESTS,
+    STRAIGHT,
+    STRETCHED,
+    meant,
+    pattern,
+)
+from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
+UP_WAY, DOWN_WAY = "up", "down"
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
@@ -15,6 +27,12 @@ Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
+    found = list(_of_tables(clause, heard, subject, side))
+    plain = dict.fromkeys(paraphrased(clause)) if not found else ()
+    yield from found or (when for told in plain for when in _of_tables(told, heard, subject, side))
+
+
+def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     for told, reader in CLAUSES.items():
         found = pattern(told).fullmatch(clause)
         if found is None:
@@ -66,10 +84,12 @@ def _jump(*names: str) -> Reader:
     """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        who = _who(found, heard, subject)
-        number = found.groupdict().get("number") or ""
+        who, groups = _who(found, heard, subject), found.groupdict()
+        number = groups.get("number") or ""
         for name in names:
-            of = "" if who.startswith("all ") or name == "collided" else who
+            both = who.removeprefix(f"{ALL} ") if who.startswith(f"{ALL} ") and who.count(" & ") == 1 else ""
+            its = name != "collided" or groups.get("s") or re.match(r"its |@\d+@ 's ", found[0])
+            of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL} ") else ""
             told = " ".join(filter(None, (number, of, name)))
             for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
                 yield When(f"{told} before" if side == BEFORE else told, side)
@@ -112,6 +132,43 @@ def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     else:
         yield When(f"{who} moved {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
+        for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY)):
+            yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
+
+
+def _returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body on a straight line is back where it started."""
+    who = _who(found, heard, subject)
+    yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
+
+
+def _for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment from which a body stays at rest: its last stop or, where there is but one, that."""
+    who = _who(found, heard, subject)
+    yield When(f"{who} halted", side)
+    yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
+
+
+def _has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a component of a velocity has a value, downwards if the body falls."""
+    who, sign = _who(found, heard, subject), "-" if found["sense"] in ("falls", "down") else ""
+    yield When(f"velocity of {who} along {found['axis']} = {sign}{heard.number(found['n'])}", side)
+
+
+def _at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a coordinate of a body that starts at the origin has a value."""
+    who, axis = _who(found, heard, subject), found["axis"]
+    value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
+    yield When(f"displacement of {who} along {axis} = {value}", side, ((who, f"{ORIGIN} {axis}"),))
+
+
+def _quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a quantity named by a noun has a value."""
+    name, who = meant(QUANTITIES, found["q"]), _who(found, heard, subject)
+    if name not in ("height", "distance", "length", "force", "compression", "deceleration"):
+        yield When(f"{name} of {who} = {heard.number(found['n'])}", side)
+    elif name == "height":
+        yield When(f"height above the ground of {who} = {heard.number(found['n'])}", side)
 
 
 def _at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -192,6 +249,12 @@ def _natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 CLAUSES: Mapping[str, Reader] = {
+    "[{s} ]returns": _returned,
+    "[{s} ]finally stops": _for_good,
+    "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": _has_component,
+    "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": _at_place,
+    "{q=QUANTITY} of {s} equals {n}": _quantity_is,
+    "{q=QUANTITY} equals {n}": _quantity_is,
     "[t = |time t = |time ]{n}[ START]": _at,
     "{n} after START": _at,
     "{n}[ have passed| has passed| have elapsed]": _at,
@@ -210,6 +273,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~BOUNCES for {number=ORDINAL} time": _jump("bounced"),
     "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": _jump("collided"),
     "{number=ORDINAL} collision": _jump("collided"),
+    "{s} 's {number=ORDINAL} collision": _jump("collided"),
     "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": _meet,
     "[pure ]rolling (?:sets in|begins|starts)": simply("stopped slipping"),
     "{number=ORDINAL} collision (?:take|takes|took) place": _jump("collided"),

@@ -35,12 +35,17 @@ _HOLDING = (
     "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
+_OWN_ADJECTIVES = re.compile(
+    rf"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
+    rf"(?=(?:{'|'.join(sorted({noun for group in NOUNS for noun in group} | {'arm', 'hemisphere', 'pulley', 'shell'}))})\b)"
+)
 _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
-_START = re.compile(r"\bt ?= ?0(?: s)?(?![\w.])")
+_START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
+_HIT_IT = re.compile(r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with)) it\b")
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
@@ -74,11 +79,14 @@ def hear(sentence: str, words: Words) -> Heard:
         return f"@{subjects.index(phrase)}@"
 
     text = _ADJECTIVES.sub("", text)
+    text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
     text, numbers = _with_numbers(_START.sub("start", text))
     text = _ordered(text, subjects)
     text = _INDIRECT.sub("", text)
+    if len(subjects) == 2:  # *after B has hit it*: the other
+        text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
     if not any(subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
@@ -142,9 +150,12 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
-    found += [
-        (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
-    ]
+        alone = _others(noun, phrase, {other: named[:1] for other, named in nouns.items()})
+        found += [(len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING]
+    for said, plural in _plurals(nouns):
+        found.append((2, said, rf"\b(?:(?:[Bb]oth|[Aa]ll) of the |[Tt]he |[Bb]oth |[Aa]ll )*(?:two |three )?{plural}\b(?! [A-Z]\b)"))
+        each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
+        found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
 
 
@@ -158,7 +169,7 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
     nouns = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
     if len(nouns) == 1:
         both = rf"(?:the )?(?:two )?(?:{_alike(*nouns, *ANYTHING)})e?s"
-        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b"
+        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b(?! [A-Z]\b)"
     for one, other in (ends, reversed(ends)):
         told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
         yield 2000, phrase, told

@@ -7,6 +7,7 @@ from functools import cache
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
+from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
@@ -18,6 +19,7 @@ from sim2reason.questions.ordinary.readers import (
     each,
     of_none,
     of_one,
+    of_pair,
 )
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import (
@@ -35,6 +37,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     pattern,
 )
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.posing import PLUS, SUMMED
 
 FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 
@@ -42,7 +45,10 @@ FORCES = "tension", "rod force", "spring force"  # of what lies along a line
 def mains(question: str, heard: Heard) -> Iterator[Main]:
     """Yield every meaning of a main clause; nothing if the clause matches no known frame."""
     found = list(_framed(question, heard))
-    yield from found or (main for plain in plainly_ordered(question) for main in _framed(plain, heard))
+    plain = dict.fromkeys(plainly_ordered(question)) if not found else ()
+    found = found or [main for told in plain for main in _framed(told, heard)]
+    plain = dict.fromkeys(paraphrased(question)) if not found else ()
+    yield from found or (main for told in plain for main in _framed(told, heard))
 
 
 def _framed(question: str, heard: Heard) -> Iterator[Main]:
@@ -64,6 +70,9 @@ def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     name = meant(QUANTITIES, groups["q"])
     axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
     along = axis if axis in AXES else ""
+    if name in SUMMED and re.search(r"\b(?:total|combined)\b", found[0]) and len(each(heard, groups.get("s"))) > 1:
+        yield Main(name, PLUS.join(each(heard, groups.get("s"))))
+        return
     for of in each(heard, groups.get("s")):
         ways = ways_of(found, of) if not along else ()
         yield from _named(name, of, along, ways)
@@ -75,6 +84,8 @@ AXES = ("horizontal", "vertical", "x", "y")
 def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
     if name == "force":
         yield from (Main(force, of) for force in FORCES)
+    elif name == "tension":
+        yield from (Main(force, of, along, ways=ways) for force in ("tension", "rod force"))
     elif name == "deceleration":
         yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
     elif name == "compression":
@@ -171,6 +182,16 @@ def _presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
 
 
+def _length_at(turn: str) -> Reader:
+    """Return a reader for the length of a spring where the spring is compressed, or stretched, most."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main("spring length", of, needs=FREE, when=When(f"{of} {turn}"))
+
+    return read
+
+
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
@@ -182,7 +203,7 @@ def _potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 FRAMES: Mapping[str, Reader] = {
-    "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
+    "ASK [total |combined ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
     "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
     "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
     "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
@@ -196,11 +217,13 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
     "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
     "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
-    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_none("distance"),
-    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_none("relative speed"),
+    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_pair("distance"),
+    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_pair("relative speed"),
     "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": _initial,
     "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
     "ASK {s} 's initial {q=QUANTITY}": _initial,
+    "what is shortest length of {s}": _length_at("most compressed"),
+    "what is longest length of {s}": _length_at("most stretched"),
     "ASK [SIZE ]{s} force": of_one(*FORCES),
     "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": _presses,
     "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": _presses,
@@ -240,9 +263,9 @@ FRAMES: Mapping[str, Reader] = {
     "how high[ above SURFACE] ~[{s}][ above SURFACE]": _high,
     "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
-    "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
-    "how far ~{s}[ and {t}] apart": of_none("distance"),
-    "how far apart ~(?:centres of )?{s}[ and {t}]": of_none("distance"),
+    "how fast ~{s} ~MOTION relative to each other": of_pair("relative speed"),
+    "how far ~{s}[ and {t}] apart": of_pair("distance"),
+    "how far apart ~(?:centres of )?{s}[ and {t}]": of_pair("distance"),
     "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,
     "how far {s}": _far_flown,
     "ASK stopping distance(?: of {s}|)": _far_stopped,
@@ -254,8 +277,8 @@ FRAMES: Mapping[str, Reader] = {
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),
-    "how far from {t} ~{s}": of_none("distance"),
-    "how far ~{s}[ away] from {t}": of_none("distance"),
+    "how far from {t} ~{s}": of_pair("distance"),
+    "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
     "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),

@@ -1,7 +1,7 @@
 """Placement of readings in a scene: names of axes, subjects left unsaid, and addresses of the scene's numbers."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from sim2reason.dsl.scene import Scene
@@ -15,27 +15,41 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.wanted import WantedNumber, wanted
+from sim2reason.questions.ordinary.vocabulary import RESTS
+from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
+from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9
 TURNING = "lowest point", "highest point", "stopped"
 SIGNED = ("velocity",)
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
+COLLISIONS = ("energy lost in a collision", "impulse of a collision")
+_COLLISION = re.compile(rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?")
+_ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
 PERIODS = ("period", "frequency", "angular frequency")
 
 
-def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
-    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject."""
+def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = ()) -> Iterator[Reading]:
+    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject.
+
+    `events` are those of the motion, of which the first collision, or a later one, may be meant.
+    """
     for reading in found:
+        if (reading.gone or reading.asked.when.endswith("halted")) and not _fits(reading, words):
+            continue
         for of in _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for when in _hung(asked.when, words):
-                told = _met(when, words) or (START if reading.steady else "")
-                yield replace(reading, asked=replace(asked, when=told))
+                told = _met(_collided(_component(when, words), words, events), words) or (START if reading.steady else "")
+                of = _met(f"{of} collided", words).removesuffix(" collided") if " & " in of else of
+                pair = _pair_of(told) if asked.find in COLLISIONS and (not of or of in words.mentions.values()) else of
+                yield replace(reading, asked=replace(asked, of=pair or asked.of, when=told))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
@@ -78,6 +92,53 @@ def _met(told: str, words: Words) -> str:
         if {words.mentions.get(member, member) for member in members(name)} == {found[1], found[2]}:
             return f"{name} {found[3]}"
     return told
+
+
+def _fits(reading: Reading, words: Words) -> bool:
+    """Return whether something may bring bodies to rest, where a reading takes for granted that they stay at rest."""
+    rests = reading.asked.when.endswith("halted") or any(way == RESTS for _, way in reading.gone)
+    mechanism = words.mechanism
+    rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
+    return rubs or not rests
+
+
+def _pair_of(told: str) -> str:
+    """Return the name of the pair of bodies that collide at a moment; empty if the moment names none."""
+    found = re.match(r"(?:\w+ )?(\S+ & \S+) collided", told)
+    return found[1] if found is not None else ""
+
+
+def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
+    """Return a collision of no named pair, or of one body, as the collision of that number in the motion's course."""
+    found = _COLLISION.fullmatch(told)
+    if found is None:
+        return told
+    if len(words.called(Pairs())) < 2:
+        return f"{found['number'] or ''} collided{found['side'] or ''}".strip()
+    who = {name for name, said in words.called(Bodies()).items() if said == found["who"]}
+    if (found["who"] and not who) or not (found["who"] or found["number"]):
+        return told  # *the collision*, of several
+    met = [frozenset(event.subjects) for event in events if event.kind == "collision" and who <= {*event.subjects}]
+    number = ORDINALS.index(found["number"]) if found["number"] else 0
+    if number >= len(met) or any(len(names) != 2 for names in met[: number + 1]):
+        return told
+    name = next(name for name in Pairs().names(words.mechanism) if set(members(name)) == met[number])
+    count = ORDINALS[met[:number].count(met[number])]
+    return f"{count} {name} collided{found['side'] or ''}"
+
+
+def _component(told: str, words: Words) -> str:
+    """Return a value that a component reaches with the scene's name of the axis, by default that of the only line."""
+    found = _ALONG.fullmatch(told)
+    if found is None:
+        return told
+    asked = StructuredQuestion(found["find"], found["of"])
+    if found["axis"] != ONLY_LINE:
+        return f"{found['find']} of {found['of']} along {axis_named(found['axis'], asked, words)} = {found['value']}"
+    names = [name for name, said in words.called(Bodies()).items() if found["of"] in (name, said)]
+    senses = [sense for name in names for sense in Bodies().senses(words.mechanism, name)]
+    line = senses[0].positive if len(senses) == 1 else found["axis"]
+    return f"{found['find']} of {found['of']} along {line} = {found['value']}"
 
 
 def _carries(of: str, words: Words) -> bool:

@@ -15,7 +15,6 @@ REWORDINGS: Mapping[str, str] = {
     "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
     "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
     "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
-    "(?P<when>\\b(?:when|until|before|once) @\\d+@ )(?:finally|eventually) ": r"\g<when>",
     "\\b(?:been|being|already) ": "",
     "\\bupon ": "on ",
     "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import isclose
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.hearing import hear
@@ -37,7 +37,8 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
-    questions = [*placed(readings(heard), words), *numbers_wanted(heard, motion.study.scene, words)]
+    events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
+    questions = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
     for rank in sorted({reading.rank for reading in questions}):
         found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
         answered = [each for each in found if each.followed.answer is not None]

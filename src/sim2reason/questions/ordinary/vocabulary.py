@@ -181,6 +181,12 @@ PHRASES: Mapping[str, str] = {
 }
 """Phrases of which any one may stand; words in capitals are those of the other tables."""
 
+GROUNDS = (
+    "(?:(?:inclined|sloping|smooth|rough|level|horizontal|fixed|straight|tilted|stationary|flat) )*"
+    "(?:plane|slope|incline|ramp|floor|ground|table|tabletop|track|surface|lane|hill|rail)"
+)
+"""A pattern for the surface on which bodies move, with the adjectives that a text has for it."""
+
 WAYS: Mapping[str, str] = {
     "up": "up|uphill|upwards|upward|up SURFACE|vertically upwards",
     "down": "down|downhill|downwards|downward|down SURFACE|vertically downwards",
