@@ -116,7 +116,8 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
         query = posed(replace(asked, find="time", given=""), motion, words).query
         return PosedQuestion(query, unknown, measured("given", value, words.units.time))
     target, wanted = stated(asked, asked.given, words, "given")
-    inner = replace(asked, find=target.quantity, of=target.subject, given="")
+    along = target.sense.positive if target.sense is not None else ""
+    inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="")
     return PosedQuestion(posed(inner, motion, words).query, unknown, wanted)
 
 

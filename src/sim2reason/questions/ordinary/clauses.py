@@ -7,6 +7,7 @@ from dataclasses import replace
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
 from sim2reason.questions.ordinary.vocabulary import (
+    CARRIED_AT_REST,
     COMPRESSED,
     ORIGIN,
     QUANTITIES,
@@ -53,8 +54,11 @@ def simply(name: str, side: str = "") -> Reader:
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         groups = found.groupdict()
         number = groups.get("number") or ""
-        told = " ".join(filter(None, (number, _who(found, heard, subject), name)))
-        yield When(told, side or asked)
+        who = _who(found, heard, subject)
+        yield When(" ".join(filter(None, (number, who, name))), side or asked)
+        if name == "stopped":  # what rides on something comes to rest where that is at rest, too
+            told = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
+            yield When(told, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
 
     return read
 
@@ -114,6 +118,12 @@ def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
     yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
 
 
+def _joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield the moment from which bodies move together, as nothing slips any more."""
+    del found, heard, subject
+    yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
+
+
 def _rather(reader: Reader) -> Reader:
     """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
 
@@ -140,6 +150,12 @@ def _returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
     """Yield the moment when a body on a straight line is back where it started."""
     who = _who(found, heard, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
+
+
+def _stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body that goes one way comes to rest."""
+    for when in simply("stopped")(found, heard, subject, side):
+        yield replace(when, ways=(*when.ways, *ways_of(found, _who(found, heard, subject))))
 
 
 def _for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -231,11 +247,13 @@ def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def _apsis(name: str) -> Reader:
-    """Return a reader for the moment when two bodies are farthest apart or closest together, whatever body is named."""
+    """Return a reader for the moment when two bodies are farthest apart or closest together: the two that are named, or the body of which the question is asked and its only partner."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        del heard, subject, found
-        yield When(name, asked)
+        named = [heard.subject(found.groupdict().get(key)) for key in "st"]
+        both = " & ".join(said for said in named if said)
+        for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):
+            yield When(f"{who} {name}".strip(), asked, rank=rank)
 
     return read
 
@@ -250,6 +268,7 @@ def _natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 CLAUSES: Mapping[str, Reader] = {
     "[{s} ]returns": _returned,
+    "[{s} ]stops going {way=WAY}": _stops_going,
     "[{s} ]finally stops": _for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": _has_component,
     "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": _at_place,
@@ -310,12 +329,14 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} RUNS_OUT": _alone("burned out"),
     "[{s} ][first ]ROLLS[ on {t}]": simply("stopped slipping"),
     "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": simply("stopped slipping"),
-    "(?:{s}|they) ~(?:move|moves|moving) together": _alone("stopped slipping"),
+    "(?:{s}|they) ~(?:move|moves|moving) together": _joined,
     "{s} NATURAL[ AGAIN][ FIRST_TIME]": _natural,
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": _apsis("farthest"),
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": _apsis("closest"),
     "[its |{s} 's ](?:farthest|furthest)[ from {t}]": _apsis("farthest"),
     "[its |{s} 's ](?:closest|nearest)[ to {t}]": _apsis("closest"),
+    "{s} closest to {t}": _apsis("closest"),
+    "{s} farthest from {t}": _apsis("farthest"),
     "{s} ~{n}[ away] from {t}": _apart,
     "{s} ~{strain=STRAINED} by {n}": _strained,
     "{s} ~{n} long": _long,

@@ -43,6 +43,7 @@ _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
+_FROM_REST = re.compile(r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?")
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _HIT_IT = re.compile(r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with)) it\b")
@@ -93,7 +94,7 @@ def hear(sentence: str, words: Words) -> Heard:
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
-        text = _RELEASED.sub("", text)
+        text = _FROM_REST.sub("", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
     return Heard(reworded(" ".join(_without_pronouns(text, subjects).split())), tuple(subjects), numbers)
 
@@ -128,7 +129,7 @@ def _without_pronouns(text: str, subjects: list[str]) -> str:
     if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
     head, named, tail = text.partition("@0@")
-    tail = re.sub(r"\bthey\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
+    tail = re.sub(r"\b(?:they|them)\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
     tail = _OWN.sub("@0@ 's ", tail)
     return head + named + tail
 
@@ -177,6 +178,7 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
 
 def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
     """Yield ranked patterns that name a string by a body at one end, if no other string ends at that body."""
+    yield from _unnamed(words)
     strings = words.called(Strings()).values()
     if len(strings) < len(Strings().names(words.mechanism)):
         return
@@ -184,6 +186,19 @@ def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
     for phrase, end in ends:
         if "pulley" not in end and [other for _, other in ends].count(end) == 1:
             yield 1500, phrase, rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
+
+
+def _unnamed(words: Words) -> Iterable[tuple[int, str, str]]:
+    """Yield ranked patterns that name a string, by its address, by the only body at one of its ends."""
+    mechanism, called = words.mechanism, words.called(Strings())
+    ends = {
+        line.name: [words.mentions.get(mechanism.site[site].body or "", "") for site in (line.through[0], line.through[-1])]
+        for line in mechanism.strings
+    }
+    everywhere = [end for pair in ends.values() for end in pair]
+    for name, pair in ends.items():
+        for end in (end for end in pair if end and everywhere.count(end) == 1):
+            yield 1400, called.get(name, name), rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
 
 
 def _alike(noun: str, *others: str) -> str:

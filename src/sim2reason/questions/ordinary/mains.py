@@ -24,6 +24,7 @@ from sim2reason.questions.ordinary.readers import (
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import (
     COMPRESSED,
+    FIXED_FACE,
     LASTS,
     MOTIONS,
     ON,
@@ -32,6 +33,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     QUANTITIES,
     RESTS,
     SLOWER,
+    SOLE,
     WAYS,
     meant,
     pattern,
@@ -78,6 +80,7 @@ def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield from _named(name, of, along, ways)
 
 
+FIELDS = "magnetic force", "electric force", "gravitational force"  # net forces, where nothing else acts
 AXES = ("horizontal", "vertical", "x", "y")
 
 
@@ -90,6 +93,8 @@ def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) ->
         yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
     elif name == "compression":
         yield Main("extension", of, ways=((of, COMPRESSED),))
+    elif name in FIELDS:
+        yield Main("net force", of, along, ways=((of, f"{SOLE}{name}"), *ways))
     elif name == "length":
         yield Main("spring length", of)
     elif name not in ("height", "distance"):
@@ -192,6 +197,33 @@ def _length_at(turn: str) -> Reader:
     return read
 
 
+def _along(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force in a string, rod or spring, which it exerts on a body at its end; none on a pulley between."""
+    if "pulley" not in heard.subject(found.groupdict().get("t")):
+        yield from (Main(force, heard.subject(found["s"])) for force in FORCES)
+
+
+def _steep(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the angle of a velocity with the horizontal, presuming that the body goes up or down as told."""
+    ways = {"above": "up", "below": "down"}
+    way = ((heard.subject(found["s"]), ways[found["side"]]),) if found["side"] in ways else ()
+    yield Main("angle with the horizontal", heard.subject(found["s"]), needs=CLAUSED, ways=way)
+
+
+def _fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the mass of the fuel that is left or has been burnt."""
+    yield Main(f"fuel {found['fuel']}", heard.subject(found["s"]))
+
+
+def _of_ground(find: str) -> Reader:
+    """Return a reader for a force of the fixed surface on a body, even on one that carries others."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        yield from (Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"),)) for of in each(heard, found["s"]))
+
+    return read
+
+
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
@@ -215,8 +247,8 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ]~[SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
     "[ by SURFACE]": _quantity,
     "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
-    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
-    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
+    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": _along,
+    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": _along,
     "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_pair("distance"),
     "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_pair("relative speed"),
     "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": _initial,
@@ -229,8 +261,8 @@ FRAMES: Mapping[str, Reader] = {
     "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": _presses,
     "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": _presses,
     "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": _presses,
-    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": of_one(*FORCES),
-    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": of_one(*FORCES),
+    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": _along,
+    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": _along,
     "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": _potential,
     "by how much ~{s} 's [gravitational ]potential energy (?P<verb>increase|increased|rise|decrease|decreased|fall)": (
         _potential
@@ -244,6 +276,11 @@ FRAMES: Mapping[str, Reader] = {
     "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
     "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
     "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
+    "what friction of ground on {s}": _of_ground("friction force"),
+    "what normal force of ground on {s}": _of_ground("normal force"),
+    "what angle {s} makes (?P<side>with|above|below) horizontal": _steep,
+    "what angle {s} is deflected through": of_one("angle of deflection"),
+    "how much (?P<fuel>left|burnt) fuel[ {s}]": _fuel,
     "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": of_none(
         "friction force"
     ),

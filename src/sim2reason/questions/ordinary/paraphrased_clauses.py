@@ -64,9 +64,9 @@ HEADS: Mapping[str, str] = {
     "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
     "(?:down|downward|downwards)": "{s} passes through vertical",
     "(?:closest|nearest)(?: approach| point| distance| position)?|perihelion|periapsis|pericentre|perigee|periastron"
-    "|minimum distance|least distance|smallest distance": "closest",
+    "|minimum distance|least distance|smallest distance": "{s} closest to {t}",
     "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?|aphelion|apoapsis|apocentre|apogee"
-    "|apastron|maximum distance|greatest distance|largest distance": "farthest",
+    "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
     "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
@@ -148,14 +148,18 @@ PLACES = re.compile(
     rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
     r"|(?:(?:uniform |electric |magnetic )*field|straight line|air|vertical guide|guide|track|its path|path|its (?:flight|motion|swing|orbit|arc|trajectory"
     r"|journey|way|climb|rise|fall|descent|ascent)))"
+    r"|(?<![\w@])'s (?:(?:circular|elliptical) )?(?:orbit|path|trajectory|motion|flight|swing)"
     r"|(?<![\w@])(?:in|of|during|on) (?:(?:whole|entire|circular) )*(?:path|arc|orbit|flight|motion|trajectory|swing)"
     r"(?![\w@])"
 )
 _LOOSE = frozenset(
     "it its 's of at in to by for on with from first time moment instant point reach pass get through has that when "
-    "where maximum they their them position place a an the , one value go come become and be finally eventually good permanently ever".split()
+    "where maximum they their them position place a an the , one value go come become be finally eventually good permanently ever".split()
 )
 _FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
+_PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
+_PASSING = frozenset("swing move fly roll slide travel pass sweep turn rotate fall rise arrive".split())
+"""Verbs that say nothing beside a place that a body passes."""
 _ORDINAL = pattern("ORDINAL")
 
 
@@ -179,9 +183,12 @@ def paraphrased(clause: str) -> Iterator[str]:
         return
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
     text = based(text)
+    ways = " ".join(re.findall("<.+?>", text))
+    bare = " ".join(re.sub("<.+?>", " ", text).split())
     for told, plain in HEADS.items():
-        for found in _head(told).finditer(text):
-            yield from _filled(plain, found, f"{text[: found.start()]} {text[found.end() :]}")
+        said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
+        for found in _head(told).finditer(said):
+            yield from _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}")
 
 
 def way_of(said: str) -> str:
@@ -196,11 +203,17 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
     subjects = list(dict.fromkeys(re.findall(_S, rest) + re.findall(_S, found[0])))
     count = [word for word in _ORDINAL.findall(rest) if word != "first"]
     left = set(re.sub(_S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
+    if any(place in plain for place in _PASSED):
+        left -= _PASSING
     two = "{t}" in plain
     if plain == "{s} stops" and _FOR_GOOD.search(rest) is not None:
         plain = "{s} finally stops"
     if left or len(count) > 1 or len(ways) > 1 or len(subjects) > 1 + two:
         return
+    if plain == "{s} stops" and ways:
+        plain = "{s} stops going{way}"
+    elif plain == "they move together":
+        ways = []
     if (count and "{count}" not in plain) or (ways and "{way}" not in plain):
         return
     if "collide" in plain and len(subjects) < 2:
@@ -209,7 +222,9 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         whose = "{s} 's" if subjects else "its" if own else ""
         plain = f"{whose} {number} collision" if number else "{s} collides"
     elif two and len(subjects) < 2:
-        return
+        if "{n}" in plain:
+            return
+        plain = re.sub(r" (?:to|from) \{t\}", "", plain)
     number = next((groups[key] for key in "nmk" if groups.get(key)), "")
     one, other = (*subjects, "", "")[:2]
     told = plain.format(

@@ -29,7 +29,7 @@ _LOST = (
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
 _FORCE = "how (?:hard|strongly)|(?:what|how much|how large a|how great a) force|force"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
-_ONCE = f"(?:(?:one|a|single|full|complete|whole|each|entire) ?)+ {_ROUND}|once (?:around|round)(?: circle| orbit)?"
+_ONCE = f"(?:(?:one|a|single|full|complete|whole|each|entire) )+{_ROUND}|(?:once )?(?:around|round) once|once (?:around|round)"
 _SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
@@ -45,7 +45,7 @@ _LOOSE = frozenset(
     "what which find determine calculate compute give how obtain work out large big great strong much high value size "
     "magnitude amount long of in on that for at with to by it its 's the a an , during while and along reach attain "
     "achieve acquire possess get go exert act experience undergo feel provide supply have exist between as from due "
-    "total overall altogether all body thing numerical modulus strength kind sort".split()
+    "total overall altogether all body thing numerical modulus strength kind sort measured".split()
 )
 
 
@@ -65,6 +65,10 @@ ROWS = (
     Row((_FAST, f"?{_MOTION}"), "how fast does {s} {verb}{way}"),
     Row((_FAST, f"?{_MOTION}", "{size}"), "what is {size} {speed} of {s}"),
     Row(("{quantity}", f"?{_MOTION}"), "what is {quantity} of {s}{way}"),
+    Row(("{friction}|friction", "?force", f"between|exert|act|from|of|by", f"(?P<face>{GROUNDS})", "?between|on|from|by"),
+        "what friction of ground on {s}"),
+    Row(("{normal}", f"between|exert|act|from|of|by|push|press", f"(?P<face>{GROUNDS})", "?between|on|from|by"),
+        "what normal force of ground on {s}"),
     Row(("{quantity}", "{size}", f"?{_MOTION}"), "what is {size} {quantity} of {s}"),
     Row(("{quantity}", "horizontal|horizontally", "?component", f"?{_MOTION}"),
         "what is horizontal component of {quantity} of {s}"),
@@ -74,6 +78,10 @@ ROWS = (
         "what is x component of {quantity} of {s}"),
     Row(("{quantity}", "y(?:-| )?(?:component|direction)?", f"?{_MOTION}"),
         "what is y component of {quantity} of {s}"),
+    Row(("(?:gravitational )?potential energy", "?(?:by )?how much|by what amount", "gain|increase|rise|grow"),
+        "how much potential energy does {s} gain"),
+    Row(("(?:gravitational )?potential energy", "?(?:by )?how much|by what amount", "lose|loss|decrease|fall|drop"),
+        "how much potential energy does {s} lose"),
     Row(("{quantity}", "total|combined|joint|altogether|together|in total|in all|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
     # distances
@@ -127,8 +135,24 @@ ROWS = (
     # forces
     Row((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
     Row((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
+    Row((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
     Row(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
+    Row(("thrust(?: force)?", "?engine|motor|rocket|its engine"), "what is thrust of {s}"),
     # angles, periods and counts
+    Row(("radius", "?of (?:circle|circular path|path|orbit|trajectory|curvature|circular orbit|curve)",
+         "?(?:on|along|in) which|(?:on|along)(?= )", f"?{_MOTION}|describe|follow|trace", "?circle|path|orbit|trajectory|on|along"), "what is radius of {s}"),
+    Row(("(?:at |with |in )?(?:what|which) (?:angle|direction)|angle|how steep|how steeply",
+         "(?:above|over) (?:the )?horizontal", f"?{_MOTION}"), "what angle {s} makes above horizontal"),
+    Row(("(?:at |with |in )?(?:what|which) (?:angle|direction)|angle|how steep|how steeply",
+         "(?:below|under|beneath) (?:the )?horizontal", f"?{_MOTION}"), "what angle {s} makes below horizontal"),
+    Row(("(?:at |with |in )?(?:what|which) angle|angle", "?make|form|enclose|between|of",
+         "(?:with|to|from|and|against) (?:the )?(?:horizontal|ground)", "?velocity|direction of motion", f"?{_MOTION}"),
+        "what angle {s} makes with horizontal"),
+    Row(("(?:through |by |at )?(?:what|which|how large an) angle|angle|by how much", "deflect|deviate|deflection|scatter",
+         "?direction of motion|velocity|path|from its (?:initial|original) direction"),
+        "what angle {s} is deflected through"),
+    Row(("how much|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"), "how much left fuel {s}"),
+    Row(("how much|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"), "how much burnt fuel {s}"),
     Row(("angle", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what angle does {s} make with vertical"),
     Row(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
@@ -137,7 +161,7 @@ ROWS = (
     Row(("period(?: of revolution| of oscillation| of rotation)?", f"?{'{motion}'}", "?of"),
         "what is period of {s}"),
     Row(("(?:how long|how much time|time|how many (?:seconds|years))",
-         f"(?:(?:need|take|require|last|complete|make|go|go through|perform|execute|travel|move)(?: to)? ?)*", _ONCE),
+         "?(?:(?:need|take|require|last|complete|make|go|go through|perform|execute|travel|move)(?: to)? ?)+", _ONCE),
         "what is period of {s}"),
     Row(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     Row(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
@@ -153,7 +177,8 @@ def _part(told: str) -> re.Pattern[str]:
         told = told.replace(f"{{{name}}}", f"(?:{row})")
     told = told.replace("{size}", "|".join(f"(?P<{name}>{row})" for name, row in _SIZES.items()))
     told = told.replace("{quantity}", f"(?P<quantity>{_quantities()})").replace("{motion}", _motions())
-    told = told.replace("{friction}", either(QUANTITIES["friction force"].split("|")))
+    for name in ("friction", "normal"):
+        told = told.replace(f"{{{name}}}", either(QUANTITIES[f"{name} force"].split("|")))
     return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS)})(?![\w@#-])")
 
 
@@ -171,7 +196,8 @@ def _motions() -> str:
 
 def paraphrased(question: str) -> Iterator[str]:
     """Yield plain main clauses that say what a main clause says, if every word of the clause has its place."""
-    if _ASKS.search(question) is None or _SUPPOSES.search(question) is not None:
+    supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
+    if _ASKS.search(question) is None or _SUPPOSES.search(supposes) is not None:
         return
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
     text = based(text)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
 from sim2reason.quantities.subjects.pairs import Pairs, members
@@ -14,8 +15,8 @@ from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.wanted import WantedNumber, wanted
-from sim2reason.questions.ordinary.vocabulary import RESTS
+from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
+from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.spoken import ORDINALS
@@ -42,17 +43,21 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
     for reading in found:
         if (reading.gone or reading.asked.when.endswith("halted")) and not _fits(reading, words):
             continue
-        for of in _subjects(reading.asked, words):
+        grounded = any(way == f"{ON}{FIXED_FACE}" for _, way in reading.moving)
+        for of in (reading.asked.of,) if grounded else _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for when in _hung(asked.when, words):
                 told = _met(_collided(_component(when, words), words, events), words) or (START if reading.steady else "")
-                of = _met(f"{of} collided", words).removesuffix(" collided") if " & " in of else of
+                of = _met(f"{of} closest", words).removesuffix(" closest") if " & " in of else of
                 pair = _pair_of(told) if asked.find in COLLISIONS and (not of or of in words.mentions.values()) else of
                 yield replace(reading, asked=replace(asked, of=pair or asked.of, when=told))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    quantity = QUANTITIES.get(asked.find)
+    if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
+        return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
     if asked.find in PERIODS:
@@ -84,14 +89,13 @@ def _hung(told: str, words: Words) -> Iterator[str]:
 
 
 def _met(told: str, words: Words) -> str:
-    """Return a moment with two colliding bodies replaced by the name of their pair; any other moment unchanged."""
-    found = re.match(r"(.+?) & (.+?) (collided.*)", told)
-    if found is None:
+    """Return a moment with two bodies, or one of them, replaced by the name of the pair; any other moment unchanged."""
+    found = re.match(r"(?:(.+?) & )?(.+?) (collided.*|closest|farthest)", told)
+    if found is None or (found[1] is None and found[3].startswith("collided")):
         return told
-    for name in words.called(Pairs()):
-        if {words.mentions.get(member, member) for member in members(name)} == {found[1], found[2]}:
-            return f"{name} {found[3]}"
-    return told
+    named = {said for said in found.groups()[:2] if said}
+    pairs = [name for name in words.called(Pairs()) if named <= {words.mentions.get(m, m) for m in members(name)}]
+    return f"{pairs[0]} {found[3]}" if len(pairs) == 1 else told
 
 
 def _fits(reading: Reading, words: Words) -> bool:
@@ -181,9 +185,22 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
             for rank, who in enumerate(dict.fromkeys((found.of, ""))):
                 asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
                 yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
+        elif found.given == AT_REST:
+            yield from _balanced(path, words)
         else:
             asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
             yield Reading(asked, found.when.side, rank=found.when.rank)
+
+
+def _balanced(path: str, words: Words) -> Iterator[Reading]:
+    """Yield readings that ask for the number with which no body is accelerated, in a scene without friction."""
+    if any(face.friction > 0.0 for face in words.mechanism.faces):
+        return  # within a whole range of numbers
+    for name in words.called(Bodies()):
+        senses = Bodies().senses(words.mechanism, name)
+        if len(senses) == 1:
+            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given))
 
 
 def _path(found: WantedNumber, scene: Scene, words: Words) -> str:

@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sim2reason.dsl.fields import Magnetic, Push
+from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
@@ -13,6 +15,7 @@ from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.springs import Extension
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -20,7 +23,9 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
+    CARRIED_AT_REST,
     COMPRESSED,
+    FIXED_FACE,
     LASTS,
     ON,
     ONCE,
@@ -33,6 +38,8 @@ from sim2reason.questions.ordinary.vocabulary import (
     RISING,
     ROLLING,
     SLOWER,
+    SMALL,
+    SOLE,
     STRAIGHT,
     STRETCHED,
 )
@@ -110,6 +117,9 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
                 yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
                 yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+            elif way.startswith(SOLE):
+                told = way.removeprefix(SOLE)
+                yield "" if _alone(told, who, words) else f"{told} is not the only force on {who}"
             elif way.startswith(ON):
                 face = way.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
@@ -133,6 +143,8 @@ def _name(who: str, words: Words) -> str:
 
 def _lies(who: str, face: str, words: Words) -> bool:
     name = _name(who, words)
+    if face == FIXED_FACE:
+        return name in words.mechanism.contacts and words.mechanism.body[name].parent is None
     return name in words.mechanism.contacts and words.mechanism.body[name].parent == _name(face, words)
 
 
@@ -144,6 +156,43 @@ def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
     place = start.vector(start.frames.center(name).place)[0]
     sense = next((sense for sense in Bodies().senses(words.mechanism, name) if sense.axis == axis), None)
     return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
+
+
+def _falls(mechanism: Mechanism, name: str) -> bool:
+    return mechanism.gravity != ZERO and center_path(mechanism, name).rises
+
+
+def _alone(force: str, who: str, words: Words) -> bool:
+    """Return whether forces of one kind alone act on a body: those of a magnetic field, an electric one, or another body."""
+    mechanism, name = words.mechanism, _name(who, words)
+    laws = [found.law for found in mechanism.forces if found.body == name]
+    pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
+    if not name or _falls(mechanism, name) or mechanism.lines or mechanism.contacts or (laws and pulls):
+        return False
+    kinds = {"magnetic force": Magnetic, "electric force": Push}
+    if force in kinds:
+        return bool(laws) and all(isinstance(law, kinds[force]) for law in laws)
+    return len(pulls) == 1 and not laws
+
+
+def _carried_at_rest(case: Case) -> bool:
+    """Return whether what carries a body, if anything does, is at rest at the instant asked about."""
+    name, mechanism = _name(case.who, case.words), case.words.mechanism
+    if not name:
+        return False
+    parent = mechanism.body[name].parent
+    scan = case.followed.study.trace
+    if parent is None:
+        return False
+    fastest = float(np.abs(scan.scan.v).max(initial=0.0))
+    return float(np.linalg.norm(Velocity.evaluate(scan.at(case.then), parent))) <= STEADY * fastest
+
+
+def _small(case: Case) -> bool:
+    """Return whether nothing swings under gravity."""
+    mechanism = case.words.mechanism
+    hinges = [c for c in mechanism.coordinates if c.kind == "hinge" and abs(c.axis[2]) < 1.0 - EVEN]
+    return mechanism.gravity == ZERO or not hinges or bool(mechanism.contacts)
 
 
 def _slower(case: Case) -> bool:
@@ -245,6 +294,8 @@ def _one_way(case: Case) -> bool:
 
 
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
+    SMALL: ("the oscillations are not small, and their period depends on how far they go", _small),
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),

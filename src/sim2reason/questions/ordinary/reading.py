@@ -166,6 +166,8 @@ def _whole(main: Main) -> Iterator[Reading]:
 
 def _to_its_end(main: Main) -> Iterator[Reading]:
     """Yield readings of an extreme or a sum of a motion that does not repeat itself: until all is at rest for good."""
+    if not main.find.startswith(("greatest", "least", "energy")):
+        return
     for rank, when in enumerate((f"{main.of} halted", f"{main.of} stopped", "halted", "stopped", "landed"), start=2):
         ways = () if "stopped" not in when else ((main.of, RESTS),)
         yield _with(replace(main, rank=main.rank + rank), When(when.strip(), AFTER, ways))

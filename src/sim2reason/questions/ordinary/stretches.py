@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant, pattern
+from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, SMALL, meant, pattern
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
@@ -39,8 +39,13 @@ def _pairs(size: str) -> Reader:
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
-        alone = _extreme(size) if name != "distance" else of_pair(f"{size} distance", needs=STRETCH)
-        yield from alone(found, heard)
+        if name != "distance":
+            yield from _extreme(size)(found, heard)
+            return
+        apsis = "farthest" if size == "greatest" else "closest"
+        for main in of_pair("distance", needs=FREE)(found, heard):
+            yield replace(main, find=f"{size} distance", needs=STRETCH)
+            yield replace(main, when=When(f"{main.of} {apsis}".strip()))
 
     return read
 
@@ -139,8 +144,9 @@ def _at_once(*finds: str) -> Reader:
 
 def _period(name: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        ways = (("", SMALL),) if re.search(r"\bsmall\b", found[0]) else ()
         for of in each(heard, found.groupdict().get("s")):
-            yield Main(name, of, needs=FREE)
+            yield Main(name, of, needs=FREE, ways=ways)
 
     return read
 

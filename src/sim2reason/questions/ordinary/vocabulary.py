@@ -60,6 +60,18 @@ QUANTITIES: Mapping[str, str] = {
     "length": "length",
     "moment of inertia": "moment of inertia",
     "mass": "mass",
+    "thrust": "thrust|thrust force|thrust of engine|thrust of its engine",
+    "fuel left": "fuel left|remaining fuel|fuel remaining|mass of fuel left|mass of remaining fuel|mass of unburnt fuel"
+    "|fuel is left|mass of fuel remaining",
+    "fuel burnt": "fuel burnt|fuel burned|fuel used|fuel consumed|mass of fuel burnt|mass of burnt fuel|burnt fuel"
+    "|mass of fuel burned|mass of fuel used|mass of fuel consumed|fuel used up|fuel is burnt|fuel is used",
+    "radius of the path": "radius of circle|radius of circular path|radius of path|radius of orbit|radius of trajectory"
+    "|radius of curvature|radius of circular orbit|radius of circular motion|radius of motion|radius",
+    "eccentricity": "eccentricity|orbital eccentricity",
+    "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
+    "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
+    "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
+    "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
 }
 """Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
 
@@ -78,7 +90,11 @@ MOTIONS: Mapping[str, str] = {
 DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed", "from origin", "on "
+FIXED_FACE = "the fixed surface"  # on which a body lies
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
+CARRIED_AT_REST = "carried by what is at rest"
+SMALL = "small"  # oscillations, so that the period does not depend on how far they go
+SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
