@@ -9,6 +9,7 @@ from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
+    ON,
     ORIGIN,
     QUANTITIES,
     RELAXED,
@@ -109,6 +110,14 @@ def _meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Itera
         yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
+def _met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield the collision of the question's subject with a named body."""
+    if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
+        both = f"{subject} & {heard.subject(found['t'])}"
+        for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+            yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
+
+
 def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
     who = _who(found, heard, subject)
@@ -144,6 +153,13 @@ def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
         for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY)):
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
+
+
+def _relatively(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has gone a distance along what carries it."""
+    who = heard.subject(found["s"]) or subject
+    told = f"displacement relative to its carrier of {who} = {heard.number(found['n'])}"
+    yield When(told, side, ((who, f"{ON}{heard.subject(found['t'])}"),) if found["t"] else ())
 
 
 def _returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -267,6 +283,8 @@ def _natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 CLAUSES: Mapping[str, Reader] = {
+    "{s} moves {n} relative to (?:{t}|carrier)": _relatively,
+    "meets {t}": _met,
     "[{s} ]returns": _returned,
     "[{s} ]stops going {way=WAY}": _stops_going,
     "[{s} ]finally stops": _for_good,

@@ -43,7 +43,9 @@ _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
-_FROM_REST = re.compile(r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?")
+_FROM_REST = re.compile(
+    r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?"
+)
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
 _HIT_IT = re.compile(r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with)) it\b")
@@ -152,9 +154,17 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
         alone = _others(noun, phrase, {other: named[:1] for other, named in nouns.items()})
-        found += [(len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING]
+        found += [
+            (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
+        ]
     for said, plural in _plurals(nouns):
-        found.append((2, said, rf"\b(?:(?:[Bb]oth|[Aa]ll) of the |[Tt]he |[Bb]oth |[Aa]ll )*(?:two |three )?{plural}\b(?! [A-Z]\b)"))
+        found.append(
+            (
+                2,
+                said,
+                rf"\b(?:(?:[Bb]oth|[Aa]ll) of the |[Tt]he |[Bb]oth |[Aa]ll )*(?:two |three )?{plural}\b(?! [A-Z]\b)",
+            )
+        )
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
         found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
@@ -192,13 +202,27 @@ def _unnamed(words: Words) -> Iterable[tuple[int, str, str]]:
     """Yield ranked patterns that name a string, by its address, by the only body at one of its ends."""
     mechanism, called = words.mechanism, words.called(Strings())
     ends = {
-        line.name: [words.mentions.get(mechanism.site[site].body or "", "") for site in (line.through[0], line.through[-1])]
+        line.name: [
+            words.mentions.get(mechanism.site[site].body or "", "") for site in (line.through[0], line.through[-1])
+        ]
         for line in mechanism.strings
     }
     everywhere = [end for pair in ends.values() for end in pair]
     for name, pair in ends.items():
+        if all(pair):
+            one, other = (_end(end) for end in pair)
+            string = rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_JOINING}"
+            yield (
+                1900,
+                called.get(name, name),
+                rf"{string} (?:{one} (?:and|to|with) {other}|{other} (?:and|to|with) {one})(?! [A-Z]\b)",
+            )
         for end in (end for end in pair if end and everywhere.count(end) == 1):
-            yield 1400, called.get(name, name), rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
+            yield (
+                1400,
+                called.get(name, name),
+                rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)",
+            )
 
 
 def _alike(noun: str, *others: str) -> str:

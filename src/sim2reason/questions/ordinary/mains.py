@@ -23,6 +23,7 @@ from sim2reason.questions.ordinary.readers import (
 )
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import (
+    ALOFT,
     COMPRESSED,
     FIXED_FACE,
     LASTS,
@@ -41,7 +42,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
-FORCES = "tension", "rod force", "spring force"  # of what lies along a line
+FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
@@ -88,11 +89,14 @@ def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) ->
     if name == "force":
         yield from (Main(force, of) for force in FORCES)
     elif name == "tension":
-        yield from (Main(force, of, along, ways=ways) for force in ("tension", "rod force"))
+        yield from (Main(force, of, along, ways=ways) for force in ("tension", "rod force", "rod pull"))
     elif name == "deceleration":
         yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
     elif name == "compression":
         yield Main("extension", of, ways=((of, COMPRESSED),))
+    elif name == "thrust":
+        yield Main(name, of, needs=CLAUSED)
+        yield Main(name, of, needs=FREE, when=When("at start"))
     elif name in FIELDS:
         yield Main("net force", of, along, ways=((of, f"{SOLE}{name}"), *ways))
     elif name == "length":
@@ -155,7 +159,8 @@ def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    yield from (Main("height above the ground", of, needs=CLAUSED) for of in each(heard, found["s"]))
+    for of in each(heard, found["s"]):
+        yield Main("height above the ground", of, needs=CLAUSED, ways=((of, ALOFT),))
 
 
 def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -224,6 +229,17 @@ def _of_ground(find: str) -> Reader:
     return read
 
 
+def _relatively(name: str) -> Reader:
+    """Return a reader for a quantity of a body relative to what carries the body."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        of, on = heard.subject(found["s"]), heard.subject(found["t"])
+        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
+
+    return read
+
+
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
@@ -278,6 +294,9 @@ FRAMES: Mapping[str, Reader] = {
     "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
     "what friction of ground on {s}": _of_ground("friction force"),
     "what normal force of ground on {s}": _of_ground("normal force"),
+    "what is moment of inertia of {s} about axle": of_one("moment of inertia about the axle"),
+    "how fast does {s} move[ {way=WAY}] relative to {t}": _relatively("speed"),
+    "how far does {s} move relative to {t}": _relatively("displacement"),
     "what angle {s} makes (?P<side>with|above|below) horizontal": _steep,
     "what angle {s} is deflected through": of_one("angle of deflection"),
     "how much (?P<fuel>left|burnt) fuel[ {s}]": _fuel,
@@ -300,7 +319,7 @@ FRAMES: Mapping[str, Reader] = {
     "how high[ above SURFACE] ~[{s}][ above SURFACE]": _high,
     "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
-    "how fast ~{s} ~MOTION relative to each other": of_pair("relative speed"),
+    "how fast ~{s}[ and {t}] ~MOTION relative to each other": of_pair("relative speed"),
     "how far ~{s}[ and {t}] apart": of_pair("distance"),
     "how far apart ~(?:centres of )?{s}[ and {t}]": of_pair("distance"),
     "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,

@@ -9,9 +9,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either
 
 _N, _S = r"#\d+#", r"@\d+@"
 _MOST = "(?:most|maximum|maximal|maximally|greatest|largest|biggest|highest|fully|completely|strongest|longest|peak)"
-_MOVE = (
-    "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|pull|drag|traverse|push|complete|pass|be|carry|shift|run)"
-)
+_MOVE = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|pull|drag|traverse|push|complete|pass|be|carry|shift|run)"
 _FALL, _RISE = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)"
 _ROLL, _TURN = "roll", "(?:turn|rotate|spin|swing|revolve)"
 _DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total of) )?(?P<n>{_N})"
@@ -57,8 +55,8 @@ HEADS: Mapping[str, str] = {
     ),
     # places of a path
     "(?:top|highest point|highest position|maximum height|greatest height|peak|apex|summit|zenith|maximum altitude"
-    "|greatest altitude|highest|upper turning point|highest altitude|maximum elevation)": "{s} at its highest point",
-    "(?:bottom|lowest point|lowest position|lowest|minimum height|lower turning point)": "{s} at its lowest point",
+    "|greatest altitude|as high as (?:it|@\\d+@) (?:get|go|come)|highest|upper turning point|highest altitude|maximum elevation)": "{s} at its highest point",
+    "(?:bottom|lowest point|lowest position|as low as (?:it|@\\d+@) (?:get|go|come)|lowest|minimum height|lower turning point)": "{s} at its lowest point",
     "(?:vertically |directly |straight |exactly )?(?:below|beneath|under|underneath) (?:axle|pivot|fixed point"
     "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
     "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
@@ -81,7 +79,7 @@ HEADS: Mapping[str, str] = {
     rf"(?:length)(?: (?:of|reach|become|pass|equal))? (?P<n>{_N})|(?P<m>{_N}) long|(?P<k>{_N}) in length": "{s} {n} long",
     "equilibrium(?: position| point)?|position of equilibrium|rest position": "{s} at its equilibrium position",
     # engines
-    "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|burn(?: out| up| off)?"
+    "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out| up| off)?"
     "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:engine|motor|burn|thrust) "
     "(?:itself )?(?:stop|cut out|cut off|shut down|shut off|burn out|end|finish|switch off|turn off|run out|quit|cease"
     "|go out|off)(?: (?:burn|fire|work|run))?|burnout|burn-out|(?:engine )?(?:cutoff|cut-off|shutdown|shut-down)"
@@ -93,13 +91,16 @@ HEADS: Mapping[str, str] = {
     "|(?:slip|slide|skid)(?:ping)? (?:stop|cease|end|over)|pure roll(?:ing)?(?: (?:start|begin|set in))?": (
         "{s} rolls without slipping"
     ),
-    f"(?:reach |attain |acquire |get )?(?:{_SAME})|move (?:together|as one|with {_SAME}|at {_SAME})|"
+    f"(?:reach |attain |acquire |get )?(?:{_SAME})|{_MOVE} (?:together|as one|with {_SAME}|at {_SAME})|"
     f"(?:at |with )?{_SAME}|(?:stop|cease|end|no longer) (?:slip|slide)(?:ping|ing)? (?:on|over|along|past|against) "
     f"(?:each other|one another|{_S})|move together": "they move together",
     # distances
     rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}|{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way|slope)": (
         "{s} moves {n}{way}"
     ),
+    rf"(?:{_MOVE}|{_FALL}|{_RISE}) {_DISTANCE} (?:relative to|with respect to|along|over|across|on) (?:top of )?(?P<t>{_S})"
+    "(?: 's top)?": "{s} moves {n} relative to {t}",
+    rf"(?:{_MOVE}|{_FALL}|{_RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
     rf"{_FALL} {_DISTANCE}": "{s} falls {n}{way}",
     rf"{_RISE} {_DISTANCE}": "{s} rises {n}{way}",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
@@ -123,6 +124,7 @@ HEADS: Mapping[str, str] = {
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
     rf"|be|go))? (?P<n>{_N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get to)"
     rf"(?: speed of| velocity of)? (?P<m>{_N})": "{s} reaches speed of {n}",
+    rf"(?:{_MOVE}|{_FALL}|{_RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{_N})": "t = {n}",
     rf"(?:t|time) ?= ?(?P<n>{_N})|time (?P<m>{_N})|(?P<k>{_N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
     r"|(?:from|after|of|since|following|past)(?: [a-z]+)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
@@ -153,12 +155,12 @@ PLACES = re.compile(
     r"(?![\w@])"
 )
 _LOOSE = frozenset(
-    "it its 's of at in to by for on with from first time moment instant point reach pass get through has that when "
+    "it its 's of at in to by for on with first time moment instant point reach pass get through has "
     "where maximum they their them position place a an the , one value go come become be finally eventually good permanently ever".split()
 )
 _FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
-_PASSING = frozenset("swing move fly roll slide travel pass sweep turn rotate fall rise arrive".split())
+_PASSING = frozenset("swing move fly roll slide travel pass sweep fall rise arrive".split())
 """Verbs that say nothing beside a place that a body passes."""
 _ORDINAL = pattern("ORDINAL")
 
@@ -216,7 +218,13 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         ways = []
     if (count and "{count}" not in plain) or (ways and "{way}" not in plain):
         return
-    if "collide" in plain and len(subjects) < 2:
+    if (
+        "collide" in plain
+        and len(subjects) == 1
+        and re.search(rf"(?:with|into|against|by|of) +{_S}", f"{found[0]} {rest}")
+    ):
+        plain = "meets {s}" if not _ORDINAL.findall(rest) else ""
+    elif "collide" in plain and len(subjects) < 2:
         number = next(iter(_ORDINAL.findall(rest)), "")
         own = re.search(r"\bits\b", rest) is not None or subjects
         whose = "{s} 's" if subjects else "its" if own else ""
@@ -225,6 +233,8 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         if "{n}" in plain:
             return
         plain = re.sub(r" (?:to|from) \{t\}", "", plain)
+    if not plain:
+        return
     number = next((groups[key] for key in "nmk" if groups.get(key)), "")
     one, other = (*subjects, "", "")[:2]
     told = plain.format(

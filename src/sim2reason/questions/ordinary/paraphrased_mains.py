@@ -29,7 +29,9 @@ _LOST = (
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
 _FORCE = "how (?:hard|strongly)|(?:what|how much|how large a|how great a) force|force"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
-_ONCE = f"(?:(?:one|a|single|full|complete|whole|each|entire) )+{_ROUND}|(?:once )?(?:around|round) once|once (?:around|round)"
+_ONCE = f"(?:(?:one|a|single|full|complete|whole|each|entire) )+{_ROUND}|(?:once )?(?:around|round) once|once (?:around|round)|year"
+_LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
+_IN_ALL = "total|altogether|in total|in all|all together|overall|all in all|as a whole"
 _SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
@@ -38,14 +40,14 @@ _SIZES = {
 }
 _ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
 _SUPPOSES = re.compile(
-    r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|relative|next|last"
+    r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
 _LOOSE = frozenset(
     "what which find determine calculate compute give how obtain work out large big great strong much high value size "
     "magnitude amount long of in on that for at with to by it its 's the a an , during while and along reach attain "
     "achieve acquire possess get go exert act experience undergo feel provide supply have exist between as from due "
-    "total overall altogether all body thing numerical modulus strength kind sort measured".split()
+    "body thing numerical modulus strength kind sort measured occur happen arise prevail".split()
 )
 
 
@@ -69,6 +71,12 @@ ROWS = (
         "what friction of ground on {s}"),
     Row(("{normal}", f"between|exert|act|from|of|by|push|press", f"(?P<face>{GROUNDS})", "?between|on|from|by"),
         "what normal force of ground on {s}"),
+    Row(("moment of inertia", "(?:about|around|round) (?:its )?(?:axle|axis of rotation|hinge|pivot)"),
+        "what is moment of inertia of {s} about axle"),
+    Row((f"{_FAST}|speed|velocity", "relative to|with respect to|over|as seen from", f"?{_MOTION}"),
+        "how fast does {s} move{way} relative to {t}", 2),
+    Row((_FAR, "relative to|with respect to|along|over|on|across", "?top of|surface of", _MOTION),
+        "how far does {s} move relative to {t}", 2),
     Row(("{quantity}", "{size}", f"?{_MOTION}"), "what is {size} {quantity} of {s}"),
     Row(("{quantity}", "horizontal|horizontally", "?component", f"?{_MOTION}"),
         "what is horizontal component of {quantity} of {s}"),
@@ -82,7 +90,7 @@ ROWS = (
         "how much potential energy does {s} gain"),
     Row(("(?:gravitational )?potential energy", "?(?:by )?how much|by what amount", "lose|loss|decrease|fall|drop"),
         "how much potential energy does {s} lose"),
-    Row(("{quantity}", "total|combined|joint|altogether|together|in total|in all|taken together"),
+    Row(("{quantity}", f"{_IN_ALL}|combined|joint|together|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
     # distances
     Row((_FAR, HOME, f"?{_MOTION}", "?away"), "how far is {s} from its starting point"),
@@ -90,9 +98,12 @@ ROWS = (
         "how far does {s} move {toward}"),
     Row((_FAR, HOME, "{greatest}|farthest|furthest", f"?{_MOTION}", "?away"),
         "how far does {s} get from its starting point at most"),
-    Row((_FAR, _MOTION), "how far does {s} {verb}{way}"),
-    Row((_FAR, "horizontal|horizontally|measured horizontally", _MOTION), "how far horizontally does {s} move"),
-    Row((_FAR, "horizontal|horizontally", f"(?:from|of) {HOME}", "land|hit|strike|impact"),
+    Row(("(?:by )?how much", f"{_FALL}|{_RISE}"), "how far does {s} {verb}{way}"),
+    Row((f"{_FAST}|speed", "apart|together|(?:toward|towards|away from|relative to|from) (?:each other|one another)",
+         f"?{_MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
+    Row((_FAR, _MOTION, f"?{_IN_ALL}"), "how far does {s} {verb}{way}"),
+    Row((_FAR, f"{_LEVEL}", _MOTION), "how far horizontally does {s} move"),
+    Row((_FAR, _LEVEL, f"(?:from|of) {HOME}", "land|hit|strike|impact"),
         "how far horizontally does {s} land"),
     Row((_FAR, "apart|between|from each other|from one another", "?(?:centre|center)s?(?: of)?", f"?{_MOTION}"),
         "how far apart are {s} and {t}", 2),
@@ -123,7 +134,7 @@ ROWS = (
         "how much energy is stored in {s}"),
     # energies and impulses
     Row((_HEAT, _LOST, f"(?:by|to|through|against|due to|because of|in|between|into|of)? ?{_RUBS}",
-         "?friction|into heat|between|force of friction"), "how much energy is lost to friction"),
+         "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
     Row((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     Row(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),
@@ -199,6 +210,8 @@ def paraphrased(question: str) -> Iterator[str]:
     supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
     if _ASKS.search(question) is None or _SUPPOSES.search(supposes) is not None:
         return
+    if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
+        return  # a change of the length, maybe not counted from the natural length
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
     text = based(text)
     for row in ROWS:
@@ -224,14 +237,19 @@ def _filled(row: Row, text: str) -> Iterator[str]:
         if found is None:
             return
         groups |= {name: said for name, said in found.groupdict().items() if said}
-        groups["verb"] = next((verb for verb, forms in _VERBS.items() if re.fullmatch(forms, found[0])),
-                              groups.get("verb", ""))
+        groups["verb"] = next(
+            (verb for verb, forms in _VERBS.items() if re.fullmatch(forms, found[0])), groups.get("verb", "")
+        )
         groups["axis"] = found[0][0] if re.match("[xy][- ]", found[0]) else groups.get("axis", "")
         rest = f"{rest[: found.start()]} {rest[found.end() :]}"
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(_S, rest)))
-    if set(re.sub(_S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
+    if (
+        set(re.sub(_S, " ", rest).split()) - _LOOSE
+        or len(ways) > ("{way}" in row.plain)
+        or len(subjects) > row.subjects
+    ):
         return
     if row.subjects == 2 and not subjects:
         return
@@ -239,7 +257,14 @@ def _filled(row: Row, text: str) -> Iterator[str]:
     verb = groups.get("verb") or "move"
     one, other = (*subjects, "", "")[:2]
     told = row.plain.format(
-        s=one, t=other, way=f" {ways[0]}" if ways else "", verb=verb, size=size, axis=groups.get("axis", ""),
-        quantity=groups.get("quantity", ""), toward=groups.get("toward", "").strip("<>"), speed="angular speed" if verb == "turn" else "speed",
+        s=one,
+        t=other,
+        way=f" {ways[0]}" if ways else "",
+        verb=verb,
+        size=size,
+        axis=groups.get("axis", ""),
+        quantity=groups.get("quantity", ""),
+        toward=groups.get("toward", "").strip("<>"),
+        speed="angular speed" if verb == "turn" else "speed",
     )
     yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$)|(?<=give) $", "", " ".join(told.split()))

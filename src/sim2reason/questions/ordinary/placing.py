@@ -9,7 +9,8 @@ from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
-from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -30,7 +31,9 @@ TURNING = "lowest point", "highest point", "stopped"
 SIGNED = ("velocity",)
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
 COLLISIONS = ("energy lost in a collision", "impulse of a collision")
-_COLLISION = re.compile(rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?")
+_COLLISION = re.compile(
+    rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
+)
 _ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
 PERIODS = ("period", "frequency", "angular frequency")
 
@@ -46,9 +49,13 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
         grounded = any(way == f"{ON}{FIXED_FACE}" for _, way in reading.moving)
         for of in (reading.asked.of,) if grounded else _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
+            if not _of_its_kind(asked, words):
+                continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for when in _hung(asked.when, words):
-                told = _met(_collided(_component(when, words), words, events), words) or (START if reading.steady else "")
+                told = _met(_collided(_component(when, words), words, events), words) or (
+                    START if reading.steady else ""
+                )
                 of = _met(f"{of} closest", words).removesuffix(" closest") if " & " in of else of
                 pair = _pair_of(told) if asked.find in COLLISIONS and (not of or of in words.mentions.values()) else of
                 yield replace(reading, asked=replace(asked, of=pair or asked.of, when=told))
@@ -95,7 +102,19 @@ def _met(told: str, words: Words) -> str:
         return told
     named = {said for said in found.groups()[:2] if said}
     pairs = [name for name in words.called(Pairs()) if named <= {words.mentions.get(m, m) for m in members(name)}]
+    if not pairs and len(named) == 2:
+        by_phrase = {said: name for name, said in words.called(Bodies()).items()}
+        if named <= by_phrase.keys():
+            return f"{AND.join(by_phrase[said] for said in sorted(named))} {found[3]}"
     return f"{pairs[0]} {found[3]}" if len(pairs) == 1 else told
+
+
+def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
+    """Return whether a subject that the text names, if one is meant, is one of those that have the quantity."""
+    quantity = quantities_named(words.mechanism).get(asked.find)
+    if quantity is None or asked.of not in words.mentions.values() or quantity.of.name == TurningBodies.name:
+        return True  # a light rod turns as what hangs on it
+    return asked.of in words.called(quantity.of).values()
 
 
 def _fits(reading: Reading, words: Words) -> bool:
@@ -126,7 +145,7 @@ def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
     number = ORDINALS.index(found["number"]) if found["number"] else 0
     if number >= len(met) or any(len(names) != 2 for names in met[: number + 1]):
         return told
-    name = next(name for name in Pairs().names(words.mechanism) if set(members(name)) == met[number])
+    name = next(name for name in Pairs().names(words.mechanism) if frozenset(members(name)) == met[number])
     count = ORDINALS[met[:number].count(met[number])]
     return f"{count} {name} collided{found['side'] or ''}"
 
@@ -167,8 +186,16 @@ def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
         return said
     if not said:
         return RIGHT if [sense.positive for sense in senses] == [RIGHT] else ""
+    if said == "horizontal" and not senses and _level(asked.of, words):
+        return ""
     along = [sense for sense in senses if _upright(sense) == (said == "vertical")]
     return (along[0].axis or along[0].positive) if len(along) == 1 else said
+
+
+def _level(of: str, words: Words) -> bool:
+    """Return whether a body can move horizontally only."""
+    named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
+    return bool(named) and not center_path(words.mechanism, named[0]).rises
 
 
 def _upright(sense: Sense) -> bool:

@@ -23,6 +23,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
+    ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
     FIXED_FACE,
@@ -145,7 +146,7 @@ def _lies(who: str, face: str, words: Words) -> bool:
     name = _name(who, words)
     if face == FIXED_FACE:
         return name in words.mechanism.contacts and words.mechanism.body[name].parent is None
-    return name in words.mechanism.contacts and words.mechanism.body[name].parent == _name(face, words)
+    return bool(name) and words.mechanism.body[name].parent == _name(face, words)
 
 
 def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
@@ -186,6 +187,11 @@ def _carried_at_rest(case: Case) -> bool:
         return False
     fastest = float(np.abs(scan.scan.v).max(initial=0.0))
     return float(np.linalg.norm(Velocity.evaluate(scan.at(case.then), parent))) <= STEADY * fastest
+
+
+def _aloft(case: Case) -> bool:
+    """Return whether the answer, a height above the ground, is greater than zero."""
+    return (case.followed.answer or 0.0) > EVEN
 
 
 def _small(case: Case) -> bool:
@@ -295,6 +301,7 @@ def _one_way(case: Case) -> bool:
 
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
+    ALOFT: ("{who} is on the ground then", _aloft),
     SMALL: ("the oscillations are not small, and their period depends on how far they go", _small),
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),

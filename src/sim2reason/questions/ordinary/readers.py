@@ -66,7 +66,11 @@ def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
         groups = found.groupdict()
         named = [said for key in "st" if groups.get(key) for said in each(heard, groups[key])]
         pair = " & ".join(named) if len(named) == 2 else ""
-        yield from (Main(find, of, needs=needs, rank=rank) for rank, of in enumerate(dict.fromkeys((pair, ""))) for find in finds)
+        yield from (
+            Main(find, of, needs=needs, rank=rank)
+            for rank, of in enumerate(dict.fromkeys((pair, "")))
+            for find in finds
+        )
 
     return read
 

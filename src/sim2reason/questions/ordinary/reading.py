@@ -4,11 +4,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
-from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
+from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
+from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
@@ -20,6 +22,9 @@ _AT_EVENT = (
 )
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
+_LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
+_GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
+_LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
     "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
@@ -116,6 +121,13 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     lasts = re.fullmatch(_LASTS, text)
     if lasts is not None:
         yield "when", lasts[3], THEN
+    goes_on = re.fullmatch(_LASTS_LOOSELY, text)
+    if (
+        goes_on is not None
+        and not set(PLACES.sub(" ", based(goes_on[2])).split()) - _GOING
+        and not _LATER_ONE.search(goes_on[4])
+    ):
+        yield "when", goes_on[4], THEN
     time = pattern("TIME[ for] (?P<clause>.+)").fullmatch(text)
     if time is not None:
         yield "when", re.sub(pattern("~").pattern, "", time["clause"], count=1), THEN

@@ -6,8 +6,18 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, SMALL, meant, pattern
-from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.ordinary.vocabulary import (
+    CARRIED_AT_REST,
+    ONCE,
+    ONLY,
+    OVER,
+    QUANTITIES,
+    RISING,
+    SMALL,
+    meant,
+    pattern,
+)
+from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -44,8 +54,8 @@ def _pairs(size: str) -> Reader:
             return
         apsis = "farthest" if size == "greatest" else "closest"
         for main in of_pair("distance", needs=FREE)(found, heard):
-            yield replace(main, find=f"{size} distance", needs=STRETCH)
-            yield replace(main, when=When(f"{main.of} {apsis}".strip()))
+            yield replace(main, find=f"{size} distance", needs=STRETCH, rank=2 * main.rank)
+            yield replace(main, when=When(f"{main.of} {apsis}".strip()), rank=2 * main.rank + 1)
 
     return read
 
@@ -88,6 +98,9 @@ def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found["s"]):
         if ways := ways_of(found, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
+            carried = (*ways, (of, CARRIED_AT_REST))
+            still = When(f"velocity of {of} along {ONLY_LINE} = 0 m/s", AFTER)
+            yield Main("time", needs=FREE, ways=carried, when=still, rank=1)
 
 
 def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:

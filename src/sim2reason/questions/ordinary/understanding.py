@@ -45,7 +45,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(each.posed.query.moment != WholeMotion() for each in found):
+        if answered or any(not isinstance(each.posed.query.moment, WholeMotion) for each in found):
             return next(iter([*answered, *found]))
     return None
 

@@ -93,6 +93,7 @@ SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed",
 FIXED_FACE = "the fixed surface"  # on which a body lies
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
 CARRIED_AT_REST = "carried by what is at rest"
+ALOFT = "aloft"  # higher than the ground
 SMALL = "small"  # oscillations, so that the period does not depend on how far they go
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
