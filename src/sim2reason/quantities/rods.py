@@ -55,7 +55,7 @@ class RodPull(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """m (g − a) along the rod, (n,): positive where the rod pulls."""
+        """M (g − a) along the rod, (n,): positive where the rod pulls."""
         arm = minus(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
         along = state.vector(arm) / np.broadcast_to(np.sqrt(product(arm, arm)), state.times.shape)[:, None]
         force = np.array(state.mechanism.gravity) - Acceleration.evaluate(state, subject)

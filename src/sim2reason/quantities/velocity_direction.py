@@ -1,4 +1,4 @@
-"""Directions of velocities of bodies that move freely in a plane: used in structured questions only, and never drawn."""
+"""Directions of velocities of bodies that move freely in a plane; only for structured questions, and never drawn."""
 
 from math import degrees
 
@@ -73,7 +73,7 @@ class RadiusOfPath(Quantity):
         return speed**2 / bend
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that move freely in a plane, and on which uniform magnetic fields alone act."""
+        """Return the names of the bodies on which uniform magnetic fields alone act, in a plane."""
         return tuple(name for name in _free(self, mechanism) if _circles(mechanism, name))
 
 

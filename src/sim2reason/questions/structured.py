@@ -28,11 +28,12 @@ class StructuredQuestion:
     """A question in parts: the quantity to find, its subject and the moment, named as in the registries or the scene.
 
     `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
-    scene. `of` may name several subjects of an energy or a mass, as *block A + block B*. `along` names a component. With `given`, such as *velocity = 2 m/s*, the question asks for the value of a
+    scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, the question asks for the value of a
     number of the scene that leads to this result; with *velocity = greatest*, for the value at which the velocity is
     greatest. With `change`, such as *ramp.speed = 5 m/s*, it asks how the answer changes: `compare` is the *ratio* of
     the new value to the original one, or their *difference*. With *ramp.angle = greatest* it asks for the answer's
-    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches.
+    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches. `of` may name
+    several subjects of an energy or a mass, as *block A + block B*, for the sum.
     """
 
     find: str

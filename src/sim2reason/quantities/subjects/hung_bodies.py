@@ -12,7 +12,7 @@ ROD = "rod"  # the last part of its address
 
 @dataclass(frozen=True)
 class HungBodies(Subject):
-    """Every small body on a hinge of its own, at the end of a light rod, that nothing but the rod and weight acts on."""
+    """Every small body at the end of a light rod on a hinge, on which nothing but the rod and weight acts."""
 
     name, slot = "hung body", "rod"
 

@@ -4,17 +4,18 @@ import re
 from collections.abc import Iterator
 from functools import cache
 
-REGULAR = (
-    "move slide travel cover recoil advance roll drop descend climb ascend turn rotate stop halt rest reach land touch "
-    "bounce rebound collide impact crash bump pass arrive return enter exit slip skid release launch kick need require "
-    "last elapse attain achieve gain acquire dissipate generate produce convert transfer exert act experience press "
-    "push pull support stretch compress extend shorten lengthen oscillate vibrate complete perform execute revolve "
-    "orbit burn exhaust consume use separate approach recede accelerate decelerate slow remain stay store contain "
-    "deliver impart receive exchange happen occur deflect ignite start finish end deform reverse change detach cross "
-    "touch relax contract expand start brake pull drag lift lower raise join tie attach connect carry hang cease "
-    "possess reduce increase decrease transform stay impinge jump hop skip tension loosen traverse "
-    "experience feel circle encounter contact intersect"
-).split()
+REGULAR = re.split(
+    " ",
+    "move slide travel cover recoil advance roll drop descend climb ascend turn rotate stop halt rest reach "
+    "land touch bounce rebound collide impact crash bump pass arrive return enter exit slip skid release launch "
+    "kick need require last elapse attain achieve gain acquire dissipate generate produce convert transfer "
+    "exert act experience press push pull support stretch compress extend shorten lengthen oscillate vibrate "
+    "complete perform execute revolve orbit burn exhaust consume use separate approach recede accelerate "
+    "decelerate slow remain stay store contain deliver impart receive exchange happen occur deflect ignite "
+    "start finish end deform reverse change detach cross touch relax contract expand start brake pull drag lift "
+    "lower raise join tie attach connect carry hang cease possess reduce increase decrease transform stay "
+    "impinge jump hop skip tension loosen traverse experience feel circle encounter contact intersect",
+)
 IRREGULAR = {
     "go": "goes went gone going", "come": "comes came coming", "fall": "falls fell fallen falling",
     "rise": "rises rose risen rising", "fly": "flies flew flown flying", "sink": "sinks sank sunk sinking",
@@ -29,10 +30,18 @@ IRREGULAR = {
     "hang": "hung", "stand": "stands stood standing", "draw": "draws drew drawn drawing", "burn": "burnt",
     "swap": "swaps swapped swapping", "ride": "rides rode riding", "lift": "lifts lifted lifting",
 }  # fmt: skip
-AUXILIARIES = frozenset("is are was were be been being am has have had having does do did will shall".split())
+AUXILIARIES = frozenset(
+    re.split(
+        " ",
+        "is are was were be been being am has have had having does do did will shall",
+    )
+)
 EMPTY = frozenset(
-    "exactly precisely just momentarily instantaneously briefly actually then now freely already "
-    "been being still ever currently simply indeed itself themselves itself there".split()
+    re.split(
+        " ",
+        "exactly precisely just momentarily instantaneously briefly actually then now freely already been being "
+        "still ever currently simply indeed itself themselves itself there",
+    )
 )
 """Adverbs that change neither the moment nor the value that a question asks for, beside the first time."""
 

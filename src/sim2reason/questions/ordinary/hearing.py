@@ -36,8 +36,8 @@ _HOLDING = (
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _OWN_ADJECTIVES = re.compile(
-    rf"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
-    rf"(?=(?:{'|'.join(sorted({noun for group in NOUNS for noun in group} | {'arm', 'hemisphere', 'pulley', 'shell'}))})\b)"
+    r"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
+    rf"(?=(?:{'|'.join(sorted({'arm', 'hemisphere', 'pulley'}.union(*NOUNS)))})\b)"
 )
 _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")

@@ -28,10 +28,13 @@ OUTCOMES: Mapping[str, tuple[str, bool]] = {
 """By the base form of a clause, the outcome, and whether it happens; *rests* is that everything stays at rest."""
 
 _LOOSE = frozenset(
-    "what which find determine calculate compute how large big great must would should could need needed require make "
-    "required necessary enough sufficient just have to be for so that such with in order allow let keep everything all "
-    "system whole it they can still at it go carry bring get give of on prevent from where if start than and barely the "
-    "value whole just".split()
+    re.split(
+        " ",
+        "what which find determine calculate compute how large big great must would should could need needed "
+        "require make required necessary enough sufficient just have to be for so that such with in order allow let "
+        "keep everything all system whole it they can still at it go carry bring get give of on prevent from where "
+        "if start than and barely the value whole just",
+    )
 )
 _SIZES = {
     True: "least|minimum|minimal|smallest|lowest",

@@ -16,8 +16,8 @@ from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
+from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.spoken import ORDINALS
@@ -56,9 +56,7 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
                 told = _met(_collided(_component(when, words), words, events), words) or (
                     START if reading.steady else ""
                 )
-                of = _met(f"{of} closest", words).removesuffix(" closest") if " & " in of else of
-                pair = _pair_of(told) if asked.find in COLLISIONS and (not of or of in words.mentions.values()) else of
-                yield replace(reading, asked=replace(asked, of=pair or asked.of, when=told))
+                yield replace(reading, asked=replace(asked, of=_pair(asked, told, words), when=told))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
@@ -123,6 +121,15 @@ def _fits(reading: Reading, words: Words) -> bool:
     mechanism = words.mechanism
     rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
     return rubs or not rests
+
+
+def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
+    """Return the subject of a question, or the name of the pair that two bodies or a collision of theirs stand for."""
+    if " & " in asked.of:
+        return _met(f"{asked.of} closest", words).removesuffix(" closest")
+    if asked.find in COLLISIONS and (not asked.of or asked.of in words.mentions.values()):
+        return _pair_of(told) or asked.of
+    return asked.of
 
 
 def _pair_of(told: str) -> str:

@@ -8,8 +8,8 @@ from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
@@ -17,7 +17,8 @@ from sim2reason.questions.structured import StructuredQuestion
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
 _DOES = "(?:does |is |has |do |will |are |have |did |can )"
 _AT_EVENT = (
-    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|large [a-z ]+?|great [a-z ]+?|(?:far|high){_PLACE}?))"
+    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|large [a-z ]+?|great [a-z ]+?|(?:far"
+    rf"|high){_PLACE}?))"
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
@@ -26,7 +27,8 @@ _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
 _LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
-    "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
+    "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
+    " ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
 _ON_ITS_WAY = pattern(
     "(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]|[its |@0@ 's ](?P<noun>ascent|climb|rise|descent|fall)"

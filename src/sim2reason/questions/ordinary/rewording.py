@@ -7,7 +7,9 @@ from sim2reason.questions.ordinary.vocabulary import pattern
 REWORDINGS: Mapping[str, str] = {
     "\\b(?:been|being|already) ": "",
     "^for how long ": "how long ",
-    "^(?:after|within|over) what distance (?:does|do|will|is|are) (?P<s>@\\d+@) (?=\\w)": r"how far does \g<s> move before \g<s> ",
+    "^(?:after|within|over) what distance (?:does|do|will|is|are) (?P<s>@\\d+@) (?=\\w)": (
+        r"how far does \g<s> move before \g<s> "
+    ),
     "^(?:please|now|then),? ": "",
     "^(?:can|could|would) (?:you|we|one) ": "",
     "^(?:tell me|say|state|show|i want to know|i would like to know|we want to know|please find) (?=what|how|when)": "",

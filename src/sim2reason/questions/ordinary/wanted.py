@@ -14,7 +14,8 @@ from sim2reason.questions.ordinary.whens import CONNECTORS, When
 
 NUMBERS: Mapping[str, str] = {
     "mass": "mass",
-    "speed": "initial angular speed|angular speed|initial speed|initial velocity|launch speed|starting speed|speed|velocity",
+    "speed": "initial angular speed|angular speed|initial speed|initial velocity|launch speed|starting speed"
+    "|speed|velocity",
     "friction": "coefficient of friction|friction coefficient|coefficient of kinetic friction"
     "|coefficient of static friction",
     "force": "force|pull|pulling force|steady force|constant force",

@@ -9,7 +9,8 @@ from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLIN
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
 _SIDES: Mapping[str, str] = {
     BEFORE: "just before|immediately before|right before|shortly before|before|prior to",
-    AFTER: "just after|immediately after|right after|directly after|shortly after|after|following|by|as result of|because of|due to|as consequence of",
+    AFTER: "just after|immediately after|right after|directly after|shortly after|after|following|by|as result"
+    " of|because of|due to|as consequence of",
     THEN: "at instant of|at moment of|at time of"
     "|at moment when|at instant when|at moment at which|at instant at which|at moment|at instant|at time when"
     "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
