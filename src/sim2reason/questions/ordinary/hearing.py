@@ -201,11 +201,10 @@ def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
 def _unnamed(words: Words) -> Iterable[tuple[int, str, str]]:
     """Yield ranked patterns that name a string, by its address, by the only body at one of its ends."""
     mechanism, called = words.mechanism, words.called(Strings())
+    through = {name: mechanism.line[name].through for name in Strings().names(mechanism)}
     ends = {
-        line.name: [
-            words.mentions.get(mechanism.site[site].body or "", "") for site in (line.through[0], line.through[-1])
-        ]
-        for line in mechanism.strings
+        name: [words.mentions.get(mechanism.site[site].body or "", "") for site in (sites[0], sites[-1])]
+        for name, sites in through.items()
     }
     everywhere = [end for pair in ends.values() for end in pair]
     for name, pair in ends.items():

@@ -42,7 +42,7 @@ _SIZES = {
 }
 
 
-class Limit(NamedTuple):
+class DecidingNumber(NamedTuple):
     """A number by its name, its owner, the outcome, whether it happens, of what, and which end of the range."""
 
     name: str
@@ -53,7 +53,7 @@ class Limit(NamedTuple):
     least: bool | None
 
 
-def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[Limit]:
+def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
     """Yield every number that a sentence may ask for by an outcome, if every word of the sentence has its place."""
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", heard.text).split())
     asked = _parameter(tuple(numbers.values())).search(text)
@@ -73,7 +73,7 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[Limit]:
         words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
         if len(subjects) <= 1 and not set(words) - _LOOSE:
             of = heard.subject(subjects[0]) if subjects else ""
-            yield Limit(meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least)
+            yield DecidingNumber(meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least)
         return
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, Row, S
+from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, WantedRow, S
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 
@@ -71,7 +71,7 @@ def _one(found: re.Match[str]) -> str:
     return found[1].replace("velocitie", "velocity")
 
 
-def _filled(row: Row, text: str) -> Iterator[str]:
+def _filled(row: WantedRow, text: str) -> Iterator[str]:
     """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
     rest, groups = text, dict[str, str]()
     for told in row.parts:

@@ -56,7 +56,8 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
                 told = _met(_collided(_component(when, words), words, events), words) or (
                     START if reading.steady else ""
                 )
-                yield replace(reading, asked=replace(asked, of=_pair(asked, told, words), when=told))
+                asked = replace(asked, of=_pair(asked, told, words))
+                yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
@@ -121,6 +122,13 @@ def _fits(reading: Reading, words: Words) -> bool:
     mechanism = words.mechanism
     rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
     return rubs or not rests
+
+
+def _apsis(asked: StructuredQuestion, words: Words) -> str:
+    """Return the moment of an extreme distance of one of several orbits, which do not all repeat at once; else empty."""
+    pulled = {AND.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
+    apsides = {"greatest distance": "farthest", "least distance": "closest"}
+    return f"{asked.of} {apsides[asked.find]}" if len(pulled) > 1 and asked.find in apsides and asked.of in pulled else ""
 
 
 def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:

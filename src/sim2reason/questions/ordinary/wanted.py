@@ -7,7 +7,7 @@ from itertools import product
 
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.paraphrased_limits import Limit, limits
+from sim2reason.questions.ordinary.paraphrased_limits import DecidingNumber, limits
 from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
 from sim2reason.questions.ordinary.whens import CONNECTORS, When
@@ -126,7 +126,7 @@ def wanted(heard: Heard) -> Iterator[WantedNumber]:
             yield from _outcomes(limit)
 
 
-def _outcomes(limit: Limit) -> Iterator[WantedNumber]:
+def _outcomes(limit: DecidingNumber) -> Iterator[WantedNumber]:
     """Yield a wanted number for each outcome that a clause may mean."""
     if limit.does == "rests" and limit.least is None:
         yield WantedNumber(limit.name, limit.owner, limit.of, AT_REST)
