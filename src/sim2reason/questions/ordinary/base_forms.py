@@ -17,7 +17,7 @@ REGULAR = re.split(
     "impinge jump hop skip tension loosen traverse experience feel circle encounter contact intersect",
 )
 IRREGULAR = {
-    "go": "goes went gone going", "come": "comes came coming", "fall": "falls fell fallen falling",
+    "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",
     "rise": "rises rose risen rising", "fly": "flies flew flown flying", "sink": "sinks sank sunk sinking",
     "spin": "spins spun spinning", "swing": "swings swung swinging", "hit": "hits hitting",
     "strike": "strikes struck striking", "meet": "meets met meeting", "leave": "leaves left leaving",

@@ -73,7 +73,9 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
         words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
         if len(subjects) <= 1 and not set(words) - _LOOSE:
             of = heard.subject(subjects[0]) if subjects else ""
-            yield DecidingNumber(meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least)
+            yield DecidingNumber(
+                meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least
+            )
         return
 
 

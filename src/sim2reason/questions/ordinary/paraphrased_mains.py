@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, WantedRow, S
+from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S, WantedRow
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 

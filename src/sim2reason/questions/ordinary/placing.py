@@ -125,10 +125,12 @@ def _fits(reading: Reading, words: Words) -> bool:
 
 
 def _apsis(asked: StructuredQuestion, words: Words) -> str:
-    """Return the moment of an extreme distance of one of several orbits, which do not all repeat at once; else empty."""
+    """Return the moment of an extreme distance in one of several orbits, which never all repeat; otherwise empty."""
     pulled = {AND.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
     apsides = {"greatest distance": "farthest", "least distance": "closest"}
-    return f"{asked.of} {apsides[asked.find]}" if len(pulled) > 1 and asked.find in apsides and asked.of in pulled else ""
+    return (
+        f"{asked.of} {apsides[asked.find]}" if len(pulled) > 1 and asked.find in apsides and asked.of in pulled else ""
+    )
 
 
 def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
