@@ -48,7 +48,10 @@ _FROM_REST = re.compile(
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
-_HIT_IT = re.compile(r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with)) it\b")
+_HIT_IT = re.compile(
+    r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
+    r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
+)
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
@@ -153,7 +156,9 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
-        alone = _others(noun, phrase, {other: named[:1] for other, named in nouns.items()})
+        others = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
+        taken = {named[0] for named in others.values()}
+        alone: set[str] = _others(noun, phrase, others) if noun not in taken else set()
         found += [
             (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
         ]

@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
-_TURN = "(?:turn|rotate|spin|swing|revolve)"
+_TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
 _GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull)"
 VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO}
 MOTION = f"(?:{'|'.join(VERBS.values())})"
@@ -87,7 +87,8 @@ ROWS = (
     WantedRow((_FAR, HOME, f"?{MOTION}", "?away"), "how far is {s} from its starting point"),
     WantedRow((_FAR, f"(?:from|of) {HOME}", MOTION, "(?P<toward><(?:up|down|to right|to left)>)"),
         "how far does {s} move {toward}"),
-    WantedRow((_FAR, HOME, "{greatest}|farthest|furthest", f"?{MOTION}", "?away"),
+    WantedRow((_FAR, _LEVEL, f"(?:from|of) {HOME}", f"?{MOTION}"), "how far horizontally does {s} move"),
+    WantedRow((f"{_FAR}|displacement", HOME, "{greatest}|farthest|furthest", f"?{MOTION}", "?away"),
         "how far does {s} get from its starting point at most"),
     WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}"), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAST}|speed",
@@ -142,7 +143,8 @@ ROWS = (
     WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
     WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
     WantedRow(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
-    WantedRow(("thrust(?: force)?", "?engine|motor|rocket|its engine"), "what is thrust of {s}"),
+    WantedRow(("thrust(?: force)?", "?engine|motor|rocket|its engine", "?produce|provide|deliver|develop"),
+        "what is thrust of {s}"),
     # angles, periods and counts
     WantedRow(("radius", "?of (?:circle|circular path|path|orbit|trajectory|curvature|circular orbit|curve)",
          "?(?:on|along|in) which|(?:on|along)(?= )", f"?{MOTION}|describe|follow|trace",

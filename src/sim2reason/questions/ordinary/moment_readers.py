@@ -73,7 +73,7 @@ def jump(*names: str) -> Reader:
         who, groups = subject_of(found, heard, subject), found.groupdict()
         number = groups.get("number") or ""
         for name in names:
-            both = who.removeprefix(f"{ALL} ") if who.startswith(f"{ALL} ") and who.count(" & ") == 1 else ""
+            both = _both(who, heard) if found[0].startswith("their ") or who.startswith(f"{ALL} ") else ""
             its = name != "collided" or groups.get("s") or re.match(r"its |@\d+@ 's ", found[0])
             of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL} ") else ""
             told = " ".join(filter(None, (number, of, name)))
@@ -81,6 +81,13 @@ def jump(*names: str) -> Reader:
                 yield When(f"{told} before" if side == BEFORE else told, side)
 
     return read
+
+
+def _both(who: str, heard: Heard) -> str:
+    """Return the two bodies that a plural means; empty unless it means two."""
+    joint = [said for said in (who, *heard.subjects) if said.startswith(f"{ALL} ")]
+    both = joint[0].removeprefix(f"{ALL} ") if joint else ""
+    return both if both.count(" & ") == 1 else ""
 
 
 def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:

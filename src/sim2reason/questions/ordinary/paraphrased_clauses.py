@@ -37,7 +37,7 @@ _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "r
 _PASSING = frozenset(
     re.split(
         " ",
-        "swing move fly roll slide travel pass sweep fall rise arrive",
+        "swing move fly roll slide travel pass passage sweep fall rise arrive",
     )
 )
 """Verbs that say nothing beside a place that a body passes."""

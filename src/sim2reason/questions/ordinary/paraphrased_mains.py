@@ -11,7 +11,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIE
 
 _ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
 _SUPPOSES = re.compile(
-    r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last"
+    r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
 _LOOSE = frozenset(
@@ -107,4 +107,4 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         toward=groups.get("toward", "").strip("<>"),
         speed="angular speed" if verb == "turn" else "speed",
     )
-    yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$)|(?<=give) $", "", " ".join(told.split()))
+    yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))

@@ -18,6 +18,7 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
+SPEED = "speed"  # which has no sign
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -60,6 +61,8 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         except TextError:
             continue
         followed = question.followed(motion)
+        if reading.asked.find == SPEED and followed.answer is not None:  # along an axis, it is no velocity
+            followed = followed._replace(answer=abs(followed.answer))
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason
         if not reason:
@@ -74,8 +77,6 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
-    if reading.asked.find == "speed" and followed.answer < 0.0:
-        return "along that axis it has a velocity with a sign; ask for that"
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
         during, vector = reading.side == DURING, reading.asked.find == VECTOR

@@ -120,6 +120,7 @@ PHRASES: Mapping[str, str] = {
     "|how much time does it take|how long until|find how long it takes|determine how long it takes"
     "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required"
     "|ASK time taken"
+    "|how much time passes between START and|how much time elapses between START and"
     "|how much time elapses before|how much time elapses until|how much time passes before"
     "|how many seconds elapse before|how many seconds elapse until|how many seconds pass before"
     "|how soon|how long before"

@@ -13,7 +13,7 @@ _SIDES: Mapping[str, str] = {
     " of|because of|due to|as consequence of",
     THEN: "at instant of|at moment of|at time of"
     "|at moment when|at instant when|at moment at which|at instant at which|at moment|at instant|at time when"
-    "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
+    "|moment|instant|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
     "|from release until|at end of|up to|up until|up to moment when|up to instant when|until moment when"
     "|up to point where|from start until|from release to moment when|at point where|whenever|at which",
     DURING: "during|while|on",
