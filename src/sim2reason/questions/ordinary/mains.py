@@ -89,7 +89,7 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": of_none(
         "friction force"
     ),
-    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE] ~[{s}]": read.high,
+    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE][ ~[{s}]]": read.high,
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
         "spring energy"
     ),
