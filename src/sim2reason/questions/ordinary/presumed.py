@@ -76,7 +76,7 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             if way in AXES:
                 yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
-                yield "" if _from_origin(who, way[-1], trace.at(0.0), words) else f"{who} does not start at the origin"
+                yield "" if _from_origin(who, way[-1], followed.study, words) else f"{who} does not start at the origin"
             elif way.startswith(SOLE):
                 told = way.removeprefix(SOLE)
                 yield "" if alone(told, who, words) else f"{told} is not the only force on {who}"
@@ -101,11 +101,14 @@ def _lies(who: str, face: str, words: Words) -> bool:
     return bool(name) and words.mechanism.body[name].parent == named(face, words)
 
 
-def _from_origin(who: str, axis: str, start: State, words: Words) -> bool:
+def _from_origin(who: str, axis: str, study: Study, words: Words) -> bool:
     """Return whether a body starts at the origin of an axis; false where heights count from the ground."""
-    name = named(who, words)
+    name, start = named(who, words), study.trace.at(0.0)
     if not name or Height().subjects(words.mechanism):
         return False
+    given = next((p.value for p in study.scene.parameters if p.path == f"{name}.{axis}"), None)
+    if given is not None:  # the origin of the mechanism need not be that of the text
+        return given == 0.0
     place = start.vector(start.frames.center(name).place)[0]
     sense = next((sense for sense in Bodies().senses(words.mechanism, name) if sense.axis == axis), None)
     return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
