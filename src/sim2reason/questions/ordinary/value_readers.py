@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.readers import (
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     COMPRESSED,
+    DOWN,
     FIXED_FACE,
     LASTS,
     MOTIONS,
@@ -28,6 +29,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     RESTS,
     SLOWER,
     SOLE,
+    UP,
     WAYS,
     meant,
 )
@@ -144,8 +146,10 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         if way in AXES:
             yield Main("displacement", of, way, needs=STRETCH)
         else:
-            yield Main("displacement", of, needs=STRETCH, ways=ways_of(found, of))
-            yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
+            upright = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") in (UP, DOWN)
+            ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright else ()))
+            yield Main("displacement", of, needs=STRETCH, ways=ways)
+            yield Main("distance travelled", of, needs=STRETCH, ways=ways)
 
 
 def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
