@@ -156,9 +156,9 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
-        others = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
-        taken = {named[0] for named in others.values()}
-        alone: set[str] = _others(noun, phrase, others) if noun not in taken else set()
+        heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
+        unique = [noun] not in heads.values()
+        alone = _others(noun, phrase, heads) if unique else set[str]()
         found += [
             (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
         ]
