@@ -161,11 +161,16 @@ def told(scene: Scene) -> tuple[Study, Words]:
     return Study(scene, simulate(scene)), words_of(describe(scene))
 
 
+SCENES = Path(__file__).parent / "data" / "ordinary_scenes"
+
+
 @cache
 def varied() -> list[tuple[Study, Words]]:
     """Motions in which all that is registered can be asked."""
     carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
-    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes())), *told_motions()]
+    own = [load(SCENES / f"{name}.yaml") for name in ("trolley_bob", "cyclotron")]
+    made = ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes(), *own
+    return [*map(told, made), *told_motions()]
 
 
 def shapes(query: Query, words: Words) -> tuple[str, ...]:

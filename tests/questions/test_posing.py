@@ -57,6 +57,8 @@ def found(scene: Scene, **parts: str) -> Followed:
             3.0 * FAR,
         ),
         (ramp(friction=0.4, angle=20.0), {"find": "ramp.plane.angle", "when": "slides"}, degrees(atan(0.4))),
+        (atwood(), {"find": "time", "when": "velocity of block A along up = -1 m/s"}, 5.0 / G),
+        (atwood(), {"find": "kinetic energy", "of": "block A + block B", "when": "0.5 s"}, 0.5 * 5.0 * (0.1 * G) ** 2),
         (atwood(), {"find": "tension", "when": "0.1 s"}, 2.4 * G),
         (atwood(), {"find": "speed", "of": "block A", "when": "B moved 1 m"}, sqrt(0.4 * G)),
         (row((2.0,), (50.0,), "left", speed=1.5), {"find": "period", "when": "equilibrium"}, 2.0 * pi / 5.0),

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from math import cos, pi, radians, sin, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,11 +11,14 @@ from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.fields import Magnetic, Profile, Push
 from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.questions.following import motion_of
 from sim2reason.questions.period_words import attracted_by
-from sim2reason.questions.recurrence import Repetition, flies_off, nothing_new
+from sim2reason.questions.recurrence import Repetition, drift_return, first_return, flies_off, nothing_new
+from sim2reason.scene_files import load
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8
+SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
 SEEDS = range(4)
 
 
@@ -148,3 +152,13 @@ def test_whatever_it_carries_comes_back_with_it() -> None:
         found = {period(motion.mechanism, name, 3.0) for name in names}
         assert len(found) == 1
         assert None not in found
+
+
+def test_what_drifts_on_repeats_itself_elsewhere() -> None:
+    """Two trolleys on a spring, after the period of their relative oscillation; a wall would be a special place."""
+    masses, stiffness = (1.1, 3.5), 40.0
+    reduced = masses[0] * masses[1] / sum(masses)
+    free = motion_of(load(SCENES / "struck_trolleys.yaml"), 2.0).study.trace
+    assert first_return(free) is None
+    assert drift_return(free) == pytest.approx(2.0 * pi * sqrt(reduced / stiffness), rel=1e-6)
+    assert drift_return(motion_of(load(SCENES / "elastic_balls.yaml")).study.trace) is None

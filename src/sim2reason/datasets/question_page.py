@@ -26,9 +26,11 @@ draws; `sim2reason solve SCENE` takes both of its forms, and a file may have eit
 A question has **parts**: what to `find`, `of` what, and `when`.
 
 - `find`: a quantity, what a stretch of the motion adds up to, `time`, `period`, or the address of a number.
-- `of`: what the text calls it, or its address; it may be left out where there is only one.
+- `of`: what the text calls it, or its address; it may be left out where there is only one. Energies and masses are
+  added up of `A + B`.
 - `when`: a moment by its name, with its subject before and its number after it; a time, `2 s`; `QUANTITY = VALUE`, the
-  first time that it has that value; `equilibrium`. `before` after a moment is the instant just before it.
+  first time that it has that value (`QUANTITY of SUBJECT along AXIS = VALUE`, in full); `equilibrium`. `before` after
+  a moment is the instant just before it.
 - `along`: a component, by its axis, or by what is positive.
 - `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`.
 - `change`: `ADDRESS = VALUE`, or `ADDRESS × 2`: by what factor, or by how much (`compare`), that changes what is found;

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import applied, product
+from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.momentum import AboutCenter
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import turning_axes
+from sim2reason.quantities.subjects.paths import chain, turning_axes
 
 
 @quantity
@@ -89,3 +89,32 @@ class InertiaOffDiagonal(InertiaTensor):
         """(Ixy, Ixz, Iyz), (n, 3)."""
         x, y, _ = InertiaTensor.columns(state, subject)
         return np.stack([x[:, 1], x[:, 2], y[:, 2]], axis=1)
+
+
+@quantity
+class InertiaAboutAxle(AboutCenter):
+    """The moment of inertia of a body about the axle that it turns about; in structured questions only, never drawn."""
+
+    name, unit, symbol = "moment of inertia about the axle", "kg m^2", "I"
+    vector = False
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """n·I n + m d², with the distance d of the centre of mass from the axle, (n,)."""
+        mechanism = state.mechanism
+        _, axis = turning_axes(mechanism, subject)[0]
+        held = product(axis, applied(mechanism.body[subject].inertia, axis))
+        turning = next(body for body in chain(mechanism, subject) if any(c.kind == "hinge" for c in body.coordinates))
+        arm = state.vector(minus(state.frames.center(subject).place, state.frames[turning.name].point(ZERO).place))
+        across = np.cross(arm, np.array(axis))
+        return held + mechanism.body[subject].mass * np.einsum("ij,ij->i", across, across)
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies that turn about one fixed hinge."""
+        named = (name for name in self.of.names(mechanism) if mechanism.body[name].mass)
+        return tuple(name for name in named if len(turning_axes(mechanism, name)) == 1 and _on_axle(mechanism, name))
+
+
+def _on_axle(mechanism: Mechanism, name: str) -> bool:
+    kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
+    return kinds == ["hinge"]

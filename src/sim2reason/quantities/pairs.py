@@ -1,5 +1,7 @@
 """How two bodies stand and move relative to each other."""
 
+from itertools import permutations
+
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
@@ -7,8 +9,8 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import moves
-from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.bodies import AXES, moves
+from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.quantities.subjects.relative import RelativeBodies
 
 
@@ -24,6 +26,11 @@ class DistanceBetween(Quantity):
     given = center = True
     floor = 0.1
     panel, order = "distance", 0
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the pairs, and of any other two bodies that move freely in a plane, in either order."""
+        free = [body.name for body in mechanism.bodies if sum(c.label in AXES for c in body.coordinates) > 1]
+        return tuple(dict.fromkeys((*self.of.names(mechanism), *(AND.join(two) for two in permutations(free, 2)))))
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

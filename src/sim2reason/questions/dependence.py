@@ -217,8 +217,9 @@ class Dependence:
         if fa is None or fb is None:
             return None
         a, b = low, high
+        size = abs(value) or max((abs(end) for end in (fa, fb) if isfinite(end)), default=0.0)
         for _ in range(ROUNDS):
-            if abs(b - a) <= EXACT * abs(b) or abs(fb) <= EXACT * abs(value):
+            if abs(b - a) <= EXACT * abs(b) or abs(fb) <= EXACT * size:
                 break
             plain = isfinite(fa) and isfinite(fb)
             middle = b - fb * (b - a) / (fb - fa) if plain else 0.5 * (a + b)
@@ -231,7 +232,7 @@ class Dependence:
                 fa *= 0.5
             b, fb = middle, found
         here = self(b)
-        return b if here is not None and abs(here - value) <= 1e-6 * abs(value) else None
+        return b if here is not None and abs(here - value) <= 1e-6 * size else None
 
     def _excess(self, at: float, value: float) -> float | None:
         found = self(at)

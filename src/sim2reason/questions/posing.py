@@ -22,16 +22,23 @@ from sim2reason.questions.words import Words
 EXTREMES = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
+PLUS = " + "
+SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass")
+"""Quantities whose values of several subjects add up to that of all."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
 
 @dataclass(frozen=True)
 class PosedQuestion:
-    """A query; if the question asks for a number of the scene, also that number and the query's required answer."""
+    """A query; if the question asks for a number of the scene, also that number and the query's required answer.
+
+    If the question asks for a sum over several subjects, `others` has the queries for all but the first.
+    """
 
     query: Query
     unknown: Unknown | None = None
     given: float = 0.0
+    others: tuple[Query, ...] = ()
 
     def unit(self, words: Words) -> str:
         """Return the unit of the answer."""
@@ -46,16 +53,18 @@ class PosedQuestion:
     def followed(self, motion: FollowedMotion) -> Followed:
         """Return the answer with the motion that leads to the answer, or the reason why there is none."""
         if self.unknown is None:
-            return follow(self.query, motion)
-        found = values_giving(self.query, self.given, self.unknown, motion.study)
-        reason = why_not_one(self.unknown, found, motion.study.scene)
-        return Followed(motion.study, None if reason else found[0], reason)
+            found = [follow(query, motion) for query in (self.query, *self.others)]
+            missing = next((each for each in found if each.answer is None), None)
+            return missing or found[0]._replace(answer=sum(each.answer or 0.0 for each in found))
+        values = values_giving(self.query, self.given, self.unknown, motion.study)
+        reason = why_not_one(self.unknown, values, motion.study.scene)
+        return Followed(motion.study, None if reason else values[0], reason)
 
     def sentence(self, words: Words) -> str:
         """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
-        if self.unknown is not None or (target is not None and noun is None):
+        if self.unknown is not None or self.others or (target is not None and noun is None):
             return ""
         shapes = KINDS[self.query.kind].shapes(self.query, words, noun)
         return sentence(shapes[0]) if shapes else ""
@@ -72,6 +81,8 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
     if asked.given:
         return _reversed(asked, motion, words)
     find = one_of("find", asked.find, findable(words))
+    if PLUS in asked.of:
+        return _summed(asked, motion, words)
     if asked.change:
         inner = posed(replace(asked, change=""), motion, words).query
         return PosedQuestion(_changed(inner, asked, motion.study, words))
@@ -81,6 +92,14 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
         raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
     return PosedQuestion(query)
+
+
+def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+    """Return the queries for a sum over several subjects, such as *block A + block B*."""
+    if asked.find not in SUMMED or asked.change:
+        raise TextError("of", f"{asked.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}")
+    first, *others = (posed(replace(asked, of=of.strip()), motion, words).query for of in asked.of.split(PLUS))
+    return PosedQuestion(first, others=tuple(others))
 
 
 def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
@@ -97,7 +116,8 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
         query = posed(replace(asked, find="time", given=""), motion, words).query
         return PosedQuestion(query, unknown, measured("given", value, words.units.time))
     target, wanted = stated(asked, asked.given, words, "given")
-    inner = replace(asked, find=target.quantity, of=target.subject, given="")
+    along = target.sense.positive if target.sense is not None else ""
+    inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="")
     return PosedQuestion(posed(inner, motion, words).query, unknown, wanted)
 
 

@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.fields import Magnetic, Push
+from sim2reason.dsl.fields import Law, Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.subjects.paths import center_path, chain
@@ -47,6 +47,40 @@ def first_return(trace: Trace) -> float | None:
     """
     mechanism = trace.mechanism
     return _first_return(trace, range(len(mechanism.coordinates))) if is_autonomous(mechanism) else None
+
+
+def drift_return(trace: Trace) -> float | None:
+    """The time, s, at which all but the place is first what it was at the start, in scenes where no place is special.
+
+    Then everything repeats itself elsewhere: all velocities, accelerations, angles and lengths. None if they do not
+    return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
+    """
+    mechanism, start = trace.mechanism, trace.at(0.0)
+    local = any(force.region is not None or not _uniform(force.law) for force in mechanism.forces)
+    if not is_autonomous(mechanism) or mechanism.meetings or mechanism.attractions or mechanism.feet or local:
+        return None
+    hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
+    fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
+    lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
+    same = max(SAME, ERRS * trace.tolerance)
+
+    def excess(state: State) -> Array:
+        """How much faster it goes the way in which it is accelerated at first."""
+        return (state.v - start.v[0]) @ start.a[0]
+
+    def alike(here: State) -> bool:
+        changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
+        changes += [np.abs(here.q - start.q)[:, hinges]]
+        changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
+        return all(float(change.max(initial=0.0)) <= same for change in changes)
+
+    if not start.a[0].any():
+        return None
+    return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
+
+
+def _uniform(law: Law) -> bool:
+    return isinstance(law, Push | Magnetic) and law.profile.uniform
 
 
 def ends_at_rest(trace: Trace) -> bool:

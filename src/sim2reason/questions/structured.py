@@ -32,7 +32,8 @@ class StructuredQuestion:
     number of the scene that leads to this result; with *velocity = greatest*, for the value at which the velocity is
     greatest. With `change`, such as *ramp.speed = 5 m/s*, it asks how the answer changes: `compare` is the *ratio* of
     the new value to the original one, or their *difference*. With *ramp.angle = greatest* it asks for the answer's
-    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches.
+    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches. `of` may name
+    several subjects of an energy or a mass, as *block A + block B*, for the sum.
     """
 
     find: str

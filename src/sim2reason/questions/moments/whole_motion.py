@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.recurrence import first_return
+from sim2reason.questions.recurrence import drift_return, first_return
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -20,6 +20,8 @@ class WholeMotion(Moment):
 
     kind = "extremum"
     label = "whole motion"
+
+    drifts: bool = False  # whether it may end elsewhere: for what does not depend on the place
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
@@ -40,7 +42,8 @@ class WholeMotion(Moment):
 
     def time(self, trace: Trace) -> float | None:
         """When all is as at the start again."""
-        return first_return(trace)
+        time = first_return(trace)
+        return drift_return(trace) if time is None and self.drifts else time
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: in the motion that follows."""

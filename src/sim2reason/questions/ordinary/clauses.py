@@ -1,20 +1,24 @@
 """Clauses of questions in ordinary English that name a moment, each with its reader."""
 
-import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import COMPRESSED, RELAXED, STRAIGHT, STRETCHED, pattern
-from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, ways_of
-
-LAST = 10  # the rank of what is meant only where all else is not there
-Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
-"""From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
+from sim2reason.questions.ordinary.moment_readers import Reader
+from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
+from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.whens import When
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
+    found = list(_of_tables(clause, heard, subject, side))
+    plain = dict.fromkeys(paraphrased(clause)) if not found else ()
+    yield from found or (when for told in plain for when in _of_tables(told, heard, subject, side))
+
+
+def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     for told, reader in CLAUSES.items():
         found = pattern(told).fullmatch(clause)
         if found is None:
@@ -25,243 +29,91 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
             yield from (replace(when, rank=when.rank + rank) for when in reader(found, heard, who, side))
 
 
-def _who(found: re.Match[str], heard: Heard, subject: str) -> str:
-    return heard.subject(found.groupdict().get("s")) or subject
-
-
-def simply(name: str, side: str = "") -> Reader:
-    """Return a reader for a named moment of one subject, such as *stopped*."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        groups = found.groupdict()
-        number = groups.get("number") or ""
-        told = " ".join(filter(None, (number, _who(found, heard, subject), name)))
-        yield When(told, side or asked)
-
-    return read
-
-
-def _turned_back(name: str, way: str) -> Reader:
-    """Return a reader for the highest or lowest point of a path or, on a straight path, for the stop of the body."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        who = _who(found, heard, subject)
-        yield When(f"{who} {name}", asked)
-        yield When(f"{who} stopped", asked, ((who, way),), rank=LAST)
-
-    return read
-
-
-def _alone(name: str) -> Reader:
-    """Return a reader for a moment that a scene has only one of, whatever subject is named."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        del found, heard, subject
-        yield When(name, asked)
-
-    return read
-
-
-def _jump(*names: str) -> Reader:
-    """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        who = _who(found, heard, subject)
-        number = found.groupdict().get("number") or ""
-        for name in names:
-            of = "" if who.startswith("all ") or name == "collided" else who
-            told = " ".join(filter(None, (number, of, name)))
-            for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
-                yield When(f"{told} before" if side == BEFORE else told, side)
-
-    return read
-
-
-def _meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-    """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
-    del subject
-    both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
-    for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
-        yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
-
-
-def _landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
-    who = _who(found, heard, subject)
-    number = found.groupdict().get("number") or ""
-    if side != AFTER and number in ("", "first"):
-        yield When(f"{who} landed", BEFORE)
-    yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
-
-
-def _rather(reader: Reader) -> Reader:
-    """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
-
-    return read
-
-
-def _moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
-    who, number = _who(found, heard, subject), heard.number(found["n"])
-    ways = ways_of(found, who)
-    if _is_time(number):
-        yield When(f"at {number}", side, ways)
-    else:
-        yield When(f"{who} moved {number}", side, ways)
-        yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
-
-
-def _at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    del subject
-    number = heard.number(found["n"])
-    if _is_time(number):
-        yield When(f"at {number}", THEN if side == AFTER else side)
-
-
-def _second(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    del found, heard, subject
-    yield When("at 1 s", side)
-
-
-def _has_speed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"velocity of {_who(found, heard, subject)} = {heard.number(found['n'])}", side)
-
-
-def _angle(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"{_who(found, heard, subject)} deflected {heard.number(found['n'])}", side)
-
-
-def _turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"{_who(found, heard, subject)} turned through {heard.number(found['n'])}", side)
-
-
-def _level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"{_who(found, heard, subject)} deflected 90 deg", side)
-
-
-def _begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    del found, heard, subject
-    if side != BEFORE:
-        yield When("at start")
-
-
-def _apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    del subject
-    if not _is_time(heard.number(found["n"])):
-        yield When(f"distance = {heard.number(found['n'])}", side)
-
-
-def _balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
-    del subject
-    number = found.groupdict().get("n")
-    told = f"extension = {heard.number(number)}" if number else "natural length"
-    yield When(told, side, (("", RELAXED),))
-
-
-def _strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a spring is stretched or compressed by a given length."""
-    who = _who(found, heard, subject)
-    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
-    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
-
-
-def _long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"spring length of {_who(found, heard, subject)} = {heard.number(found['n'])}", side)
-
-
-def _apsis(name: str) -> Reader:
-    """Return a reader for the moment when two bodies are farthest apart or closest together, whatever body is named."""
-
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        del heard, subject, found
-        yield When(name, asked)
-
-    return read
-
-
-def _is_time(number: str) -> bool:
-    return number.partition(" ")[2] in ("s", "yr")
-
-
-def _natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    yield When(f"{_who(found, heard, subject)} natural length", side)
-
-
 CLAUSES: Mapping[str, Reader] = {
-    "[t = |time t = |time ]{n}[ START]": _at,
-    "{n} after START": _at,
-    "{n}[ have passed| has passed| have elapsed]": _at,
-    "first {n}[ after START| of motion]": _at,
-    "first second[ after START| of motion]": _second,
-    "[very ]START[ of motion]": _begun,
-    "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": _moved,
-    "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": _moved,
-    "first {n}[ {way=WAY}| ALONG_IT| of its path]": _moved,
-    "{s} has first {motion=MOTION} {n}": _moved,
-    "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": simply("stopped"),
-    "[{s} ]~[first ]LANDS[ FIRST_TIME]": _landed,
-    "[{s} ]~LANDS for {number=ORDINAL} time": _landed,
-    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": _jump("bounced"),
-    "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": _jump("bounced"),
-    "[{s} ]~BOUNCES for {number=ORDINAL} time": _jump("bounced"),
-    "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": _jump("collided"),
-    "{number=ORDINAL} collision": _jump("collided"),
-    "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": _meet,
-    "[pure ]rolling (?:sets in|begins|starts)": simply("stopped slipping"),
-    "{number=ORDINAL} collision (?:take|takes|took) place": _jump("collided"),
-    "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": _jump("collided"),
-    "(?:their|its) {number=ORDINAL} collision": _jump("collided"),
-    "{s} ~HITS wall[ FIRST_TIME]": _jump("bounced"),
-    "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": _apsis("farthest"),
-    "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": _apsis("closest"),
-    "{s} ~(?:most strongly|most|fully) compressed": simply("most compressed"),
-    "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": simply("most stretched"),
-    "{s} ~PASSES [its ]GREATEST compression": simply("most compressed"),
-    "{s} ~PASSES [its ]GREATEST extension": simply("most stretched"),
-    "all collisions[ ~over]": _alone("last collision"),
-    "[its ]impact": _rather(_landed),
-    "last collision": _alone("last collision"),
-    "{s} ~HITS {t}[ FIRST_TIME]": _meet,
-    "{s} and {t} ~COLLIDE[ FIRST_TIME]": _meet,
-    "(?:collision|impact) (?:of|between) {s} and {t}": _meet,
-    "[{s} ]~[PASSES ][its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": _turned_back("highest point", "up"),
-    "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": _turned_back("lowest point", "down"),
-    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": simply("lowest point"),
-    "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": simply("lowest point"),
-    "[in |at ][its ]vertical position": simply("lowest point"),
-    "[{s} ]~(?:starts|begins|start|begin) [to ]MOTION (?:again|back)[ WAY]": simply("stopped"),
-    "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": _angle,
-    "{s} ~horizontal": _level,
-    "[{s} ]~{motion=MOTION} (?:through|by) [angle of ]{n}[ from START| from its starting position]": _turned,
-    "[{s} ]~(?:reach|reaches|reached|has|attains) (?:speed|velocity) of {n}": _has_speed,
-    "[{s} ]~(?:reach|reaches|reached) {n}": _has_speed,
-    "{s} ~MOTION (?:at|with) [speed of ]{n}": _has_speed,
-    "{s} 's (?:speed|velocity) (?:~|BECOMES ){n}": _has_speed,
-    "(?:speed|velocity) of {s} (?:~|BECOMES ){n}": _has_speed,
-    "[{s} 's |its ]BURNOUT": _alone("burned out"),
-    "{s} RUNS_OUT": _alone("burned out"),
-    "[{s} ][first ]ROLLS[ on {t}]": simply("stopped slipping"),
-    "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": simply("stopped slipping"),
-    "(?:{s}|they) ~(?:move|moves|moving) together": _alone("stopped slipping"),
-    "{s} NATURAL[ AGAIN][ FIRST_TIME]": _natural,
-    "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": _apsis("farthest"),
-    "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": _apsis("closest"),
-    "[its |{s} 's ](?:farthest|furthest)[ from {t}]": _apsis("farthest"),
-    "[its |{s} 's ](?:closest|nearest)[ to {t}]": _apsis("closest"),
-    "{s} ~{n}[ away] from {t}": _apart,
-    "{s} ~{strain=STRAINED} by {n}": _strained,
-    "{s} ~{n} long": _long,
-    "[{s} ]~[PASSES ][its ]equilibrium position[ FIRST_TIME]": _balanced,
-    "{s} ~{n} from [its ]equilibrium position": _balanced,
-    "{s} (?:goes|go) slack": simply("went slack"),
-    "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": simply("went taut"),
-    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": simply("left face"),
-    "{s} (?:enters|enter) (?:field|region)": simply("entered region"),
-    "{s} (?:leaves|leave|exits) (?:field|region)": simply("left region"),
-    "{s} (?:begins|starts|begin|start) to (?:slip|slide)": simply("began to slip"),
+    "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
+    "meets {t}": read.met,
+    "[{s} ]returns": read.returned,
+    "[{s} ]stops going {way=WAY}": read.stops_going,
+    "[{s} ]finally stops": read.for_good,
+    "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
+    "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,
+    "{q=QUANTITY} of {s} equals {n}": read.quantity_is,
+    "{q=QUANTITY} equals {n}": read.quantity_is,
+    "[t = |time t = |time ]{n}[ START]": read.at,
+    "{n} after START": read.at,
+    "{n}[ have passed| has passed| have elapsed]": read.at,
+    "first {n}[ after START| of motion]": read.at,
+    "first second[ after START| of motion]": read.second,
+    "[very ]START[ of motion]": read.begun,
+    "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.moved,
+    "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": read.moved,
+    "first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
+    "{s} has first {motion=MOTION} {n}": read.moved,
+    "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.simply("stopped"),
+    "[{s} ]~[first ]LANDS[ FIRST_TIME]": read.landed,
+    "[{s} ]~LANDS for {number=ORDINAL} time": read.landed,
+    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": read.jump("bounced"),
+    "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": read.jump("bounced"),
+    "[{s} ]~BOUNCES for {number=ORDINAL} time": read.jump("bounced"),
+    "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": read.jump("collided"),
+    "{number=ORDINAL} collision": read.jump("collided"),
+    "{s} 's {number=ORDINAL} collision": read.jump("collided"),
+    "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": read.meet,
+    "[pure ]rolling (?:sets in|begins|starts)": read.simply("stopped slipping"),
+    "{number=ORDINAL} collision (?:take|takes|took) place": read.jump("collided"),
+    "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": read.jump("collided"),
+    "(?:their|its) {number=ORDINAL} collision": read.jump("collided"),
+    "{s} ~HITS wall[ FIRST_TIME]": read.jump("bounced"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": read.apsis("farthest"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": read.apsis("closest"),
+    "{s} ~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
+    "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
+    "{s} ~PASSES [its ]GREATEST compression": read.simply("most compressed"),
+    "{s} ~PASSES [its ]GREATEST extension": read.simply("most stretched"),
+    "all collisions[ ~over]": read.alone("last collision"),
+    "[its ]impact": read.rather(read.landed),
+    "last collision": read.alone("last collision"),
+    "{s} ~HITS {t}[ FIRST_TIME]": read.meet,
+    "{s} and {t} ~COLLIDE[ FIRST_TIME]": read.meet,
+    "(?:collision|impact) (?:of|between) {s} and {t}": read.meet,
+    "[{s} ]~[PASSES ][its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": read.turned_back("highest point", "up"),
+    "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": read.turned_back("lowest point", "down"),
+    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": read.simply(
+        "lowest point"
+    ),
+    "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": read.simply("lowest point"),
+    "[in |at ][its ]vertical position": read.simply("lowest point"),
+    "[{s} ]~(?:starts|begins|start|begin) [to ]MOTION (?:again|back)[ WAY]": read.simply("stopped"),
+    "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": read.angle,
+    "{s} ~horizontal": read.level,
+    "[{s} ]~{motion=MOTION} (?:through|by) [angle of ]{n}[ from START| from its starting position]": read.turned,
+    "[{s} ]~(?:reach|reaches|reached|has|attains) (?:speed|velocity) of {n}": read.has_speed,
+    "[{s} ]~(?:reach|reaches|reached) {n}": read.has_speed,
+    "{s} ~MOTION (?:at|with) [speed of ]{n}": read.has_speed,
+    "{s} 's (?:speed|velocity) (?:~|BECOMES ){n}": read.has_speed,
+    "(?:speed|velocity) of {s} (?:~|BECOMES ){n}": read.has_speed,
+    "[{s} 's |its ]BURNOUT": read.alone("burned out"),
+    "{s} RUNS_OUT": read.alone("burned out"),
+    "[{s} ][first ]ROLLS[ on {t}]": read.simply("stopped slipping"),
+    "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": read.simply("stopped slipping"),
+    "(?:{s}|they) ~(?:move|moves|moving) together": read.joined,
+    "{s} NATURAL[ AGAIN][ FIRST_TIME]": read.natural,
+    "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": read.apsis("farthest"),
+    "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
+    "[its |{s} 's ](?:farthest|furthest)[ from {t}]": read.apsis("farthest"),
+    "[its |{s} 's ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
+    "{s} closest to {t}": read.apsis("closest"),
+    "{s} farthest from {t}": read.apsis("farthest"),
+    "{s} ~{n}[ away] from {t}": read.apart,
+    "{s} ~{strain=STRAINED} by {n}": read.strained,
+    "{s} ~{n} long": read.long,
+    "[{s} ]~[PASSES ][its ]equilibrium position[ FIRST_TIME]": read.balanced,
+    "{s} ~{n} from [its ]equilibrium position": read.balanced,
+    "{s} (?:goes|go) slack": read.simply("went slack"),
+    "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": read.simply("went taut"),
+    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": read.simply("left face"),
+    "{s} (?:enters|enter) (?:field|region)": read.simply("entered region"),
+    "{s} (?:leaves|leave|exits) (?:field|region)": read.simply("left region"),
+    "{s} (?:begins|starts|begin|start) to (?:slip|slide)": read.simply("began to slip"),
 }
 """By what a clause is like: what reads its moments."""

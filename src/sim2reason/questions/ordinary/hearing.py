@@ -35,12 +35,23 @@ _HOLDING = (
     "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
+_OWN_ADJECTIVES = re.compile(
+    r"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
+    rf"(?=(?:{'|'.join(sorted({'arm', 'hemisphere', 'pulley'}.union(*NOUNS)))})\b)"
+)
 _PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
-_START = re.compile(r"\bt ?= ?0(?: s)?(?![\w.])")
+_FROM_REST = re.compile(
+    r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?"
+)
+_START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
+_HIT_IT = re.compile(
+    r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
+    r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
+)
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
@@ -74,18 +85,21 @@ def hear(sentence: str, words: Words) -> Heard:
         return f"@{subjects.index(phrase)}@"
 
     text = _ADJECTIVES.sub("", text)
+    text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
     text, numbers = _with_numbers(_START.sub("start", text))
     text = _ordered(text, subjects)
     text = _INDIRECT.sub("", text)
+    if len(subjects) == 2:  # *after B has hit it*: the other
+        text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
     if not any(subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
-        text = _RELEASED.sub("", text)
+        text = _FROM_REST.sub("", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
     return Heard(reworded(" ".join(_without_pronouns(text, subjects).split())), tuple(subjects), numbers)
 
@@ -120,7 +134,7 @@ def _without_pronouns(text: str, subjects: list[str]) -> str:
     if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
     head, named, tail = text.partition("@0@")
-    tail = re.sub(r"\bthey\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
+    tail = re.sub(r"\b(?:they|them)\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
     tail = _OWN.sub("@0@ 's ", tail)
     return head + named + tail
 
@@ -142,9 +156,22 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         group = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
-    found += [
-        (2, said, rf"\b(?:[Tt]he |[Bb]oth )*(?:two |three )?{plural}\b(?! [A-Z]\b)") for said, plural in _plurals(nouns)
-    ]
+        heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
+        unique = [noun] not in heads.values()
+        alone = _others(noun, phrase, heads) if unique else set[str]()
+        found += [
+            (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
+        ]
+    for said, plural in _plurals(nouns):
+        found.append(
+            (
+                2,
+                said,
+                rf"\b(?:(?:[Bb]oth|[Aa]ll) of the |[Tt]he |[Bb]oth |[Aa]ll )*(?:two |three )?{plural}\b(?! [A-Z]\b)",
+            )
+        )
+        each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
+        found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
 
 
@@ -158,7 +185,7 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
     nouns = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
     if len(nouns) == 1:
         both = rf"(?:the )?(?:two )?(?:{_alike(*nouns, *ANYTHING)})e?s"
-        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b"
+        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b(?! [A-Z]\b)"
     for one, other in (ends, reversed(ends)):
         told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
         yield 2000, phrase, told
@@ -166,6 +193,7 @@ def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
 
 def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
     """Yield ranked patterns that name a string by a body at one end, if no other string ends at that body."""
+    yield from _unnamed(words)
     strings = words.called(Strings()).values()
     if len(strings) < len(Strings().names(words.mechanism)):
         return
@@ -173,6 +201,32 @@ def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
     for phrase, end in ends:
         if "pulley" not in end and [other for _, other in ends].count(end) == 1:
             yield 1500, phrase, rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
+
+
+def _unnamed(words: Words) -> Iterable[tuple[int, str, str]]:
+    """Yield ranked patterns that name a string, by its address, by the only body at one of its ends."""
+    mechanism, called = words.mechanism, words.called(Strings())
+    through = {name: mechanism.line[name].through for name in Strings().names(mechanism)}
+    ends = {
+        name: [words.mentions.get(mechanism.site[site].body or "", "") for site in (sites[0], sites[-1])]
+        for name, sites in through.items()
+    }
+    everywhere = [end for pair in ends.values() for end in pair]
+    for name, pair in ends.items():
+        if all(pair):
+            one, other = (_end(end) for end in pair)
+            string = rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_JOINING}"
+            yield (
+                1900,
+                called.get(name, name),
+                rf"{string} (?:{one} (?:and|to|with) {other}|{other} (?:and|to|with) {one})(?! [A-Z]\b)",
+            )
+        for end in (end for end in pair if end and everywhere.count(end) == 1):
+            yield (
+                1400,
+                called.get(name, name),
+                rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)",
+            )
 
 
 def _alike(noun: str, *others: str) -> str:

@@ -1,48 +1,24 @@
 """Main clauses of questions in ordinary English that ask for a value: a quantity, its subject and its axis."""
 
-import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 
+from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
-from sim2reason.questions.ordinary.readers import (
-    CLAUSED,
-    FREE,
-    LANDING,
-    MOMENT,
-    STRETCH,
-    Main,
-    Reader,
-    each,
-    of_none,
-    of_one,
-)
+from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
+from sim2reason.questions.ordinary.readers import Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import (
-    COMPRESSED,
-    LASTS,
-    MOTIONS,
-    ON,
-    ONE_WAY,
-    ORIGIN,
-    QUANTITIES,
-    RESTS,
-    SLOWER,
-    WAYS,
-    meant,
-    pattern,
-)
-from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
-
-FORCES = "tension", "rod force", "spring force"  # of what lies along a line
+from sim2reason.questions.ordinary.vocabulary import pattern
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
     """Yield every meaning of a main clause; nothing if the clause matches no known frame."""
     found = list(_framed(question, heard))
-    yield from found or (main for plain in plainly_ordered(question) for main in _framed(plain, heard))
+    plain = dict.fromkeys(plainly_ordered(question)) if not found else ()
+    found = found or [main for told in plain for main in _framed(told, heard)]
+    plain = dict.fromkeys(paraphrased(question)) if not found else ()
+    yield from found or (main for told in plain for main in _framed(told, heard))
 
 
 def _framed(question: str, heard: Heard) -> Iterator[Main]:
@@ -58,210 +34,99 @@ def frames() -> Mapping[str, Reader]:
     return {**FRAMES, **STRETCHES}
 
 
-def _quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the quantity that a main clause names by a noun, for each subject."""
-    groups = found.groupdict()
-    name = meant(QUANTITIES, groups["q"])
-    axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
-    along = axis if axis in AXES else ""
-    for of in each(heard, groups.get("s")):
-        ways = ways_of(found, of) if not along else ()
-        yield from _named(name, of, along, ways)
-
-
-AXES = ("horizontal", "vertical", "x", "y")
-
-
-def _named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
-    if name == "force":
-        yield from (Main(force, of) for force in FORCES)
-    elif name == "deceleration":
-        yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
-    elif name == "compression":
-        yield Main("extension", of, ways=((of, COMPRESSED),))
-    elif name == "length":
-        yield Main("spring length", of)
-    elif name not in ("height", "distance"):
-        yield Main(name, of, along, ways=ways)
-
-
-def _fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    groups = found.groupdict()
-    turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
-    for of in each(heard, groups["s"]):
-        way = meant(WAYS, groups["way"]) if groups.get("way") else ""
-        find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
-        told = ways_of(found, of)
-        sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
-        yield Main(find, of, along, ways=() if along else (*told, *sideways))
-
-
-def _far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the horizontal displacement of a body at its landing."""
-    yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
-
-
-def _far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the displacement of a body when the body comes to rest for good."""
-    for of in each(heard, found["s"]):
-        yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
-
-
-def _balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the value of a quantity in equilibrium, where every body would stay at rest."""
-    yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in _quantity(found, heard))
-
-
-def _initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the initial value of a quantity, just after the start."""
-    yield from (replace(main, needs=FREE, when=When("at start")) for main in _quantity(found, heard))
-
-
-def _final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the final value of a quantity, after each event that may be the last to change that quantity."""
-    for main in _quantity(found, heard):
-        for when in ("burned out", "stopped slipping", "collided", "last collision"):
-            last = ((main.of, LASTS),)
-            yield replace(main, needs=FREE, ways=(*main.ways, *last), when=When(when, AFTER))
-
-
-def _common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the common speed of bodies that move together, at a named moment or after slipping has stopped."""
-    for of in each(heard, found["s"]):
-        yield Main("speed", of, needs=CLAUSED)
-        yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
-
-
-def _coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield a body's coordinate along an axis: the displacement, presuming that the body starts at the origin."""
-    for of in each(heard, found["s"]):
-        yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
-
-
-def _high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    yield from (Main("height above the ground", of, needs=CLAUSED) for of in each(heard, found["s"]))
-
-
-def _far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
-    groups = found.groupdict()
-    way = meant(WAYS, groups["way"]) if groups.get("way") else ""
-    for of in each(heard, groups["s"]):
-        if way in AXES:
-            yield Main("displacement", of, way, needs=STRETCH)
-        else:
-            yield Main("displacement", of, needs=STRETCH, ways=ways_of(found, of))
-            yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
-
-
-def _time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    del found, heard
-    yield Main("time", needs=STRETCH)
-
-
-def _accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the acceleration of a body that speeds up."""
-    yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
-
-
-def _presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the normal force between a body and the face on which the body lies."""
-    face = heard.subject(found["t"])
-    for of in each(heard, found["s"]):
-        yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
-
-
-GAINS = "gain", "gained", "increase", "increased", "rise"
-
-
-def _potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the change of a body's potential energy, presuming that the body goes up for a gain and down for a loss."""
-    way = "up" if found["verb"] in GAINS else "down"
-    for of in each(heard, found["s"]):
-        yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))
-
-
 FRAMES: Mapping[str, Reader] = {
-    "ASK [total ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": _quantity,
-    "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": _quantity,
-    "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": _quantity,
+    "ASK [total |combined ][SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on|act on) {s}]": read.quantity,
+    "ASK [total ][SIZE ]{q=QUANTITY} (?:of|in|on) {s} {way=WAY}": read.quantity,
+    "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": read.quantity,
     "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
-    "[ {way=WAY}]": _quantity,
-    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": _quantity,
-    "what (?P<axis>horizontal|vertical) {q=QUANTITY} ~{s}[ ~HAVE]": _quantity,
-    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": _quantity,
-    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": _quantity,
+    "[ {way=WAY}]": read.quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": read.quantity,
+    "what (?P<axis>horizontal|vertical) {q=QUANTITY} ~{s}[ ~HAVE]": read.quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": read.quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": read.quantity,
     "(?:ASK|what) [SIZE ]{q=QUANTITY} [that ]~[SURFACE ]~(?:exerts|exert|acts|acting|exerted|act) on {s}"
-    "[ by SURFACE]": _quantity,
-    "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": _quantity,
-    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": of_one(*FORCES),
-    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": of_one(*FORCES),
-    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_none("distance"),
-    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_none("relative speed"),
-    "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": _initial,
-    "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": _initial,
-    "ASK {s} 's initial {q=QUANTITY}": _initial,
-    "ASK [SIZE ]{s} force": of_one(*FORCES),
-    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": _presses,
-    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": _presses,
-    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": _presses,
-    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": _presses,
-    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": of_one(*FORCES),
-    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": of_one(*FORCES),
-    "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": _potential,
+    "[ by SURFACE]": read.quantity,
+    "(?:ASK|what) {q=QUANTITY} [that ][SURFACE ]~[slows|slow|stops|brakes] {s}[ down]": read.quantity,
+    "(?:ASK|what) [SIZE ]force [that ]~{s} ~(?:exerts|exert) on {t}": read.along,
+    "(?:ASK|what) [SIZE ]force (?:of|in|exerted by) {s}[ on {t}]": read.along,
+    "ASK [SIZE ](?:distance|separation) between {s}[ and {t}]": of_pair("distance"),
+    "ASK relative (?:speed|velocity)(?: of| between) {s}[ and {t}]": of_pair("relative speed"),
+    "(?:ASK|what) initial [SIZE ]{q=QUANTITY}[ (?:of|in) {s}]": read.initial,
+    "(?:ASK|what) [SIZE ]initial {q=QUANTITY}[ (?:of|in) {s}]": read.initial,
+    "ASK {s} 's initial {q=QUANTITY}": read.initial,
+    "what is shortest length of {s}": read.length_at("most compressed"),
+    "what is longest length of {s}": read.length_at("most stretched"),
+    "ASK [SIZE ]{s} force": of_one(*read.FORCES),
+    "(?:with what force|how hard) ~(?:SURFACE|{t}) PRESSES on {s}": read.presses,
+    "(?:with what force|how hard) ~{s} PRESSES (?:on|against|down on) (?:SURFACE|{t})": read.presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~{s} PRESSES (?:on|against) (?:SURFACE|{t})": read.presses,
+    "(?:ASK|what) [SIZE ]force [that |with which ]~(?:SURFACE|{t}) PRESSES on {s}": read.presses,
+    "(?:ASK|what) (?:force|pull) [that |with which ]~{s} (?:pull|pulls|pulling) on {t}": read.along,
+    "(?:with what force|how hard) ~{s} (?:pull|pulls) on {t}": read.along,
+    "(?:by )?how much [gravitational ]potential energy ~{s} (?P<verb>gain|gained|lose|lost)": read.potential,
     "by how much ~{s} 's [gravitational ]potential energy (?P<verb>increase|increased|rise|decrease|decreased|fall)": (
-        _potential
+        read.potential
     ),
-    "ASK (?P<verb>gain|increase|loss|decrease) (?:in|of) [gravitational ]potential energy[ of {s}]": _potential,
-    "how fast ~{s} ~(?:accelerate|accelerates|accelerating|speed up|speeding up)[ {way=WAY}| ALONG_IT]": _accelerates,
-    "(?:with|at) what acceleration ~{s} (?:accelerate|speed up)[ {way=WAY}| ALONG_IT]": _accelerates,
+    "ASK (?P<verb>gain|increase|loss|decrease) (?:in|of) [gravitational ]potential energy[ of {s}]": read.potential,
+    "how fast ~{s} ~(?:accelerate|accelerates|accelerating|speed up|speeding up)[ {way=WAY}| ALONG_IT]": (
+        read.accelerates
+    ),
+    "(?:with|at) what acceleration ~{s} (?:accelerate|speed up)[ {way=WAY}| ALONG_IT]": read.accelerates,
     "what [SIZE ]acceleration ~{s} (?:undergo|experience|undergoes|experiences)": of_one("acceleration"),
-    "ASK [final ]common (?:speed|velocity) of {s}": _common,
-    "ASK common {q=QUANTITY} of {s}": _quantity,
-    "ASK equilibrium {q=QUANTITY} of {s}": _balanced,
+    "ASK [final ]common (?:speed|velocity) of {s}": read.common,
+    "ASK common {q=QUANTITY} of {s}": read.quantity,
+    "ASK equilibrium {q=QUANTITY} of {s}": read.balanced,
     "ASK angle (?:of|between|that) {s} (?:with|and|makes with) [downward ]vertical": of_one("deflection"),
     "what angle ~{s} ~(?:make|makes) with [downward ]vertical": of_one("deflection"),
+    "what friction of ground on {s}": read.of_ground("friction force"),
+    "what normal force of ground on {s}": read.of_ground("normal force"),
+    "what is moment of inertia of {s} about axle": of_one("moment of inertia about the axle"),
+    "how fast does {s} move[ {way=WAY}] relative to {t}": read.relatively("speed"),
+    "how far does {s} move relative to {t}": read.relatively("displacement"),
+    "what angle {s} makes (?P<side>with|above|below) horizontal": read.steep,
+    "what angle {s} is deflected through": of_one("angle of deflection"),
+    "how much (?P<fuel>left|burnt) fuel[ {s}]": read.fuel,
     "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": of_none(
         "friction force"
     ),
-    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE] ~[{s}]": _high,
+    "(?:at |from |to )?what (?:height|altitude)[ above SURFACE][ ~[{s}]]": read.high,
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
         "spring energy"
     ),
-    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": _coordinate,
-    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": _coordinate,
+    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": read.coordinate,
+    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": read.coordinate,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
-    "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": _far,
-    "ASK distance [that ](?:covered|travelled|traveled|moved) by {s}[ {way=WAY}]": _far,
-    "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": _far,
-    "(?:ASK|what) final {q=QUANTITY}[ of {s}]": _final,
-    "ASK {s} 's final {q=QUANTITY}": _final,
-    "how high[ above SURFACE] ~[{s}][ above SURFACE]": _high,
-    "ASK [SIZE ]height of {s}[ above SURFACE]": _high,
-    "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": _fast,
-    "how fast ~{s} ~MOTION relative to each other": of_none("relative speed"),
-    "how far ~{s}[ and {t}] apart": of_none("distance"),
-    "how far apart ~(?:centres of )?{s}[ and {t}]": of_none("distance"),
-    "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": _far,
-    "how far {s}": _far_flown,
-    "ASK stopping distance(?: of {s}|)": _far_stopped,
-    "ASK {s} 's stopping distance": _far_stopped,
-    "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": _far,
-    "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": _far,
-    "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": _far,
-    "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": _far,
-    "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": _far,
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": read.far,
+    "ASK distance [that ](?:covered|travelled|traveled|moved) by {s}[ {way=WAY}]": read.far,
+    "ASK distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}]": read.far,
+    "(?:ASK|what) final {q=QUANTITY}[ of {s}]": read.final,
+    "ASK {s} 's final {q=QUANTITY}": read.final,
+    "how high[ above SURFACE] ~[{s}][ above SURFACE]": read.high,
+    "ASK [SIZE ]height of {s}[ above SURFACE]": read.high,
+    "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": read.fast,
+    "how fast ~{s}[ and {t}] ~MOTION relative to each other": of_pair("relative speed"),
+    "how far ~{s}[ and {t}] apart": of_pair("distance"),
+    "how far apart ~(?:centres of )?{s}[ and {t}]": of_pair("distance"),
+    "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": read.far,
+    "how far {s}": read.far_flown,
+    "ASK stopping distance(?: of {s}|)": read.far_stopped,
+    "ASK {s} 's stopping distance": read.far_stopped,
+    "what {way=HORIZONTAL} distance ~{s} ~{motion=MOTION}": read.far,
+    "ASK {way=HORIZONTAL} distance [that ]~{s} ~{motion=MOTION}": read.far,
+    "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": read.far,
+    "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": read.far,
+    "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": read.far,
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),
-    "how far from {t} ~{s}": of_none("distance"),
-    "how far ~{s}[ away] from {t}": of_none("distance"),
+    "how far from {t} ~{s}": of_pair("distance"),
+    "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
-    "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": _quantity,
+    "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": read.quantity,
     "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
     "ASK energy stored in {s}": of_one("spring energy"),
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
-    "TIME": _time,
+    "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

@@ -1,44 +1,69 @@
 """Placement of readings in a scene: names of axes, subjects left unsaid, and addresses of the scene's numbers."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
-from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.wanted import WantedNumber, wanted
+from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
+from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
+from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
+from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9
 TURNING = "lowest point", "highest point", "stopped"
 SIGNED = ("velocity",)
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
+COLLISIONS = ("energy lost in a collision", "impulse of a collision")
+_COLLISION = re.compile(
+    rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
+)
+_ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
 PERIODS = ("period", "frequency", "angular frequency")
 
 
-def placed(found: tuple[Reading, ...], words: Words) -> Iterator[Reading]:
-    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject."""
+def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = ()) -> Iterator[Reading]:
+    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject.
+
+    `events` are those of the motion, of which the first collision, or a later one, may be meant.
+    """
     for reading in found:
-        for of in _subjects(reading.asked, words):
+        if (reading.gone or reading.asked.when.endswith("halted")) and not _fits(reading, words):
+            continue
+        grounded = any(way == f"{ON}{FIXED_FACE}" for _, way in reading.moving)
+        for of in (reading.asked.of,) if grounded else _subjects(reading.asked, words):
             asked = replace(reading.asked, of=of)
+            if not _of_its_kind(asked, words):
+                continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for when in _hung(asked.when, words):
-                told = _met(when, words) or (START if reading.steady else "")
-                yield replace(reading, asked=replace(asked, when=told))
+                told = _met(_collided(_component(when, words), words, events), words) or (
+                    START if reading.steady else ""
+                )
+                asked = replace(asked, of=_pair(asked, told, words))
+                yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    quantity = QUANTITIES.get(asked.find)
+    if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
+        return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
     if asked.find in PERIODS:
@@ -70,14 +95,90 @@ def _hung(told: str, words: Words) -> Iterator[str]:
 
 
 def _met(told: str, words: Words) -> str:
-    """Return a moment with two colliding bodies replaced by the name of their pair; any other moment unchanged."""
-    found = re.match(r"(.+?) & (.+?) (collided.*)", told)
+    """Return a moment with two bodies, or one of them, replaced by the name of the pair; any other moment unchanged."""
+    found = re.match(r"(?:(.+?) & )?(.+?) (collided.*|closest|farthest)", told)
+    if found is None or (found[1] is None and found[3].startswith("collided")):
+        return told
+    named = {said for said in found.groups()[:2] if said}
+    pairs = [name for name in words.called(Pairs()) if named <= {words.mentions.get(m, m) for m in members(name)}]
+    if not pairs and len(named) == 2:
+        by_phrase = {said: name for name, said in words.called(Bodies()).items()}
+        if named <= by_phrase.keys():
+            return f"{AND.join(by_phrase[said] for said in sorted(named))} {found[3]}"
+    return f"{pairs[0]} {found[3]}" if len(pairs) == 1 else told
+
+
+def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
+    """Return whether a subject that the text names, if one is meant, is one of those that have the quantity."""
+    quantity = quantities_named(words.mechanism).get(asked.find)
+    if quantity is None or asked.of not in words.mentions.values() or quantity.of.name == TurningBodies.name:
+        return True  # a light rod turns as what hangs on it
+    return asked.of in words.called(quantity.of).values()
+
+
+def _fits(reading: Reading, words: Words) -> bool:
+    """Return whether something may bring bodies to rest, where a reading takes for granted that they stay at rest."""
+    rests = reading.asked.when.endswith("halted") or any(way == RESTS for _, way in reading.gone)
+    mechanism = words.mechanism
+    rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
+    return rubs or not rests
+
+
+def _apsis(asked: StructuredQuestion, words: Words) -> str:
+    """Return the moment of an extreme distance in one of several orbits, which never all repeat; otherwise empty."""
+    pulled = {AND.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
+    apsides = {"greatest distance": "farthest", "least distance": "closest"}
+    return (
+        f"{asked.of} {apsides[asked.find]}" if len(pulled) > 1 and asked.find in apsides and asked.of in pulled else ""
+    )
+
+
+def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
+    """Return the subject of a question, or the name of the pair that two bodies or a collision of theirs stand for."""
+    if " & " in asked.of:
+        return _met(f"{asked.of} closest", words).removesuffix(" closest")
+    if asked.find in COLLISIONS and (not asked.of or asked.of in words.mentions.values()):
+        return _pair_of(told) or asked.of
+    return asked.of
+
+
+def _pair_of(told: str) -> str:
+    """Return the name of the pair of bodies that collide at a moment; empty if the moment names none."""
+    found = re.match(r"(?:\w+ )?(\S+ & \S+) collided", told)
+    return found[1] if found is not None else ""
+
+
+def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
+    """Return a collision of no named pair, or of one body, as the collision of that number in the motion's course."""
+    found = _COLLISION.fullmatch(told)
     if found is None:
         return told
-    for name in words.called(Pairs()):
-        if {words.mentions.get(member, member) for member in members(name)} == {found[1], found[2]}:
-            return f"{name} {found[3]}"
-    return told
+    if len(words.called(Pairs())) < 2:
+        return f"{found['number'] or ''} collided{found['side'] or ''}".strip()
+    who = {name for name, said in words.called(Bodies()).items() if said == found["who"]}
+    if (found["who"] and not who) or not (found["who"] or found["number"]):
+        return told  # *the collision*, of several
+    met = [frozenset(event.subjects) for event in events if event.kind == "collision" and who <= {*event.subjects}]
+    number = ORDINALS.index(found["number"]) if found["number"] else 0
+    if number >= len(met) or any(len(names) != 2 for names in met[: number + 1]):
+        return told
+    name = next(name for name in Pairs().names(words.mechanism) if frozenset(members(name)) == met[number])
+    count = ORDINALS[met[:number].count(met[number])]
+    return f"{count} {name} collided{found['side'] or ''}"
+
+
+def _component(told: str, words: Words) -> str:
+    """Return a value that a component reaches with the scene's name of the axis, by default that of the only line."""
+    found = _ALONG.fullmatch(told)
+    if found is None:
+        return told
+    asked = StructuredQuestion(found["find"], found["of"])
+    if found["axis"] != ONLY_LINE:
+        return f"{found['find']} of {found['of']} along {axis_named(found['axis'], asked, words)} = {found['value']}"
+    names = [name for name, said in words.called(Bodies()).items() if found["of"] in (name, said)]
+    senses = [sense for name in names for sense in Bodies().senses(words.mechanism, name)]
+    line = senses[0].positive if len(senses) == 1 else found["axis"]
+    return f"{found['find']} of {found['of']} along {line} = {found['value']}"
 
 
 def _carries(of: str, words: Words) -> bool:
@@ -102,8 +203,16 @@ def axis_named(said: str, asked: StructuredQuestion, words: Words) -> str:
         return said
     if not said:
         return RIGHT if [sense.positive for sense in senses] == [RIGHT] else ""
+    if said == "horizontal" and not senses and _level(asked.of, words):
+        return ""
     along = [sense for sense in senses if _upright(sense) == (said == "vertical")]
     return (along[0].axis or along[0].positive) if len(along) == 1 else said
+
+
+def _level(of: str, words: Words) -> bool:
+    """Return whether a body can move horizontally only."""
+    named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
+    return bool(named) and not center_path(words.mechanism, named[0]).rises
 
 
 def _upright(sense: Sense) -> bool:
@@ -120,9 +229,22 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
             for rank, who in enumerate(dict.fromkeys((found.of, ""))):
                 asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
                 yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
+        elif found.given == AT_REST:
+            yield from _balanced(path, words)
         else:
             asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
             yield Reading(asked, found.when.side, rank=found.when.rank)
+
+
+def _balanced(path: str, words: Words) -> Iterator[Reading]:
+    """Yield readings that ask for the number with which no body is accelerated, in a scene without friction."""
+    if any(face.friction > 0.0 for face in words.mechanism.faces):
+        return  # within a whole range of numbers
+    for name in words.called(Bodies()):
+        senses = Bodies().senses(words.mechanism, name)
+        if len(senses) == 1:
+            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given))
 
 
 def _path(found: WantedNumber, scene: Scene, words: Words) -> str:

@@ -59,6 +59,22 @@ def of_none(*finds: str, needs: str = MOMENT) -> Reader:
     return read
 
 
+def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
+    """Return a reader for quantities of the pair that a main clause names or, if it names none, of the only pair."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        groups = found.groupdict()
+        named = [said for key in "st" if groups.get(key) for said in each(heard, groups[key])]
+        pair = " & ".join(named) if len(named) == 2 else ""
+        yield from (
+            Main(find, of, needs=needs, rank=rank)
+            for rank, of in enumerate(dict.fromkeys((pair, "")))
+            for find in finds
+        )
+
+    return read
+
+
 def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
     """Return a reader for a quantity that implies its moment, as the time in the air implies the landing."""
 

@@ -4,21 +4,31 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
+from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
-from sim2reason.questions.ordinary.vocabulary import RESTS, pattern
+from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.structured import StructuredQuestion
 
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
-_DOES = "(?:does |is |has |do |will )"
-_AT_EVENT = rf"((?:with |at )?what [a-z ]+?|how (?:fast|(?:far|high){_PLACE}?)) {_DOES}(@\d+@|engine|fuel) (.+)"
+_DOES = "(?:does |is |has |do |will |are |have |did |can )"
+_AT_EVENT = (
+    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|large [a-z ]+?|great [a-z ]+?|(?:far"
+    rf"|high){_PLACE}?))"
+    rf" {_DOES}(@\d+@|engine|fuel) (.+)"
+)
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
+_LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
+_GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
+_LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
-    "(?:[{s} ]~(?:{motion=MOTION}|SLIPS|motion)[ {way=WAY}| ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
+    "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
+    " ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
 _ON_ITS_WAY = pattern(
     "(?:[its |{s} 's ]way|@0@ ~MOTION) (?P<on>up|down)[ SURFACE]|[its |@0@ 's ](?P<noun>ascent|climb|rise|descent|fall)"
@@ -27,6 +37,10 @@ _INVERTED = re.compile(r"^(?P<verb>is|has) (?P<who>(?:all )?fuel|engine|@\d+@)(?
 _BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
 _THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
 _SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
+_BEGINS = pattern(
+    "(?:{s}|system|everything) ~(?:released|let go|launched|thrown|set free|struck|started)[ from rest][ at START]"
+)
+_BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
@@ -57,9 +71,14 @@ def readings(heard: Heard) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
     for told in (heard, _together(heard)):
         found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
-        if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading))):
+        if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading) if _tells(each))):
             return distinct
     return ()
+
+
+def _tells(reading: Reading) -> bool:
+    """Return whether a question about a time asks for one that the question does not itself state."""
+    return reading.asked.find != "time" or not reading.asked.when.startswith("at ")
 
 
 def _together(heard: Heard) -> Heard:
@@ -67,7 +86,8 @@ def _together(heard: Heard) -> Heard:
     found = _BOTH.search(heard.text)
     if found is None:
         return heard
-    both = f"{ALL} {heard.subject(found[1])} & {heard.subject(found[2])}"
+    one, other = (heard.subject(found[number]).removeprefix(f"{ALL} ") for number in (1, 2))
+    both = f"{ALL} {one} & {other}"
     token = f"@{len(heard.subjects)}@"
     return replace(heard, text=_BOTH.sub(token, heard.text, count=1), subjects=(*heard.subjects, both))
 
@@ -88,7 +108,9 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     """Yield every split of a sentence into a main clause, a clause that names a moment, and the side of the moment."""
     text = re.sub(r" (?:,)$", "", text)
     stated, parted, question = text.rpartition(". ")
-    if parted and "." not in stated:
+    if parted and _BEGINS.fullmatch(stated):
+        yield from _parts(question)
+    elif parted and "." not in stated:
         yield _THEN.sub("", question), _SUPPOSED.sub("", stated), THEN
     yield from split(text)
     at_event = re.fullmatch(_AT_EVENT, text)
@@ -101,6 +123,13 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     lasts = re.fullmatch(_LASTS, text)
     if lasts is not None:
         yield "when", lasts[3], THEN
+    goes_on = re.fullmatch(_LASTS_LOOSELY, text)
+    if (
+        goes_on is not None
+        and not set(PLACES.sub(" ", based(goes_on[2])).split()) - _GOING
+        and not _LATER_ONE.search(goes_on[4])
+    ):
+        yield "when", goes_on[4], THEN
     time = pattern("TIME[ for] (?P<clause>.+)").fullmatch(text)
     if time is not None:
         yield "when", re.sub(pattern("~").pattern, "", time["clause"], count=1), THEN
@@ -109,7 +138,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
     for main in mains(question, heard):
-        if not clause:
+        if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
         elif (
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
@@ -149,6 +178,15 @@ def _whole(main: Main) -> Iterator[Reading]:
         yield _with(replace(main, rank=main.rank + rank), told)
 
 
+def _to_its_end(main: Main) -> Iterator[Reading]:
+    """Yield readings of an extreme or a sum of a motion that does not repeat itself: until all is at rest for good."""
+    if not main.find.startswith(("greatest", "least", "energy")):
+        return
+    for rank, when in enumerate((f"{main.of} halted", f"{main.of} stopped", "halted", "stopped", "landed"), start=2):
+        ways = () if "stopped" not in when else ((main.of, RESTS),)
+        yield _with(replace(main, rank=main.rank + rank), When(when.strip(), AFTER, ways))
+
+
 def _late(clause: str) -> bool:
     """Return whether a clause names an event, not a number: a stretch *after* an event does not begin at the start."""
     return "#" not in clause
@@ -161,6 +199,8 @@ def _alone(main: Main) -> Iterator[Reading]:
         yield from _whole(main)
     elif main.find != "time" and main.needs not in (CLAUSED, LANDING):
         yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
+        if main.needs == STRETCH:
+            yield from _to_its_end(main)
 
 
 def _with(main: Main, when: When) -> Reading:

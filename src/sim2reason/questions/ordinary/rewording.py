@@ -5,6 +5,11 @@ from collections.abc import Mapping
 from sim2reason.questions.ordinary.vocabulary import pattern
 
 REWORDINGS: Mapping[str, str] = {
+    "\\b(?:been|being|already) ": "",
+    "^for how long ": "how long ",
+    "^(?:after|within|over) what distance (?:does|do|will|is|are) (?P<s>@\\d+@) (?=\\w)": (
+        r"how far does \g<s> move before \g<s> "
+    ),
     "^(?:please|now|then),? ": "",
     "^(?:can|could|would) (?:you|we|one) ": "",
     "^(?:tell me|say|state|show|i want to know|i would like to know|we want to know|please find) (?=what|how|when)": "",
@@ -15,8 +20,6 @@ REWORDINGS: Mapping[str, str] = {
     "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
     "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
     "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
-    "(?P<when>\\b(?:when|until|before|once) @\\d+@ )(?:finally|eventually) ": r"\g<when>",
-    "\\b(?:been|being|already) ": "",
     "\\bupon ": "on ",
     "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
     "\\bfor one (?:full|complete|whole) ROUND(?: (?:about|around|round) @\\d+@)?": "to complete one round",

@@ -4,10 +4,20 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one
-from sim2reason.questions.ordinary.vocabulary import ONCE, ONLY, OVER, QUANTITIES, RISING, meant, pattern
-from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.vocabulary import (
+    CARRIED_AT_REST,
+    ONCE,
+    ONLY,
+    OVER,
+    QUANTITIES,
+    RISING,
+    SMALL,
+    meant,
+    pattern,
+)
+from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -25,9 +35,27 @@ def _extreme(size: str) -> Reader:
             if name == "height" and size == "greatest":
                 yield from _gets(found, heard)
                 continue
-            yield Main(f"{size} {name}", "" if name == "distance" else of, needs=STRETCH)
+            if name == "distance":
+                continue
+            yield Main(f"{size} {name}", of, needs=STRETCH)
             if turn := TURNS.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
+
+    return read
+
+
+def _pairs(size: str) -> Reader:
+    """Return a reader for the greatest or least value of a quantity of two bodies, or of what is named alone."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        name = meant(QUANTITIES, found.groupdict()["q"])
+        if name != "distance":
+            yield from _extreme(size)(found, heard)
+            return
+        apsis = "farthest" if size == "greatest" else "closest"
+        for main in of_pair("distance", needs=FREE)(found, heard):
+            yield replace(main, find=f"{size} distance", needs=STRETCH, rank=2 * main.rank)
+            yield replace(main, when=When(f"{main.of} {apsis}".strip()), rank=2 * main.rank + 1)
 
     return read
 
@@ -70,6 +98,9 @@ def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found["s"]):
         if ways := ways_of(found, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
+            carried = (*ways, (of, CARRIED_AT_REST))
+            still = When(f"velocity of {of} along {ONLY_LINE} = 0 m/s", AFTER)
+            yield Main("time", needs=FREE, ways=carried, when=still, rank=1)
 
 
 def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -97,8 +128,11 @@ def _in_collision(*finds: str) -> Reader:
     """Return a reader for quantities of a named collision or, where none is named, of the motion's only collision."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        del found, heard
+        groups = found.groupdict()
+        both = " & ".join(heard.subject(groups[key]) for key in "st" if groups.get(key))
         for find in finds:
+            if " & " in both and not both.startswith(ALL):
+                yield Main(find, needs=FREE, when=When(f"{both} collided", AFTER))
             yield Main(find, needs=STRETCH)
             yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
 
@@ -118,32 +152,33 @@ def _most(name: str) -> Reader:
 
 def _at_once(*finds: str) -> Reader:
     """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
-    return of_none(*finds, needs=STRETCH)
+    return of_pair(*finds, needs=STRETCH)
 
 
 def _period(name: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        ways = (("", SMALL),) if re.search(r"\bsmall\b", found[0]) else ()
         for of in each(heard, found.groupdict().get("s")):
-            yield Main(name, of, needs=FREE)
+            yield Main(name, of, needs=FREE, ways=ways)
 
     return read
 
 
 STRETCHES: Mapping[str, Reader] = {
     # extremes
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("greatest"),
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} ATTAINS": (_extreme("greatest")),
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _extreme("greatest"),
-    "ASK {s} 's GREATEST {q=QUANTITY}": _extreme("greatest"),
-    "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _extreme("least"),
-    "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _extreme("greatest"),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _pairs("greatest"),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} ATTAINS": (_pairs("greatest")),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _pairs("greatest"),
+    "ASK {s} 's GREATEST {q=QUANTITY}": _pairs("greatest"),
+    "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _pairs("least"),
+    "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _pairs("greatest"),
     "ASK {s} 's GREATEST distance from {t}": _at_once("greatest distance"),
     "ASK {s} 's LEAST distance from {t}": _at_once("least distance"),
     "ASK GREATEST distance of {s} from {t}": _at_once("greatest distance"),
     "ASK LEAST distance of {s} from {t}": _at_once("least distance"),
     "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)": _gets,
     "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb) above its starting point": _above_start,
-    "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _extreme("least"),
+    "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _pairs("least"),
     "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
     "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
     "how far ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME[ at most]": of_one(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import isclose
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.hearing import hear
@@ -18,6 +18,7 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
+SPEED = "speed"  # which has no sign
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -37,14 +38,15 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
-    questions = [*placed(readings(heard), words), *numbers_wanted(heard, motion.study.scene, words)]
+    events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
+    questions = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
     for rank in sorted({reading.rank for reading in questions}):
         found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
         answered = [each for each in found if each.followed.answer is not None]
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(each.posed.query.moment != WholeMotion() for each in found):
+        if answered or any(not isinstance(each.posed.query.moment, WholeMotion) for each in found):
             return next(iter([*answered, *found]))
     return None
 
@@ -59,6 +61,8 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         except TextError:
             continue
         followed = question.followed(motion)
+        if reading.asked.find == SPEED and followed.answer is not None:  # along an axis, it is no velocity
+            followed = followed._replace(answer=abs(followed.answer))
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason
         if not reason:
@@ -73,8 +77,6 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
-    if reading.asked.find == "speed" and followed.answer < 0.0:
-        return "along that axis it has a velocity with a sign; ask for that"
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
         during, vector = reading.side == DURING, reading.asked.find == VECTOR

@@ -60,6 +60,18 @@ QUANTITIES: Mapping[str, str] = {
     "length": "length",
     "moment of inertia": "moment of inertia",
     "mass": "mass",
+    "thrust": "thrust|thrust force|thrust of engine|thrust of its engine",
+    "fuel left": "fuel left|remaining fuel|fuel remaining|mass of fuel left|mass of remaining fuel|mass of unburnt fuel"
+    "|fuel is left|mass of fuel remaining",
+    "fuel burnt": "fuel burnt|fuel burned|fuel used|fuel consumed|mass of fuel burnt|mass of burnt fuel|burnt fuel"
+    "|mass of fuel burned|mass of fuel used|mass of fuel consumed|fuel used up|fuel is burnt|fuel is used",
+    "radius of the path": "radius of circle|radius of circular path|radius of path|radius of orbit|radius of trajectory"
+    "|radius of curvature|radius of circular orbit|radius of circular motion|radius of motion|radius",
+    "eccentricity": "eccentricity|orbital eccentricity",
+    "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
+    "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
+    "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
+    "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
 }
 """Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
 
@@ -78,7 +90,12 @@ MOTIONS: Mapping[str, str] = {
 DOWN, UP, ROLL = "fall", "rise", "roll"  # the verbs that tell a way
 
 SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed", "from origin", "on "
+FIXED_FACE = "the fixed surface"  # on which a body lies
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
+CARRIED_AT_REST = "carried by what is at rest"
+ALOFT = "aloft"  # higher than the ground
+SMALL = "small"  # oscillations, so that the period does not depend on how far they go
+SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
@@ -103,6 +120,7 @@ PHRASES: Mapping[str, str] = {
     "|how much time does it take|how long until|find how long it takes|determine how long it takes"
     "|ASK time|ASK time until|ASK time it takes|ASK time that it takes|ASK time needed|ASK time required"
     "|ASK time taken"
+    "|how much time passes between START and|how much time elapses between START and"
     "|how much time elapses before|how much time elapses until|how much time passes before"
     "|how many seconds elapse before|how many seconds elapse until|how many seconds pass before"
     "|how soon|how long before"
@@ -180,6 +198,12 @@ PHRASES: Mapping[str, str] = {
     "|produced by friction|turned into heat|converted into heat|lost due to friction|lost through friction",
 }
 """Phrases of which any one may stand; words in capitals are those of the other tables."""
+
+GROUNDS = (
+    "(?:(?:inclined|sloping|smooth|rough|level|horizontal|fixed|straight|tilted|stationary|flat) )*"
+    "(?:plane|slope|incline|ramp|floor|ground|table|tabletop|track|surface|lane|hill|rail)"
+)
+"""A pattern for the surface on which bodies move, with the adjectives that a text has for it."""
 
 WAYS: Mapping[str, str] = {
     "up": "up|uphill|upwards|upward|up SURFACE|vertically upwards",

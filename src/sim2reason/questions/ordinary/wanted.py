@@ -7,13 +7,15 @@ from itertools import product
 
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.paraphrased_limits import DecidingNumber, limits
 from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
 from sim2reason.questions.ordinary.whens import CONNECTORS, When
 
 NUMBERS: Mapping[str, str] = {
     "mass": "mass",
-    "speed": "initial speed|initial velocity|launch speed|starting speed|speed|velocity",
+    "speed": "initial angular speed|angular speed|initial speed|initial velocity|launch speed|starting speed"
+    "|speed|velocity",
     "friction": "coefficient of friction|friction coefficient|coefficient of kinetic friction"
     "|coefficient of static friction",
     "force": "force|pull|pulling force|steady force|constant force",
@@ -49,6 +51,7 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
 """By clauses for it, an outcome by its name, and whether it happens."""
 ROLLING = {"slides": "slips rolling"}
 
+AT_REST = "at rest"  # as a result: that nothing is accelerated
 NUMBER = "number"  # what is found, until a scene tells its address
 _PARAMETER = "(?:(?P<own>@\\d+@) 's )?{p=NUMBERS}(?: of (?P<of>@\\d+@))?"
 _SUCH = "for which|with which|at which|such that|so that|that makes"
@@ -112,10 +115,25 @@ def wanted(heard: Heard) -> Iterator[WantedNumber]:
             owner = heard.subject(groups.get("own") or groups.get("of"))
             rest = re.sub(r"^it\b", groups.get("s") or "it", groups["rest"])
             yield from _results(name, owner, rest, heard, heard.subject(groups.get("s")))
+    known = False
     for told in _LIMITS:
         found = _compiled(told).fullmatch(heard.text)
         if found is not None:
+            known = True
             yield from _limits(found, heard)
+    if not known:
+        for limit in limits(heard, NUMBERS):
+            yield from _outcomes(limit)
+
+
+def _outcomes(limit: DecidingNumber) -> Iterator[WantedNumber]:
+    """Yield a wanted number for each outcome that a clause may mean."""
+    if limit.does == "rests" and limit.least is None:
+        yield WantedNumber(limit.name, limit.owner, limit.of, AT_REST)
+        return
+    does, happens = ("slides", False) if limit.does == "rests" else (limit.does, limit.happens)
+    for outcome in filter(None, (does, ROLLING.get(does, ""))):
+        yield WantedNumber(limit.name, limit.owner, limit.of, does=outcome, happens=happens, least=limit.least)
 
 
 def _compiled(told: str) -> re.Pattern[str]:

@@ -9,13 +9,16 @@ from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLIN
 BEFORE, AFTER, THEN, DURING = "before", "after", "then", "during"
 _SIDES: Mapping[str, str] = {
     BEFORE: "just before|immediately before|right before|shortly before|before|prior to",
-    AFTER: "just after|immediately after|right after|directly after|shortly after|after|following",
+    AFTER: "just after|immediately after|right after|directly after|shortly after|after|following|by|as result"
+    " of|because of|due to|as consequence of",
     THEN: "at instant of|at moment of|at time of"
     "|at moment when|at instant when|at moment at which|at instant at which|at moment|at instant|at time when"
-    "|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
-    "|from release until|at end of",
+    "|moment|instant|by time|by time that|as soon as|when|once|as|until|till|right at|just as|right when|at|in|over|for"
+    "|from release until|at end of|up to|up until|up to moment when|up to instant when|until moment when"
+    "|up to point where|from start until|from release to moment when|at point where|whenever|at which",
     DURING: "during|while|on",
 }
+ONLY_LINE = "itself"  # the axis of a component along the only line on which a body can move
 CONNECTORS: Mapping[str, str] = {said: side for side, row in _SIDES.items() for said in row.split("|")}
 """By what a clause begins with: on which side of what it names it asks."""
 _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, reverse=True))})(?= )")

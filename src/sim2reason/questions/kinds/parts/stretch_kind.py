@@ -14,8 +14,9 @@ from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
-from sim2reason.questions.moments import MOMENTS, Happening, Moment
+from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import StructuredQuestion, resolved
@@ -24,6 +25,12 @@ from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 
+PLACELESS = frozenset(
+    f"{size} {name}"
+    for size in ("greatest", "least")
+    for name in ("speed", "kinetic energy", "acceleration", "extension", "compression", "spring energy", "tension")
+)
+"""Functionals of what repeats itself where a motion drifts on, as two bodies on a spring do."""
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
 ENDS = 3  # of stretches that it tries for each
 TRIES = 5  # functionals of subjects that one draw looks at
@@ -156,7 +163,7 @@ class StretchKind(Kind):
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
         """Return the query for a functional from the start to a moment, by default over one period of the motion."""
         del study
-        found, moment = FUNCTIONALS[asked.find], MOMENTS["whole_motion"]()
+        found, moment = FUNCTIONALS[asked.find], WholeMotion(drifts=asked.find in PLACELESS)
         called = words.called(found.of)
         names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
         end = moment_of(asked, words) if asked.when else moment

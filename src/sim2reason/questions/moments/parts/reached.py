@@ -75,12 +75,16 @@ class Reached(Happening):
         return min((time for time in found if time is not None), default=None)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the speed of A is 2.1 m/s for the first time."""
+        """As in: when the speed of A is 2.1 m/s for the first time; none where the text has no words for it."""
+        if self.target not in targets(words):
+            return ()
         first = f"{self._noun(words)} is {self._said()} for the first time"
         return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the speed of A is 2.1 m/s for the first time."""
+        """As in: the speed of A is 2.1 m/s for the first time; None where the text has no words for the quantity."""
+        if self.target not in targets(words):
+            return None
         first = f"{self._said()} for the first time"
         return Clause(self._noun(words), "is", first, f"is {first}")
 
@@ -95,13 +99,18 @@ class Reached(Happening):
 
 
 def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tuple[Target, float]:
-    """Return the target and the value in *velocity of block A = 2 m/s*; TextError if there is no equation."""
+    """Return the target and the value in *velocity of the ball along y = 2 m/s*; TextError if there is no equation.
+
+    The subject and the axis may be left out: then they are those of the question.
+    """
     left, equals, right = said.partition("=")
+    left, _, along = left.partition(" along ")
     name, _, of = left.partition(" of ")
     if not equals:
         raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
     find = one_of(place, name.strip(), quantities_named(words.mechanism))
-    target = target_named(replace(asked, find=find, of=of.strip() or asked.of), words)
+    named = replace(asked, find=find, of=of.strip() or asked.of, along=along.strip() or asked.along)
+    target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))
 
 

@@ -1,0 +1,147 @@
+"""Heads of clauses that name a moment, in base forms, each with the plain clause that says the same."""
+
+from collections.abc import Mapping
+
+N, S = r"#\d+#", r"@\d+@"
+_MOST = "(?:most|maximum|maximal|maximally|greatest|largest|biggest|highest|fully|completely|strongest|longest|peak)"
+_MOVE = (
+    "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|pull|drag|traverse|push|complete|pass|be"
+    "|carry|shift|run)"
+)
+FALL, RISE = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)"
+_ROLL, _TURN = "roll", "(?:turn|rotate|spin|swing|revolve)"
+_DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total of) )?(?P<n>{N})"
+_HOME = (
+    "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
+    "|(?:release|launch|throw|throwing|launching|starting|kick) point|(?:point|place|position|location) of"
+    " (?:release|launch|departure)"
+    "|(?:original|initial) (?:point|position|place|location)"
+    "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
+    "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
+    "|leave|throw))"
+    "(?: from)?(?: position)?"
+)
+HOME = rf"(?:{_HOME})"
+START_WORDS = (
+    "(?:start|release|launch|blow|kick|beginning|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
+    "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set in motion|leave origin)"
+)
+_SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
+
+HEADS: Mapping[str, str] = {
+    # rest
+    "(?:(?:come|bring|get|return|slow(?: down)?) (?:to )?)?(?:a )?(?:complete |full |dead |total |momentary |temporary "
+    "|instantaneous )?(?:rest|halt|stop|standstill)": "{s} stops",
+    "(?:cease|stop|finish|end) (?:its )?(?:move|slide|roll|rise|climb|fall|ascend|descend|motion|ascent|descent|go|fly)"
+    "(?: up| down)?": "{s} stops",
+    "(?:turn|swing|go|move|slide|roll|come|fall|start|head)(?: (?:move|slide|roll|go|fall|swing|come))? "
+    "(?:back|round|around)(?: down)?": "{s} stops",
+    "turning point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
+    " travel)?"
+    "|change (?:its )?(?:direction|sense)(?: of motion| of travel)?|stationary|stand still|motionless"
+    "|lose all (?:of )?(?:its )?(?:speed|velocity|motion)|(?:speed|velocity) (?:become |drop to |fall to |reach |vanish"
+    "|equal to )?zero|have no (?:speed|velocity)": "{s} stops",
+    "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)": "{s} finally stops",
+    # impacts
+    "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter)"
+    "(?: back)?(?: down)?(?: to| on| onto| with| at| into| against| upon)? GROUNDS(?: again)?"
+    "|(?:land|touch down|touchdown|impact|come (?:back )?down)(?: GROUNDS)?": "{s} lands{count}",
+    "(?:bounce|rebound|impact|hop|landing|hit|strike|touch|collision)"
+    "(?: (?:off|from|against|on|with|at|into)?(?: GROUNDS| wall| fixed wall))?": "{s} bounces{count}",
+    "(?:collide|meet|crash|touch|hit|strike|bump|impact|collision|contact|encounter)"
+    "(?: (?:into|with|each other|one another|against|up))*(?: (?:take place|happen|occur))?"
+    "|come (?:into|in) contact|make contact": "{s} and {t} collide{count}",
+    "(?:all|every one of) (?:of )?(?:the )?(?:collision|impact)s?(?: (?:over|take place|happen))?|last collision": (
+        "last collision"
+    ),
+    # places of a path
+    "(?:top|highest point|highest position|maximum height|greatest height|peak|apex|summit|zenith|maximum altitude"
+    "|greatest altitude|as high as (?:it|@\\d+@) (?:get|go|come)|highest|upper turning point|highest altitude"
+    "|maximum elevation)": "{s} at its highest point",
+    "(?:bottom|lowest point|lowest position|as low as (?:it|@\\d+@) (?:get|go|come)|lowest|minimum height|lower"
+    " turning point)": "{s} at its lowest point",
+    "(?:vertically |directly |straight |exactly )?(?:below|beneath|under|underneath) (?:axle|pivot|fixed point"
+    "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
+    "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
+    "(?:down|downward|downwards)": "{s} passes through vertical",
+    "(?:closest|nearest)(?: approach| point| distance| position)?|perihelion|periapsis|pericentre|perigee|periastron"
+    "|minimum distance|least distance|smallest distance": "{s} closest to {t}",
+    "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?|aphelion|apoapsis|apocentre|apogee"
+    "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
+    # springs
+    "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
+    "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
+    f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"
+    "|shortest|minimum length|smallest length|shortest length": "{s} most compressed",
+    f"{_MOST} (?:stretch|extend|extension|elongation)|(?:stretch|extend) (?:the )?most|longest|maximum length"
+    "|greatest length|longest length|(?:stretch|extend) as far as possible": "{s} most stretched",
+    rf"(?:stretch|extend|extension|elongation)(?: by| of)? (?P<n>{N})|(?P<m>{N}) (?:stretch|extend|extension)"
+    rf"|(?P<k>{N}) longer than (?:its )?natural length": "{s} stretched by {n}",
+    rf"(?:compress|shorten|compression)(?: by| of)? (?P<n>{N})|(?P<m>{N}) (?:compress|compression)"
+    rf"|(?P<k>{N}) shorter than (?:its )?natural length": "{s} compressed by {n}",
+    rf"(?:length)(?: (?:of|reach|become|pass|equal))? (?P<n>{N})|(?P<m>{N}) long|(?P<k>{N}) in length": "{s} {n} long",
+    "equilibrium(?: position| point)?|position of equilibrium|rest position": "{s} at its equilibrium position",
+    # engines
+    "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"
+    " up| off)?"
+    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:engine|motor|burn|thrust) "
+    "(?:itself )?(?:stop|cut out|cut off|shut down|shut off|burn out|end|finish|switch off|turn off|run out|quit|cease"
+    "|go out|off)(?: (?:burn|fire|work|run))?|burnout|burn-out|(?:engine )?(?:cutoff|cut-off|shutdown|shut-down)"
+    "|run out of fuel|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
+    "|end of (?:the )?burn|(?:fuel )?tank (?:empty|run dry)|no fuel (?:left|leave|remain)": "burnout",
+    # slipping
+    "(?:(?:start|begin) (?:to )?)?(?:pure(?:ly)? )?(?:roll|rolling)(?: purely)?(?: without (?:slip|slide"
+    "|skid)(?:ping)?)"
+    "|(?:start|begin) (?:to )?(?:pure |purely )?roll|(?:stop|cease|end|finish|no longer) (?:slip|slide|skid)"
+    "|(?:slip|slide|skid)(?:ping)? (?:stop|cease|end|over)|pure roll(?:ing)?(?: (?:start|begin|set in))?": (
+        "{s} rolls without slipping"
+    ),
+    f"(?:reach |attain |acquire |get )?(?:{_SAME})|{_MOVE} (?:together|as one|with {_SAME}|at {_SAME})|"
+    f"(?:at |with )?{_SAME}|(?:stop|cease|end|no longer) (?:slip|slide)(?:ping|ing)? (?:on|over|along|past|against) "
+    f"(?:each other|one another|{S})|move together": "they move together",
+    # distances
+    rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}|{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way"
+    rf"|slope)": ("{s} moves {n}{way}"),
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:relative to|with respect to|along|over|across|on) (?:top of"
+    rf" )?(?P<t>{S})"
+    "(?: 's top)?": "{s} moves {n} relative to {t}",
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
+    rf"{FALL} {_DISTANCE}": "{s} falls {n}{way}",
+    rf"{RISE} {_DISTANCE}": "{s} rises {n}{way}",
+    rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
+    rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
+    rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
+    rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"
+    rf"|(?P<k>{N}) apart": "{s} {n} from {t}",
+    rf"(?:make |at |reach )?(?:an )?(?:angle of )?(?P<n>{N}) (?:with|from|to|off|against) (?:downward )?vertical": (
+        "{s} makes {n} with vertical"
+    ),
+    # speeds and times
+    rf"(?P<fall>{FALL}|{RISE}|move|go|travel)?(?: (?P<down><(?:up|down)>))? ?(?:with|at|have)? ?(?:downward |upward )?"
+    rf"(?P<axis>vertical|horizontal) (?:component of )?(?:speed|velocity)(?: component)?(?: of| reach| become)?"
+    rf" (?P<n>{N})": ("{s} {sense} with {axis} speed of {n}"),
+    rf"(?P<axis>[xy])(?: ?= ?|(?:-| )(?:coordinate|position) (?:of |reach |become |equal"
+    rf" )*)(?P<sign>[-−]?)(?P<n>{N})": ("{s} at {axis} = {sign}{n}"),
+    rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
+    rf"|decrease to))* (?P<n>{N})": "{q} of {s} equals {n}",
+    rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
+    rf"|be|go))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get to)"
+    rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
+    rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",
+    rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
+    r"|(?:from|after|of|since|following|past)(?: [a-z]+)? (?:START|motion)))?": "t = {n}",
+    "START(?: of (?:its )?motion)?": "start",
+    "(?:go|become|get|turn) slack|slack": "{s} goes slack",
+    "(?:go|become|get|pull) (?:taut|tight)(?: again)?|taut|tight": "{s} becomes taut",
+    "(?:leave|lose contact with|lift off|detach from|lose touch with|separate from|come off) (?:@\\d+@|GROUNDS)": (
+        "{s} leaves surface"
+    ),
+    "(?:enter|come into|get into|reach) (?:electric |magnetic )?(?:field|region)(?: region)?": "{s} enters field",
+    "(?:leave|exit|come out of|emerge from|get out of) (?:electric |magnetic )?(?:field|region)": "{s} leaves field",
+    "(?:begin|start) (?:to )?(?:slip|slide|skid)": "{s} begins to slip",
+    f"(?:return|come back|get back|go back|back|again|return again|arrive back|slide back|roll back|fall back"
+    f"|move back)"
+    f"(?: (?:to|at|in|through|past))? {HOME}(?: again)?|(?:pass|reach|cross|regain) (?:through )?{HOME}(?: again)?"
+    f"|return": "{s} returns",
+}
+"""By the base form of a clause's head, the plain clause that says the same."""

@@ -1,0 +1,284 @@
+"""Readers of clauses that name a moment: from what a clause says to all moments that may be meant."""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.vocabulary import (
+    CARRIED_AT_REST,
+    COMPRESSED,
+    ON,
+    ORIGIN,
+    QUANTITIES,
+    RELAXED,
+    RESTS,
+    STRAIGHT,
+    STRETCHED,
+    meant,
+)
+from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
+
+UP_WAY, DOWN_WAY = "up", "down"
+LAST = 10  # the rank of what is meant only where all else is not there
+Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
+"""From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
+
+
+def subject_of(found: re.Match[str], heard: Heard, subject: str) -> str:
+    """Return the phrase for the subject of a clause, by default that of the question."""
+    return heard.subject(found.groupdict().get("s")) or subject
+
+
+def simply(name: str, side: str = "") -> Reader:
+    """Return a reader for a named moment of one subject, such as *stopped*."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        groups = found.groupdict()
+        number = groups.get("number") or ""
+        who = subject_of(found, heard, subject)
+        yield When(" ".join(filter(None, (number, who, name))), side or asked)
+        if name == "stopped":  # what rides on something comes to rest where that is at rest, too
+            told = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
+            yield When(told, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
+
+    return read
+
+
+def turned_back(name: str, way: str) -> Reader:
+    """Return a reader for the highest or lowest point of a path or, on a straight path, for the stop of the body."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        who = subject_of(found, heard, subject)
+        yield When(f"{who} {name}", asked)
+        yield When(f"{who} stopped", asked, ((who, way),), rank=LAST)
+
+    return read
+
+
+def alone(name: str) -> Reader:
+    """Return a reader for a moment that a scene has only one of, whatever subject is named."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        del found, heard, subject
+        yield When(name, asked)
+
+    return read
+
+
+def jump(*names: str) -> Reader:
+    """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        who, groups = subject_of(found, heard, subject), found.groupdict()
+        number = groups.get("number") or ""
+        for name in names:
+            both = _both(who, heard) if found[0].startswith("their ") or who.startswith(f"{ALL} ") else ""
+            its = name != "collided" or groups.get("s") or re.match(r"its |@\d+@ 's ", found[0])
+            of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL} ") else ""
+            told = " ".join(filter(None, (number, of, name)))
+            for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+                yield When(f"{told} before" if side == BEFORE else told, side)
+
+    return read
+
+
+def _both(who: str, heard: Heard) -> str:
+    """Return the two bodies that a plural means; empty unless it means two."""
+    joint = [said for said in (who, *heard.subjects) if said.startswith(f"{ALL} ")]
+    both = joint[0].removeprefix(f"{ALL} ") if joint else ""
+    return both if both.count(" & ") == 1 else ""
+
+
+def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
+    del subject
+    both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
+    for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+        yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
+
+
+def met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield the collision of the question's subject with a named body."""
+    if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
+        both = f"{subject} & {heard.subject(found['t'])}"
+        for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+            yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
+
+
+def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
+    who = subject_of(found, heard, subject)
+    number = found.groupdict().get("number") or ""
+    if side != AFTER and number in ("", "first"):
+        yield When(f"{who} landed", BEFORE)
+    yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
+
+
+def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield the moment from which bodies move together, as nothing slips any more."""
+    del found, heard, subject
+    yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
+
+
+def rather(reader: Reader) -> Reader:
+    """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
+
+    return read
+
+
+def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
+    who, number = subject_of(found, heard, subject), heard.number(found["n"])
+    ways = ways_of(found, who)
+    if is_time(number):
+        yield When(f"at {number}", side, ways)
+    else:
+        yield When(f"{who} moved {number}", side, ways)
+        yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
+        for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY)):
+            yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
+
+
+def relatively(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has gone a distance along what carries it."""
+    who = heard.subject(found["s"]) or subject
+    told = f"displacement relative to its carrier of {who} = {heard.number(found['n'])}"
+    yield When(told, side, ((who, f"{ON}{heard.subject(found['t'])}"),) if found["t"] else ())
+
+
+def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body on a straight line is back where it started."""
+    who = subject_of(found, heard, subject)
+    yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
+
+
+def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body that goes one way comes to rest."""
+    for when in simply("stopped")(found, heard, subject, side):
+        yield replace(when, ways=(*when.ways, *ways_of(found, subject_of(found, heard, subject))))
+
+
+def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment from which a body stays at rest: its last stop or, where there is but one, that."""
+    who = subject_of(found, heard, subject)
+    yield When(f"{who} halted", side)
+    yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
+
+
+def has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a component of a velocity has a value, downwards if the body falls."""
+    who, sign = subject_of(found, heard, subject), "-" if found["sense"] in ("falls", "down") else ""
+    yield When(f"velocity of {who} along {found['axis']} = {sign}{heard.number(found['n'])}", side)
+
+
+def at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a coordinate of a body that starts at the origin has a value."""
+    who, axis = subject_of(found, heard, subject), found["axis"]
+    value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
+    yield When(f"displacement of {who} along {axis} = {value}", side, ((who, f"{ORIGIN} {axis}"),))
+
+
+def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a quantity named by a noun has a value."""
+    name, who = meant(QUANTITIES, found["q"]), subject_of(found, heard, subject)
+    if name not in ("height", "distance", "length", "force", "compression", "deceleration"):
+        yield When(f"{name} of {who} = {heard.number(found['n'])}", side)
+    elif name == "height":
+        yield When(f"height above the ground of {who} = {heard.number(found['n'])}", side)
+
+
+def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield a stated time."""
+    del subject
+    number = heard.number(found["n"])
+    if is_time(number):
+        yield When(f"at {number}", THEN if side == AFTER else side)
+
+
+def second(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the end of the first second."""
+    del found, heard, subject
+    yield When("at 1 s", side)
+
+
+def has_speed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has a given speed."""
+    yield When(f"velocity of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def angle(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a line makes a given angle with the vertical."""
+    yield When(f"{subject_of(found, heard, subject)} deflected {heard.number(found['n'])}", side)
+
+
+def turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has turned through a given angle."""
+    yield When(f"{subject_of(found, heard, subject)} turned through {heard.number(found['n'])}", side)
+
+
+def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a line is horizontal."""
+    yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
+
+
+def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the start."""
+    del found, heard, subject
+    if side != BEFORE:
+        yield When("at start")
+
+
+def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are a given distance apart."""
+    del subject
+    if not is_time(heard.number(found["n"])):
+        yield When(f"distance = {heard.number(found['n'])}", side)
+
+
+def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
+    del subject
+    number = found.groupdict().get("n")
+    told = f"extension = {heard.number(number)}" if number else "natural length"
+    yield When(told, side, (("", RELAXED),))
+
+
+def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring is stretched or compressed by a given length."""
+    who = subject_of(found, heard, subject)
+    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
+    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
+
+
+def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring has a given length."""
+    yield When(f"spring length of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def apsis(name: str) -> Reader:
+    """Return a reader for the moment when two bodies are farthest apart or closest together.
+
+    They are the two that are named, or the body of which the question is asked and its only partner.
+    """
+
+    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+        named = [heard.subject(found.groupdict().get(key)) for key in "st"]
+        both = " & ".join(said for said in named if said)
+        for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):
+            yield When(f"{who} {name}".strip(), asked, rank=rank)
+
+    return read
+
+
+def is_time(number: str) -> bool:
+    """Return whether a number is a time."""
+    return number.partition(" ")[2] in ("s", "yr")
+
+
+def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring has its natural length."""
+    yield When(f"{subject_of(found, heard, subject)} natural length", side)

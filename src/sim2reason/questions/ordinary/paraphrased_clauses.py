@@ -1,0 +1,137 @@
+"""Paraphrases of clauses that name a moment: the head of a clause decides, and every other word must have its place."""
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS, S
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
+
+WAY = re.compile(
+    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick )(?<!picks )"
+    r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
+    r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
+    r"|to left)"
+    r"(?: (?:along )?GROUNDS| its path)?(?![\w@])".replace("GROUNDS", GROUNDS)
+)
+PLACES = re.compile(
+    rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
+    r"|(?:(?:uniform |electric |magnetic )*field|straight line|air|vertical guide|guide|track|its path|path|its"
+    r" (?:flight|motion|swing|orbit|arc|trajectory"
+    r"|journey|way|climb|rise|fall|descent|ascent)))"
+    r"|(?<![\w@])'s (?:(?:circular|elliptical) )?(?:orbit|path|trajectory|motion|flight|swing)"
+    r"|(?<![\w@])(?:in|of|during|on) (?:(?:whole|entire|circular) )*(?:path|arc|orbit|flight|motion|trajectory|swing)"
+    r"(?![\w@])"
+)
+_LOOSE = frozenset(
+    re.split(
+        " ",
+        "it its 's of at in to by for on with first time moment instant point reach pass get through has where "
+        "maximum they their them position place a an the , one value go come become be finally eventually good "
+        "permanently ever",
+    )
+)
+_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
+TOGETHER = "they move together"
+_PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
+_PASSING = frozenset(
+    re.split(
+        " ",
+        "swing move fly roll slide travel pass passage sweep fall rise arrive",
+    )
+)
+"""Verbs that say nothing beside a place that a body passes."""
+_ORDINAL = pattern("ORDINAL")
+
+
+@cache
+def _quantities() -> str:
+    return either(name for row in QUANTITIES.values() for name in row.split("|"))
+
+
+@cache
+def _head(told: str) -> re.Pattern[str]:
+    told = told.replace("GROUNDS", GROUNDS).replace("SURFACE", GROUNDS)
+    told = told.replace("START", START_WORDS).replace("QUANTITY", _quantities())
+    return re.compile(rf"(?<![\w@#-])(?:{told})(?![\w@#-])")
+
+
+def paraphrased(clause: str) -> Iterator[str]:
+    """Yield plain clauses that say what a clause says, if every word of the clause has its place."""
+    if re.search(r"\b(?:not|half|without|unless|never|except|last|another|more|less|next|than)\b", clause) and not (
+        re.search(r"without (?:slip|slid|skid)|(?:shorter|longer) than", clause)
+    ):
+        return
+    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
+    text = based(text)
+    ways = " ".join(re.findall("<.+?>", text))
+    bare = " ".join(re.sub("<.+?>", " ", text).split())
+    for told, plain in HEADS.items():
+        said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
+        for found in _head(told).finditer(said):
+            yield from _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}")
+
+
+def way_of(said: str) -> str:
+    """Return the plain word for a way: up, down, to right or to left."""
+    return {"uphill": "up", "upwards": "up", "upward": "up", "downhill": "down"}.get(said, said).removesuffix("wards")
+
+
+def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
+    """Yield a plain clause with the subject, number and way of a clause; nothing if a word is left without a place."""
+    ways = re.findall(r"<(.+?)>", rest)
+    rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
+    subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
+    plain = _for_these(plain, subjects, ways, f"{found[0]} <> {rest}")
+    count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
+    left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
+    if any(place in plain for place in _PASSED):
+        left -= _PASSING
+    ways = [] if plain == TOGETHER else ways
+    fits = (
+        len(subjects) <= 1 + ("{t}" in plain) and len(count) <= ("{count}" in plain) and len(ways) <= ("{way}" in plain)
+    )
+    if left or not plain or not fits:
+        return
+    groups = {key: said or "" for key, said in found.groupdict().items()}
+    one, other = (*subjects, "", "")[:2]
+    told = plain.format(
+        s=one,
+        t=other,
+        n=next((groups[key] for key in "nmk" if groups.get(key)), ""),
+        way=f" {ways[0]}" if ways else "",
+        count=f" for {count[0]} time" if count else "",
+        axis=groups.get("axis", ""),
+        sign="-" if groups.get("sign") else "",
+        q=groups.get("q", ""),
+        sense=_sense(groups),
+    )
+    yield re.sub(r" of equals", " equals", " ".join(told.split()))
+
+
+def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> str:
+    """Return a plain clause for one subject, or for a way, if there is that; empty if nothing is meant by it.
+
+    `text` is the head of the clause, then ``<>``, then the rest of the clause.
+    """
+    rest = text.partition("<>")[2]
+    if plain == "{s} stops" and _FOR_GOOD.search(rest) is not None:
+        return "{s} finally stops"
+    if plain == "{s} stops" and ways:
+        return "{s} stops going{way}"
+    if "{t}" not in plain or len(subjects) > 1:
+        return plain
+    numbers = _ORDINAL.findall(rest)
+    if "collide" in plain and subjects and re.search(rf"(?:with|into|against|by|of) (?:<> +)?{S}", text):
+        return "" if numbers else "meets {s}"
+    if "collide" in plain:
+        whose = "{s} 's" if subjects else "its" if re.search(r"\bits\b", rest) else ""
+        return f"{whose} {numbers[0]} collision" if len(numbers) == 1 else "" if numbers else "{s} collides"
+    return "" if "{n}" in plain else re.sub(r" (?:to|from) \{t\}", "", plain)
+
+
+def _sense(groups: Mapping[str, str]) -> str:
+    """Return the verb for the way in which a body moves up or down; *rises* where a sentence does not tell."""
+    falls = re.fullmatch(FALL, groups.get("fall", "")) is not None or groups.get("down") == "<down>"
+    return "falls" if falls else "rises"

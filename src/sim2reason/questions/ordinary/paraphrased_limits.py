@@ -1,0 +1,85 @@
+"""Numbers of the scene that decide whether something happens, asked for in any order of words."""
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import NamedTuple
+
+from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
+from sim2reason.questions.ordinary.vocabulary import either, meant
+
+OUTCOMES: Mapping[str, tuple[str, bool]] = {
+    r"roll without (?:slip|slide|skid)(?:ping)?|not (?:begin |start )?(?:to )?(?:slip|skid)|without slip(?:ping)?": (
+        "slides",
+        False,
+    ),
+    r"(?:remain|stay|keep|be|hold|leave)? ?(?:at rest|in equilibrium|in balance|motionless|stationary|balanced)|balance"
+    r"|not (?:begin |start )?(?:to )?(?:move|accelerate|slide)|remain where it|stay put": ("rests", True),
+    r"(?:(?:begin|start|be able) (?:to )?)?(?:move|slide|go|pull|climb|rise|lift|haul|drag) <up>"
+    r"|(?:begin|start) (?:to )?(?:rise|climb|ascend)": ("rises", True),
+    r"(?:begin|start) (?:to )?(?:slip|slide|move|skid)|set in motion": ("slides", True),
+    r"(?:over|past|through|reach|beyond) (?:top|highest point)|(?:full|complete|whole) (?:turn|circle|revolution|loop)"
+    r"|(?:all way|right) (?:round|around)": ("goes round", True),
+    r"(?:stay|remain|keep) taut|not go slack": ("goes slack", False),
+    r"(?:go|become|get) slack": ("goes slack", True),
+}
+"""By the base form of a clause, the outcome, and whether it happens; *rests* is that everything stays at rest."""
+
+_LOOSE = frozenset(
+    re.split(
+        " ",
+        "what which find determine calculate compute how large big great must would should could need needed "
+        "require make required necessary enough sufficient just have to be for so that such with in order allow let "
+        "keep everything all system whole it they can still at it go carry bring get give of on prevent from where "
+        "if start than and barely the value whole just",
+    )
+)
+_SIZES = {
+    True: "least|minimum|minimal|smallest|lowest",
+    False: "greatest|maximum|maximal|largest|highest|biggest",
+}
+
+
+class DecidingNumber(NamedTuple):
+    """A number by its name, its owner, the outcome, whether it happens, of what, and which end of the range."""
+
+    name: str
+    owner: str
+    does: str
+    happens: bool
+    of: str
+    least: bool | None
+
+
+def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
+    """Yield every number that a sentence may ask for by an outcome, if every word of the sentence has its place."""
+    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", heard.text).split())
+    asked = _parameter(tuple(numbers.values())).search(text)
+    if asked is None or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None:
+        return
+    owner = heard.subject(asked["own"] or asked["of"])
+    rest = based(f"{text[: asked.start()]} {text[asked.end() :]}")
+    for told, (does, happens) in OUTCOMES.items():
+        found = re.search(rf"(?<![\w@]){told}(?![\w@])", rest)
+        if found is None:
+            continue
+        others, least = f"{rest[: found.start()]} {rest[found.end() :]}", None
+        for small, row in _SIZES.items():
+            others, count = re.subn(rf"\b(?:{row})\b", " ", others)
+            least = small if count else least
+        subjects = list(dict.fromkeys(re.findall(r"@\d+@", others)))
+        words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
+        if len(subjects) <= 1 and not set(words) - _LOOSE:
+            of = heard.subject(subjects[0]) if subjects else ""
+            yield DecidingNumber(
+                meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least
+            )
+        return
+
+
+@cache
+def _parameter(rows: tuple[str, ...]) -> re.Pattern[str]:
+    names = either(name for row in rows for name in row.split("|"))
+    return re.compile(rf"(?:(?P<own>@\d+@) 's )?(?<![\w-])(?P<p>{names})(?![\w-])(?: of (?P<of>@\d+@))?(?: at start)?")

@@ -1,0 +1,110 @@
+"""Paraphrases of main clauses: what is wanted decides, and every other word must have its place."""
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S, WantedRow
+from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
+
+_ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
+_SUPPOSES = re.compile(
+    r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
+    r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
+)
+_LOOSE = frozenset(
+    re.split(
+        " ",
+        "what which find determine calculate compute give how obtain work out large big great strong much high "
+        "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
+        "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
+        "exist between as from due body thing numerical modulus strength kind sort measured occur happen arise "
+        "prevail",
+    )
+)
+
+
+@cache
+def _part(told: str) -> re.Pattern[str]:
+    for name, row in SIZES.items():
+        told = told.replace(f"{{{name}}}", f"(?:{row})")
+    told = told.replace("{size}", "|".join(f"(?P<{name}>{row})" for name, row in SIZES.items()))
+    told = told.replace("{quantity}", f"(?P<quantity>{_quantities()})").replace("{motion}", _motions())
+    for name in ("friction", "normal"):
+        told = told.replace(f"{{{name}}}", either(QUANTITIES[f"{name} force"].split("|")))
+    return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS)})(?![\w@#-])")
+
+
+@cache
+def _quantities() -> str:
+    said = [name for row in QUANTITIES.values() for name in row.split("|")]
+    plain = {name for name in said if name not in ("distance", "height", "altitude", "separation", "length", "mass")}
+    return "|".join(sorted({*plain, "mass"}, key=len, reverse=True))
+
+
+@cache
+def _motions() -> str:
+    return either(PHRASES["ITS_MOTION"].split("|"))
+
+
+def paraphrased(question: str) -> Iterator[str]:
+    """Yield plain main clauses that say what a main clause says, if every word of the clause has its place."""
+    supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
+    if _ASKS.search(question) is None or _SUPPOSES.search(supposes) is not None:
+        return
+    if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
+        return  # a change of the length, maybe not counted from the natural length
+    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
+    text = based(text)
+    for row in ROWS:
+        yield from _filled(row, text)
+
+
+def _singular(text: str) -> str:
+    """Return a text with its quantities in the singular."""
+    return re.sub(r"\b(tension|acceleration|speed|velocitie|force|momentum|distance)s\b(?! up)", _one, text)
+
+
+def _one(found: re.Match[str]) -> str:
+    return found[1].replace("velocitie", "velocity")
+
+
+def _filled(row: WantedRow, text: str) -> Iterator[str]:
+    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
+    rest, groups = text, dict[str, str]()
+    for told in row.parts:
+        found = _part(told.removeprefix("?")).search(rest)
+        if found is None and told.startswith("?"):
+            continue
+        if found is None:
+            return
+        groups |= {name: said for name, said in found.groupdict().items() if said}
+        groups["verb"] = next(
+            (verb for verb, forms in VERBS.items() if re.fullmatch(forms, found[0])), groups.get("verb", "")
+        )
+        groups["axis"] = found[0][0] if re.match("[xy][- ]", found[0]) else groups.get("axis", "")
+        rest = f"{rest[: found.start()]} {rest[found.end() :]}"
+    ways = re.findall(r"<(.+?)>", rest)
+    rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
+    subjects = list(dict.fromkeys(re.findall(S, rest)))
+    if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
+        return
+    if row.subjects == 2 and not subjects:
+        return
+    size = next((name for name in SIZES if groups.get(name)), "")
+    verb = groups.get("verb") or "move"
+    one, other = (*subjects, "", "")[:2]
+    told = row.plain.format(
+        s=one,
+        t=other,
+        way=f" {ways[0]}" if ways else "",
+        verb=verb,
+        size=size,
+        axis=groups.get("axis", ""),
+        quantity=groups.get("quantity", ""),
+        toward=groups.get("toward", "").strip("<>"),
+        speed="angular speed" if verb == "turn" else "speed",
+    )
+    yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))

@@ -1,0 +1,227 @@
+"""What a question in ordinary English may take for granted, and how each is tested in a motion."""
+
+from collections.abc import Callable, Mapping
+from math import isclose
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.fields import Magnetic, Push
+from sim2reason.dsl.mechanism import ZERO, Mechanism
+from sim2reason.errors import TextError
+from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.quantities.springs import Extension
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.questions.following import Followed
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.parts.slip_change import rolls, slip
+from sim2reason.questions.ordinary.vocabulary import (
+    ALOFT,
+    CARRIED_AT_REST,
+    COMPRESSED,
+    LASTS,
+    ONCE,
+    ONE_WAY,
+    ONLY,
+    OVER,
+    RELAXED,
+    RESTS,
+    RISING,
+    ROLLING,
+    SLOWER,
+    SMALL,
+    STRAIGHT,
+    STRETCHED,
+)
+from sim2reason.questions.query import Query
+from sim2reason.questions.recurrence import ends_at_rest
+from sim2reason.questions.structured import resolved
+from sim2reason.questions.words import Words
+from sim2reason.simulation.rest.equilibrium import equilibrium
+
+STEADY, EVEN = 1e-6, 1e-9  # relative
+EARLY = 0.5  # of a stretch: then it goes the way that it goes
+AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
+LATER = 1.05  # times the end of what is over: so long at least it must have been
+
+
+class Case(NamedTuple):
+    """A case in which to test a presumption: a subject, the motion, the query, and the instant asked about, s."""
+
+    who: str
+    followed: Followed
+    query: Query
+    then: float
+    words: Words
+
+
+def named(who: str, words: Words) -> str:
+    """Return the name of the body that a phrase of the text means; empty if there is none."""
+    try:
+        return resolved("of", who, words.called(Bodies()))
+    except TextError:
+        return ""
+
+
+def _falls(mechanism: Mechanism, name: str) -> bool:
+    return mechanism.gravity != ZERO and center_path(mechanism, name).rises
+
+
+def alone(force: str, who: str, words: Words) -> bool:
+    """Return whether forces of one kind alone act on a body: magnetic ones, electric ones, or one of gravitation."""
+    mechanism, name = words.mechanism, named(who, words)
+    laws = [found.law for found in mechanism.forces if found.body == name]
+    pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
+    if not name or _falls(mechanism, name) or mechanism.lines or mechanism.contacts or (laws and pulls):
+        return False
+    kinds = {"magnetic force": Magnetic, "electric force": Push}
+    if force in kinds:
+        return bool(laws) and all(isinstance(law, kinds[force]) for law in laws)
+    return len(pulls) == 1 and not laws
+
+
+def _carried_at_rest(case: Case) -> bool:
+    """Return whether what carries a body, if anything does, is at rest at the instant asked about."""
+    name, mechanism = named(case.who, case.words), case.words.mechanism
+    if not name:
+        return False
+    parent = mechanism.body[name].parent
+    scan = case.followed.study.trace
+    if parent is None:
+        return False
+    fastest = float(np.abs(scan.scan.v).max(initial=0.0))
+    return float(np.linalg.norm(Velocity.evaluate(scan.at(case.then), parent))) <= STEADY * fastest
+
+
+def _aloft(case: Case) -> bool:
+    """Return whether the answer, a height above the ground, is greater than zero."""
+    return (case.followed.answer or 0.0) > EVEN
+
+
+def _small(case: Case) -> bool:
+    """Return whether nothing swings under gravity."""
+    mechanism = case.words.mechanism
+    hinges = [c for c in mechanism.coordinates if c.kind == "hinge" and abs(c.axis[2]) < 1.0 - EVEN]
+    return mechanism.gravity == ZERO or not hinges or bool(mechanism.contacts)
+
+
+def _slower(case: Case) -> bool:
+    state, name = case.followed.study.trace.at(case.then), named(case.who, case.words)
+    return bool(name) and float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
+
+
+def _compressed(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
+
+
+def _stretched(case: Case) -> bool:
+    spring = resolved("of", case.who, case.words.called(Springs()))
+    return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) > 0.0
+
+
+def _relaxed_at_rest(case: Case) -> bool:
+    """Return whether the only spring is neither stretched nor compressed in equilibrium."""
+    rest = equilibrium(case.words.mechanism)
+    springs = list(case.words.called(Springs()))
+    if rest is None or rest.free or len(springs) != 1:
+        return False
+    size = float(np.abs(Extension.evaluate(case.followed.study.trace.scan, springs[0])).max())
+    return abs(float(Extension.evaluate(rest.state, springs[0])[0])) <= STEADY * size
+
+
+def _once(case: Case) -> bool:
+    events = case.followed.study.trace.events
+    return sum(event.kind == "collision" and event.time <= case.then * (1.0 + EVEN) for event in events) == 1
+
+
+def _only(case: Case) -> bool:
+    return sum(event.kind == "collision" for event in case.followed.study.trace.events) == 1
+
+
+def _over(case: Case) -> bool:
+    """Return whether a functional keeps its value from the instant asked about to a later end of the known motion."""
+    trace = case.followed.study.trace
+    if not isinstance(case.query, StretchQuery) or trace.stable_until < LATER * case.then:
+        return False
+    late = FUNCTIONALS[case.query.functional].loose_value(trace, case.query.name, trace.stable_until)
+    return late is not None and isclose(late, case.followed.answer or 0.0, rel_tol=STEADY)
+
+
+def _rising(case: Case) -> bool:
+    """Return whether the answer, a height above the start, is greater than zero."""
+    scan = case.followed.study.trace.scan
+    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.called(Bodies()))
+    return (case.followed.answer or 0.0) > STEADY * moved
+
+
+def _rolling(case: Case) -> bool:
+    """Return whether a body has rolled without slipping since the start; true for a body that cannot roll on a face."""
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    if name not in case.words.mechanism.contacts or not rolls(case.words, name):
+        return True
+    scan = trace.scan
+    slipping = np.abs(slip(scan, name))[scan.times <= case.then]
+    return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
+
+
+def _rests(case: Case) -> bool:
+    """Return whether all bodies are at rest for good by the end of the motion."""
+    trace = case.followed.study.trace
+    return trace.stable_until > LATER * case.then and ends_at_rest(trace)
+
+
+def _lasts(case: Case) -> bool:
+    """Return whether a quantity keeps its value from the instant asked about to a later end of the known motion."""
+    trace = case.followed.study.trace
+    if case.query.target is None or trace.stable_until < LATER * case.then:
+        return False
+    late = case.query.target.values(trace.scan)[trace.scan.times >= case.then * (1.0 + EVEN)]
+    return bool(np.allclose(late, case.followed.answer or 0.0, rtol=STEADY, atol=0.0))
+
+
+def _straight(case: Case) -> bool:
+    """Return whether a body has moved in a straight line, without turning back, up to the instant asked about."""
+    name, scan = named(case.who, case.words), case.followed.study.trace.scan
+    if not name:
+        return False
+    velocities = Velocity.evaluate(scan, name)[scan.times <= case.then]
+    speeds = np.linalg.norm(velocities, axis=1)
+    way = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
+    return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
+
+
+def _one_way(case: Case) -> bool:
+    """Return whether a body moves straight up or down, or along the only line on which the body can move."""
+    name = named(case.who, case.words)
+    if not name:
+        return False
+    velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0]
+    senses = list(Bodies().senses(case.words.mechanism, name))
+    lines = [(0.0, 0.0, 1.0), *(senses[0].vector for _ in senses if len(senses) == 1)]
+    speed = float(np.linalg.norm(velocity))
+    return any(abs(float(velocity @ np.array(line))) >= (1.0 - EVEN) * speed for line in lines)
+
+
+OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
+    ALOFT: ("{who} is on the ground then", _aloft),
+    SMALL: ("the oscillations are not small, and their period depends on how far they go", _small),
+    SLOWER: ("{who} does not slow down", _slower),
+    COMPRESSED: ("{who} is not compressed", _compressed),
+    RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
+    ONCE: ("it is not the first collision", _once),
+    ONLY: ("it is not the only collision", _only),
+    ONE_WAY: ("{who} goes sideways, too", _one_way),
+    STRETCHED: ("{who} is not stretched", _stretched),
+    STRAIGHT: ("{who} does not go straight ahead", _straight),
+    RESTS: ("it does not stay at rest", _rests),
+    LASTS: ("it changes after that", _lasts),
+    RISING: ("nothing rises above where it starts", _rising),
+    ROLLING: ("{who} slips", _rolling),
+    OVER: ("it goes on after that", _over),
+}
+"""By what is taken for granted: what is said where it is not so, and whether it is."""

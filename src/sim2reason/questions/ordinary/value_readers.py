@@ -1,0 +1,228 @@
+"""Readers of main clauses that ask for a value: from what a clause says to all that may be meant."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    LANDING,
+    MOMENT,
+    STRETCH,
+    Main,
+    Reader,
+    each,
+)
+from sim2reason.questions.ordinary.vocabulary import (
+    ALOFT,
+    COMPRESSED,
+    DOWN,
+    FIXED_FACE,
+    LASTS,
+    MOTIONS,
+    ON,
+    ONE_WAY,
+    ORIGIN,
+    QUANTITIES,
+    RESTS,
+    SLOWER,
+    SOLE,
+    UP,
+    WAYS,
+    meant,
+)
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.posing import PLUS, SUMMED
+
+FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
+
+
+def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the quantity that a main clause names by a noun, for each subject."""
+    groups = found.groupdict()
+    name = meant(QUANTITIES, groups["q"])
+    axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
+    along = axis if axis in AXES else ""
+    if name in SUMMED and re.search(r"\b(?:total|combined)\b", found[0]) and len(each(heard, groups.get("s"))) > 1:
+        yield Main(name, PLUS.join(each(heard, groups.get("s"))))
+        return
+    for of in each(heard, groups.get("s")):
+        ways = ways_of(found, of) if not along else ()
+        yield from named(name, of, along, ways)
+
+
+FIELDS = "magnetic force", "electric force", "gravitational force"  # net forces, where nothing else acts
+AXES = ("horizontal", "vertical", "x", "y")
+
+
+def named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
+    """Yield the meanings of a noun for a quantity."""
+    if name == "force":
+        yield from (Main(force, of) for force in FORCES)
+    elif name == "tension":
+        yield from (Main(force, of, along, ways=ways) for force in ("tension", "rod force", "rod pull"))
+    elif name == "deceleration":
+        yield Main("acceleration", of, along, ways=((of, SLOWER), *ways))
+    elif name == "compression":
+        yield Main("extension", of, ways=((of, COMPRESSED),))
+    elif name == "thrust":
+        yield Main(name, of, needs=CLAUSED)
+        yield Main(name, of, needs=FREE, when=When("at start"))
+    elif name in FIELDS:
+        yield Main("net force", of, along, ways=((of, f"{SOLE}{name}"), *ways))
+    elif name == "length":
+        yield Main("spring length", of)
+    elif name not in ("height", "distance"):
+        yield Main(name, of, along, ways=ways)
+
+
+def fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the speed of a body, or how fast it turns."""
+    groups = found.groupdict()
+    turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
+    for of in each(heard, groups["s"]):
+        way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+        find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
+        told = ways_of(found, of)
+        sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
+        yield Main(find, of, along, ways=() if along else (*told, *sideways))
+
+
+def far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the horizontal displacement of a body at its landing."""
+    yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
+
+
+def far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the displacement of a body when the body comes to rest for good."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
+
+
+def balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the value of a quantity in equilibrium, where every body would stay at rest."""
+    yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in quantity(found, heard))
+
+
+def initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the initial value of a quantity, just after the start."""
+    yield from (replace(main, needs=FREE, when=When("at start")) for main in quantity(found, heard))
+
+
+def final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the final value of a quantity, after each event that may be the last to change that quantity."""
+    for main in quantity(found, heard):
+        for when in ("burned out", "stopped slipping", "collided", "last collision"):
+            last = ((main.of, LASTS),)
+            yield replace(main, needs=FREE, ways=(*main.ways, *last), when=When(when, AFTER))
+
+
+def common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the common speed of bodies that move together, at a named moment or after slipping has stopped."""
+    for of in each(heard, found["s"]):
+        yield Main("speed", of, needs=CLAUSED)
+        yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
+
+
+def coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield a body's coordinate along an axis: the displacement, presuming that the body starts at the origin."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
+
+
+def high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the height of a body above the ground."""
+    for of in each(heard, found["s"]):
+        yield Main("height above the ground", of, needs=CLAUSED, ways=((of, ALOFT),))
+
+
+def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
+    groups = found.groupdict()
+    way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    for of in each(heard, groups["s"]):
+        if way in AXES:
+            yield Main("displacement", of, way, needs=STRETCH)
+        else:
+            upright = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") in (UP, DOWN)
+            ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright else ()))
+            yield Main("displacement", of, needs=STRETCH, ways=ways)
+            yield Main("distance travelled", of, needs=STRETCH, ways=ways)
+
+
+def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield a time."""
+    del found, heard
+    yield Main("time", needs=STRETCH)
+
+
+def accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the acceleration of a body that speeds up."""
+    yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
+
+
+def presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the normal force between a body and the face on which the body lies."""
+    face = heard.subject(found["t"])
+    for of in each(heard, found["s"]):
+        yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
+
+
+def length_at(turn: str) -> Reader:
+    """Return a reader for the length of a spring where the spring is compressed, or stretched, most."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main("spring length", of, needs=FREE, when=When(f"{of} {turn}"))
+
+    return read
+
+
+def along(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force in a string, rod or spring, which it exerts on a body at its end; none on a pulley between."""
+    if "pulley" not in heard.subject(found.groupdict().get("t")):
+        yield from (Main(force, heard.subject(found["s"])) for force in FORCES)
+
+
+def steep(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the angle of a velocity with the horizontal, presuming that the body goes up or down as told."""
+    ways = {"above": "up", "below": "down"}
+    way = ((heard.subject(found["s"]), ways[found["side"]]),) if found["side"] in ways else ()
+    yield Main("angle with the horizontal", heard.subject(found["s"]), needs=CLAUSED, ways=way)
+
+
+def fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the mass of the fuel that is left or has been burnt."""
+    yield Main(f"fuel {found['fuel']}", heard.subject(found["s"]))
+
+
+def of_ground(find: str) -> Reader:
+    """Return a reader for a force of the fixed surface on a body, even on one that carries others."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        yield from (Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"),)) for of in each(heard, found["s"]))
+
+    return read
+
+
+def relatively(name: str) -> Reader:
+    """Return a reader for a quantity of a body relative to what carries the body."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        of, on = heard.subject(found["s"]), heard.subject(found["t"])
+        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
+
+    return read
+
+
+GAINS = "gain", "gained", "increase", "increased", "rise"
+
+
+def potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the change of a body's potential energy, presuming that the body goes up for a gain and down for a loss."""
+    way = "up" if found["verb"] in GAINS else "down"
+    for of in each(heard, found["s"]):
+        yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))

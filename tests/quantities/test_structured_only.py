@@ -1,0 +1,72 @@
+"""Quantities of structured questions alone, against closed forms."""
+
+from functools import cache
+from math import atan2, cos, degrees, pi, radians, sin, sqrt
+from pathlib import Path
+
+import pytest
+
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.scene_files import load
+
+SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
+G, YEAR = 9.8, 4.0 * pi**2
+
+
+@cache
+def found(name: str, find: str, of: str, when: str) -> float:
+    """Return the answer to a question in parts, in the units of the scene."""
+    scene = load(SCENES / f"{name}.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    answer = posed(StructuredQuestion(find, of, when), motion, words).followed(motion).answer
+    assert answer is not None
+    return answer
+
+
+def landing() -> float:
+    """The angle at which a ball thrown from 3.5 m at 4.5 m/s, 69° above the horizontal, comes down, in degrees."""
+    across, up = 4.5 * cos(radians(69.0)), 4.5 * sin(radians(69.0))
+    return degrees(atan2(sqrt(up**2 + 2.0 * G * 3.5), across))
+
+
+def eccentricity() -> float:
+    """That of planet A, by its energy and angular momentum."""
+    x, y, vx, vy, strength = 0.34, -0.03, 0.51, 11.7, 1.2 * YEAR
+    energy, turning = 0.5 * (vx**2 + vy**2) - strength / sqrt(x**2 + y**2), x * vy - y * vx
+    return sqrt(1.0 + 2.0 * energy * turning**2 / strength**2)
+
+
+@pytest.mark.parametrize(
+    ("name", "find", "of", "when", "value"),
+    [
+        ("lob", "angle with the horizontal", "the ball", "landed before", landing()),
+        ("field_circle", "radius of the path", "the bead", "at start", 3.8 * 2.8 / (1.9 * 0.5)),
+        ("field_circle", "angle of deflection", "the bead", "3 s", degrees(0.25 * 3.0)),
+        ("two_planets", "eccentricity", "system.planets.0 & system.star", "at start", eccentricity()),
+        ("slow_launch", "thrust", "the probe", "10 s", 19.0 * 500.0),
+        ("slow_launch", "fuel left", "the probe", "10 s", 971.0 - 172.0 - 190.0),
+        ("slow_launch", "fuel burnt", "the probe", "10 s", 190.0),
+        ("trolley_rod", "rod pull", "the rod", "the ball lowest point", 34.1123634987),
+        (
+            "hemisphere_arm",
+            "moment of inertia about the axle",
+            "the hemisphere",
+            "at start",
+            7.9 * (83.0 / 320.0 * 0.16**2 + (0.25 - 0.375 * 0.16) ** 2),
+        ),
+        ("wide_box", "speed relative to its carrier", "block A", "0.4 s", 0.4 * 6.0526071842),
+    ],
+)
+def test_quantities_have_their_closed_forms(name: str, find: str, of: str, when: str, value: float) -> None:
+    """At one instant of a motion."""
+    assert found(name, find, of, when) == pytest.approx(value, rel=1e-6)
+
+
+def test_bodies_that_do_not_attract_have_a_distance_where_both_move_freely_in_a_plane() -> None:
+    """As two planets have."""
+    at_start = found("two_planets", "distance", "system.planets.0 & system.planets.1", "at start")
+    assert at_start == pytest.approx(sqrt(0.37**2 + 0.58**2), rel=1e-9)

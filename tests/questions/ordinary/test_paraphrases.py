@@ -1,0 +1,82 @@
+"""Paraphrases of clauses and main clauses: by a head, and only where every other word has its place."""
+
+import pytest
+
+from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased as plain_clauses
+from sim2reason.questions.ordinary.paraphrased_mains import paraphrased as plain_mains
+
+
+def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:
+    """Beside adverbs that say nothing."""
+    assert based("@0@ has just been sliding and exactly then hits wall") == "@0@ slide and hit wall"
+
+
+@pytest.mark.parametrize(
+    ("clause", "plain"),
+    [
+        ("@0@ has come to complete standstill", "@0@ stops"),
+        ("@0@ finally comes to rest", "@0@ finally stops"),
+        ("motion is over", "finally stops"),
+        ("@0@ stops moving upwards", "@0@ stops going up"),
+        ("@0@ is back at place from which it was launched", "@0@ returns"),
+        ("@1@ swings through vertical", "@1@ passes through vertical"),
+        ("it turns back for first time", "stops"),
+        ("its second collision", "its second collision"),
+        ("collision with @1@", "meets @1@"),
+        ("@0@ has descended by #0#", "@0@ falls #0#"),
+        ("@1@ has slid #0# along @0@", "@1@ moves #0# relative to @0@"),
+        ("@0@ is falling with vertical speed of #0#", "@0@ falls with vertical speed of #0#"),
+        ("@0@ passes x = −#0#", "@0@ at x = -#0#"),
+        ("all fuel has been used up", "burnout"),
+        ("#0# into motion", "t = #0#"),
+    ],
+)
+def test_clauses_are_said_plainly(clause: str, plain: str) -> None:
+    """Each in the form that a table has."""
+    assert plain in plain_clauses(clause)
+
+
+@pytest.mark.parametrize(
+    "clause",
+    [
+        "@0@ is not moving",
+        "half of fuel is used up",
+        "@0@ falls from its highest point to ground",
+        "@0@ stops and sings",
+    ],
+)
+def test_a_clause_with_a_word_that_matters_is_left_alone(clause: str) -> None:
+    """Whatever head it has."""
+    assert list(plain_clauses(clause)) == []
+
+
+@pytest.mark.parametrize(
+    ("question", "plain"),
+    [
+        ("how fast does @0@ move at most", "what is greatest speed of @0@"),
+        ("with what acceleration does @0@ slide across floor", "what is acceleration of @0@"),
+        ("what friction force does inclined plane exert on @0@", "what friction of ground on @0@"),
+        ("what distance from origin has @0@ reached", "how far is @0@ from its starting point"),
+        ("how far to right of its starting point does @0@ get", "how far does @0@ move to right"),
+        ("by how much has @0@ risen", "how far does @0@ rise"),
+        ("find shortest length of @0@", "what is shortest length of @0@"),
+        ("how much energy is lost to friction altogether", "how much energy is lost to friction"),
+        ("at what angle below horizontal is @0@ moving", "what angle @0@ makes below horizontal"),
+        ("how fast is @0@ moving relative to @1@", "how fast does @0@ move relative to @1@"),
+        ("how long does @0@ take to complete one circle", "what is period of @0@"),
+    ],
+)
+def test_main_clauses_are_said_plainly(question: str, plain: str) -> None:
+    """Each in the form that a table has."""
+    assert plain in plain_mains(question)
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["what would speed of @0@ be", "what is average speed of @0@", "how much more energy is lost to friction",
+     "what is least speed with which @0@ goes", "how far does @0@ stretch"],
+)  # fmt: skip
+def test_a_main_clause_with_a_word_that_matters_is_left_alone(question: str) -> None:
+    """Whatever it asks for."""
+    assert list(plain_mains(question)) == []
