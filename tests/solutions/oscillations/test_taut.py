@@ -44,10 +44,7 @@ def test_the_greatest_tension_is_at_an_end_of_the_motion_with_the_reason() -> No
     text = solution_text("mixed-easy-symbolic-301917-3")
     assert "The tension is therefore greatest at an end of the motion, here where crate A turns back." in text
     assert "The other root, zero, is the start." in text
-    assert (
-        "When Newton's second laws of the bodies, each in its direction of motion, are added up, tensions cancel:"
-        in text
-    )
+    assert "each in the direction in which its body moves while $x$ grows, are added up, tensions cancel:" in text
 
 
 def test_the_greatest_acceleration_is_that_of_the_first_half_oscillation_where_friction_takes_energy() -> None:

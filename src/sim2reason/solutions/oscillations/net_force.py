@@ -92,9 +92,8 @@ def law_words(
     """
     rate, along = Symbol(rf"\dot{{{place.name}}}"), f"along ${place.name}$"
     if isinstance(motion, LinearMotion) and _as_one(mechanism, motion):
-        said = (
-            "When Newton's second laws of the bodies, each in its direction of motion, are added up, tensions cancel:"
-        )
+        way = f"each in the direction in which its body moves while ${place.name}$ grows"
+        said = f"When Newton's second laws of the bodies, {way}, are added up, tensions cancel:"
         return f"Let ${acceleration.name}$ be the acceleration {along}.", said
     energy, growth = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
     changes = f"the kinetic energy ${energy}$ changes at the rate ${growth}$;"
