@@ -47,9 +47,11 @@ def test_true_engines_are_certified_to_the_physical_end(name: str) -> None:
     assert trace.stable_until == pytest.approx(recorded.stable_until, abs=1e-6)
     subjects = [(q.name, s) for q in QUANTITIES.values() for s in q.subjects(mechanism)]
     everything = {Channel(s, q) for q, s in subjects}
-    assert set(certificate.until) == everything
-    assert set(certificate.agreement) == {c for c in everything if QUANTITIES[c.quantity].drawn_by_recipes}
+    drawn = {channel for channel in everything if QUANTITIES[channel.quantity].drawn_by_recipes}
+    assert set(certificate.until) == set(certificate.agreement) == drawn
     assert set(certificate.until.values()) == {certificate.stable_until}
+    assert {certificate.trusted(channel) for channel in drawn} == {certificate.stable_until}
+    assert all(certificate.trusted(channel) >= 0.0 for channel in everything - drawn)
     assert max(certificate.agreement.values()) <= 1e-6
 
 

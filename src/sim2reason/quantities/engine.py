@@ -12,6 +12,7 @@ class OfEngine(Quantity):
     """A quantity of a body that burns fuel."""
 
     of = Bodies()
+    drawn_by_recipes = False
     floor = 0.1
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:

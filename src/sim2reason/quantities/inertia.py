@@ -97,6 +97,7 @@ class InertiaAboutAxle(AboutCenter):
 
     name, unit, symbol = "moment of inertia about the axle", "kg m^2", "I"
     vector = False
+    drawn_by_recipes = False
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

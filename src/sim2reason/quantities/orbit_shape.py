@@ -14,6 +14,7 @@ class OrbitShape(Quantity):
     """What tells the shape of an ellipse that a body describes about a fixed one, by an attraction of 1/r² alone."""
 
     of = Pairs()
+    drawn_by_recipes = False
     floor = 0.1
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:

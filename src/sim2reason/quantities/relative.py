@@ -13,6 +13,7 @@ class OfRider(Quantity):
     """A quantity of a body that slides along one line on a body that moves without turning."""
 
     of = Bodies()
+    drawn_by_recipes = False
     floor = 0.1
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:

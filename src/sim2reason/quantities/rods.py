@@ -50,6 +50,7 @@ class RodPull(Quantity):
 
     name, unit, symbol = "rod pull", "N", "T"
     of = HungBodies()
+    drawn_by_recipes = False
     needs = ("mass",)
     floor, heavy = 0.1, True
 

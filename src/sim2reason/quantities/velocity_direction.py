@@ -20,6 +20,7 @@ class SlopeOfVelocity(Quantity):
 
     name, unit, symbol = "angle with the horizontal", "deg", "β"
     of = Bodies()
+    drawn_by_recipes = False
     floor = 1.0
 
     @staticmethod
@@ -42,6 +43,7 @@ class TurnOfVelocity(Quantity):
 
     name, unit, symbol = "angle of deflection", "deg", "δ"
     of = Bodies()
+    drawn_by_recipes = False
     floor = 1.0
 
     @staticmethod
@@ -64,6 +66,7 @@ class RadiusOfPath(Quantity):
 
     name, unit, symbol = "radius of the path", "m", "r"
     of = Bodies()
+    drawn_by_recipes = False
     floor = 0.1
 
     @staticmethod

@@ -33,5 +33,5 @@ def _agreed(certificate: Certificate, channel: Channel, time: float, *, at_event
     """Whether both engines vouch for a channel; samples right at an event are not compared, those around it are."""
     if not at_event:
         return certificate.covers(channel, time)
-    until = certificate.until.get(channel, -1.0)
+    until = certificate.trusted(channel)
     return until > time or (_seen_by_both(certificate, time) and until >= certificate.stable_until)

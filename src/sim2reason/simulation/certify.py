@@ -5,7 +5,7 @@ duration, in the same order unless they concern different things. Then the sampl
 those near an event, where a small error in its time is a large one in a speed.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.lazy import cached_property
 from sim2reason.quantities import Quantity
 from sim2reason.simulation.channels import Channel, channels
 from sim2reason.simulation.trace import ENGINES, Event, Trace
@@ -52,12 +53,23 @@ class Certificate:
     blind: tuple[tuple[float, float], ...] = ()  # s
     agreement: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
     until: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
+    others: Callable[[], Mapping[Channel, float]] = field(default=dict[Channel, float], repr=False, compare=False)
+    """Compares the channels that recipes do not draw, and returns their `until`; called when one is first asked for."""
+
+    @cached_property
+    def _until_of_others(self) -> Mapping[Channel, float]:
+        return self.others()
+
+    def trusted(self, channel: Channel) -> float:
+        """Return the time, s, up to which both engines agree on a channel; negative if it was not compared."""
+        found = self.until.get(channel)
+        return min(self.stable_until, self._until_of_others.get(channel, -1.0) if found is None else found)
 
     def covers(self, channel: Channel, time: float) -> bool:
         """Whether a channel's value at a time, s, is vouched for by both engines."""
         if any(start <= time <= stop for start, stop in self.blind):
             return False
-        return time <= min(self.stable_until, self.until.get(channel, -1.0))
+        return time <= self.trusted(channel)
 
     def document(self) -> dict[str, object]:
         """The same as plain JSON values."""
@@ -122,7 +134,7 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
         end, reason = stable, f"the engines disagree on the {worst.quantity} of {worst.subject}"
     until = {channel: min(end, time) for channel, time in table.until.items()}
     engines = (recorded.engine, witness.engine)
-    return Certificate(engines, table.tolerance, end, reason, matched, blind, table.agreement, until)
+    return Certificate(engines, table.tolerance, end, reason, matched, blind, table.agreement, until, table.others)
 
 
 def _told(event: Event) -> str:
@@ -188,12 +200,25 @@ class _Table:
         self._over: dict[Channel, float] = {}
         self._times, self._living, self._heard = recorded.times, living, heard
         self._end = float(recorded.times[-1])
-        both = _joined(recorded, witness)
-        movable = [body.mass for body in recorded.mechanism.bodies if recorded.began[body.name].steps]
+        self._both = _joined(recorded, witness)
+        self._compare_all(drawn=True)
+
+    def others(self) -> Mapping[Channel, float]:
+        """Compare the channels that recipes do not draw; return the time from which each is not to be trusted, s."""
+        known, self.until = self.until, {}
+        self._compare_all(drawn=False)
+        found, self.until = self.until, known
+        return found
+
+    def _compare_all(self, *, drawn: bool) -> None:
+        mechanism = self._both.mechanism
+        movable = [body.mass for body in mechanism.bodies if self._both.began[body.name].steps]
         heaviest = max(movable, default=0.0) or 1.0  # a fixed star's mass would hide every momentum of its planets
         found: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
-        for channel, quantity in channels(recorded.mechanism):
-            values = quantity.evaluate(both, channel.subject)
+        for channel, quantity in channels(mechanism):
+            if quantity.drawn_by_recipes != drawn:
+                continue
+            values = quantity.evaluate(self._both, channel.subject)
             columns = values if values.ndim == 2 else values[:, None]
             found.setdefault(channel.quantity, (quantity, []))[1].append((channel, columns))
         for quantity, members in found.values():
@@ -212,8 +237,8 @@ class _Table:
         for row, (channel, _) in enumerate(members):
             over = self._first(apart[row] > self.tolerance)
             self.until[channel] = min(over, self._first(silent[row]))
-            if not quantity.drawn_by_recipes:
-                continue  # what only people ask ends no motion from which recipes draw
+            if not quantity.drawn_by_recipes:  # what only people ask ends no motion from which recipes draw
+                continue
             self.agreement[channel] = float(np.nanmax(apart[row], initial=0.0))
             if over < self._end:
                 self._over[channel] = over
