@@ -18,6 +18,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -63,6 +64,7 @@ if refusing:
     filters.in_order = lambda: kept
 weights = {{"weights": tuple((kind, 0.0) for kind in sorted(kinds))}} if kinds else {{}}
 make(Request(recipes[0], "easy", mode, {SEED + 1}, 0))
+import sympy.polys.fields  # half a second, once a process, when the first formula is shortened
 getattr(worker, "collect_seldom", lambda: None)()
 cells = [(recipe, difficulty) for recipe in recipes for difficulty in ("easy", "medium", "hard")]
 start = process_time()
@@ -95,6 +97,7 @@ def beside(commit: str, count: int, mode: str, rounds: int) -> None:
 def items(count: int, mode: str, rounds: int) -> None:
     """Cell by cell in this process, set up as a worker is, after one item to load what is loaded lazily."""
     make(Request("pulley", "easy", mode, SEED + 1, 0))
+    import_module("sympy.polys.fields")  # when the first formula is shortened
     collect_seldom()
     found: list[Figures] = []
     for turn in range(rounds):

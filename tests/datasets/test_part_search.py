@@ -30,7 +30,7 @@ CELLS = [
     ("pulley", "easy", 0),
     ("orbital", "medium", 0),
     ("projectile", "hard", 1),
-    ("rotation", "medium", 0),
+    ("rotation", "medium", 1),
     ("rocket", "easy", 0),
     ("box", "medium", 0),
 ]

@@ -52,9 +52,11 @@ def test_every_recipe_weighs_kinds_that_exist() -> None:
 
 def test_a_recipe_weighs_a_kind_in_one_mode_alone() -> None:
     found = RECIPES["chain"].weights
-    assert "comparison" not in found
-    numeric, symbolic = (weight("comparison", mode, "chain", {}) for mode in ("numeric", "symbolic"))
-    assert symbolic == found["symbolic.comparison"] * numeric
+    reverse, numeric, symbolic = (
+        weight("comparison", mode, "chain", {}) for mode in ("reverse", "numeric", "symbolic")
+    )
+    assert symbolic / numeric == pytest.approx(found["symbolic.comparison"] / found["comparison"])
+    assert reverse == MODES["reverse"].weights["comparison"] * numeric
 
 
 def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:

@@ -1,5 +1,6 @@
 """An electric field that oscillates with a phase of its own."""
 
+from cmath import exp
 from math import cos, pi, radians, sin
 
 import pytest
@@ -14,12 +15,14 @@ from sim2reason.simulation.scenes import certify
 RATE, PULL = 2.0, 1.5 * 1.2 / 2.0  # rad/s and q E₀/m
 
 
-def bead(phase: float | None) -> Scene:
-    """Build a bead that is released in a field with a phase."""
+def bead(phase: float | None, beside: str = "") -> Scene:
+    """Build a bead that is released in a field with a phase, and maybe something `beside` it."""
     field = "kind: oscillating_electric, strength: 1.2, way: positive x, frequency: 2.0"
     field += f", phase: {phase}" if phase is not None else ""
     start = "particle: {mass: 2.0, charge: 1.5, sign: positive}, start: {kind: released}"
-    return loads(f"scene: {{entities: [{{name: it, type: EmEntity, parameters: {{{start}, electric: {{{field}}}}}}}]}}")
+    return loads(
+        f"scene: {{entities: [{{name: it, type: EmEntity, parameters: {{{start}, electric: {{{field}}}{beside}}}}}]}}"
+    )
 
 
 @pytest.mark.parametrize("phase", [-90.0, 30.0, 120.0])
@@ -84,3 +87,28 @@ def test_the_greatest_speed_is_solved_in_closed_form() -> None:
     found = solve(bead(30.0), find="greatest speed", of="it.particle", when="2.5 s")
     assert found.answer == pytest.approx(1.5 * PULL / RATE, rel=1e-9)
     assert "passes through zero" in found.solution.text, found.solution.reason
+
+
+def in_a_magnetic_field(time: float, phi: float, turn: float) -> float:
+    """|w| of ẇ = −iΩw + cos(ωt + φ) from rest, for a unit of acceleration."""
+    waves = ((RATE, exp(1j * phi)), (-RATE, exp(-1j * phi)))
+    return abs(sum(0.5 * way * (exp(1j * w * time) - exp(-1j * turn * time)) / (1j * (turn + w)) for w, way in waves))
+
+
+def in_a_medium(time: float, phi: float, decay: float) -> float:
+    """|v| of v̇ = −γv + cos(ωt + φ) from rest, for a unit of acceleration."""
+    return abs((exp(1j * phi) * (exp(1j * RATE * time) - exp(-decay * time)) / (decay + 1j * RATE)).real)
+
+
+@pytest.mark.parametrize(
+    ("beside", "speed"),
+    [
+        ("magnetic: {kind: uniform_magnetic, strength: 0.5, way: positive z}", in_a_magnetic_field(1.2, pi / 6, 0.375)),
+        ("medium: {kind: linear_drag, coefficient: 3.0}", in_a_medium(1.2, pi / 6, 1.5)),
+    ],
+)
+def test_a_phase_beside_a_magnetic_field_or_a_medium_is_solved(beside: str, speed: float) -> None:
+    """In steps, from equations of motion that have the phase, to what the closed form says."""
+    found = solve(bead(30.0, f", {beside}"), find="velocity", of="it.particle", when="1.2 s")
+    assert found.answer == pytest.approx(PULL * speed, rel=1e-8)
+    assert r"\varphi" in found.solution.text, found.solution.reason

@@ -36,8 +36,10 @@ from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.returned import Returned
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
 from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.questions.moments.went_taut import WentTaut
@@ -122,6 +124,10 @@ TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.orbit, Orbited("sky.planet & sky.star", 360), 1.0),
     (motions.rocket, BurnedOut("pad.rocket"), 6.0),
     (motions.thrown_ball, HighestPoint("field.ball"), RISE / G),
+    (motions.rod_pendulum, Stopped("swing.rod", 2), 4.0 * swing(ROD_RATE, radians(60.0), 0.0)),
+    (motions.spring_block, Returned("bench.block"), 2.0 * pi / OMEGA),
+    (motions.thrown_ball, TopAfterBounce("field.ball"), (RISE + 1.8 * FALL) / G),
+    (motions.thrown_ball, TopAfterBounce("field.ball", 2), (RISE + FALL + (1.6 + 0.64) * FALL) / G),
     (motions.thrown_ball, Bounced("field.ball", after=True), (RISE + FALL) / G),
     (motions.thrown_ball, Bounced("field.ball", 3, after=False), (RISE + FALL + 2.0 * FALL * 0.8 * 1.8) / G),
     (lambda: motions.thrown_ball(None), Landed("field.ball"), (RISE + FALL) / G),

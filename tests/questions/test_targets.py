@@ -32,7 +32,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
 from sim2reason.simulation.scenes import simulate
 
-MAGNITUDES = ("speed", "magnitude", "amount by which", "distance", "kinetic", "tension", "normal")
+MAGNITUDES = ("radius", "speed", "magnitude", "amount by which", "distance", "kinetic", "tension", "normal")
 
 
 def offered(scene: Scene) -> dict[str, Target]:

@@ -21,11 +21,16 @@ from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.solutions import Solution, solve
+from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form
+from sim2reason.solutions.laws.nested import inserted
 from sim2reason.solutions.shortest import may_have_solution
+from sim2reason.solutions.writing.steps import Book
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
+
+V, T, S = map(Symbol, ("v", "t", "s"))
 
 
 def test_a_comparison_puts_the_other_value_into_the_formula() -> None:
@@ -68,6 +73,16 @@ def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str) -> N
         assert not read(solution.text).broken
         count += 1
     assert count
+
+
+def test_it_is_said_what_is_inserted_before_the_other_value_is_put_in() -> None:
+    book = Book()
+    for name, value in {"v": 2.0, "t": 3.0}.items():
+        book.know(name, value)
+    for name, formula in {"s": V * T, "w": S * V}.items():
+        book.told("law", "So", Symbol(name), formula)
+    assert inserted(book, "w", "$w = v^{2} t$") == "Inserting $s$ into the equation for $w$ gives $w = v^{2} t$."
+    assert inserted(book, "s", "$s = v t$") == "In short, $s = v t$."
 
 
 def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:

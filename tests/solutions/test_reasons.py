@@ -1,5 +1,6 @@
 """A root, a sign or an extreme value is taken with its reason: energy, direction, or what another one would mean."""
 
+import re
 from math import cos, radians, sqrt
 
 import pytest
@@ -27,7 +28,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.went_taut import WentTaut
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions import Setting, Solution, solve, solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived
 
@@ -120,3 +121,36 @@ def test_another_root_may_be_later_than_the_end() -> None:
     found = reverse(made, Query("state", Target("displacement", body), AtTime(end)), "radius", f"{far!r}", "m")
     assert f"The other root, ${2.0 * end - time:.4f}" in found.text
     assert r"\ \text{s}$, is later than $t" in found.text
+
+
+PLANKS = (
+    "Plank A (2.6 kg) is on top of plank B (4.3 kg), which lies on a rough, fixed plane inclined at 33° to the "
+    "horizontal. Static and kinetic friction on this plane have the same coefficient, 0.32. Static and kinetic "
+    "friction between B and A have the same coefficient, 0.23. At t = 0 A is moving up the slope at speed $v$, and all "
+    "else is at rest. There is ample room to move. At the instant t = 1.6 s, the speed of plank B is 2.96 m/s. Find "
+    "the speed $v$. Take g = 9.8 m/s². Write the answer in m/s, to three significant figures, in \\boxed{}."
+)
+SPRUNG = (
+    "A crate of mass 2.9 kg lies on a smooth horizontal table, on which x points to the right and y away from you. A "
+    "light spring with a stiffness of 27 N/m and a natural length of 0.69 m ties the crate to a fixed point at (0 m, "
+    "0 m). Initially the crate is at the point (0.51 m, −0.35 m). The crate is given the velocity (−0.36 m/s, 0.52 "
+    "m/s) at t = 0. Calculate the greatest kinetic energy of the crate between t = 0 and the moment when the spring "
+    "first reaches a maximum extension. State the answer in J to three significant figures, inside \\boxed{}."
+)
+
+
+def test_what_slides_on_a_plank_on_a_slope_moves_up_and_down_the_slope() -> None:
+    """No text speaks of the face of a plank."""
+    text = solve_prompt(PLANKS)[0].text
+    assert "the face" not in text
+    assert "up the slope" in text
+
+
+def test_all_energy_is_kinetic_at_a_natural_length_that_is_passed() -> None:
+    found = solve_prompt(SPRUNG)[0]
+    assert "The kinetic energy is greatest where the spring stores no energy, at its natural length." in found.text
+    assert re.search(
+        r"It passes that length, as it is compressed at first, \$\\ell_?\w* < \\ell_0\$, and stretched in the end\.",
+        found.text,
+    )
+    assert any(relation.role == "exceeds" for relation in found.relations)

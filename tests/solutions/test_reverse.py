@@ -76,9 +76,12 @@ def solved(prompt: str) -> Solution:
 @pytest.mark.parametrize(
     ("prompt", "said"),
     [
-        (TENSION, "Inserting these equations and the given $T$ into each other gives, in SI units, $11.533"),
-        (TENSION, r"The other root, $-10.208\ \text{kg}$, is negative."),
-        (LANDING, r"Inserting these equations into each other gives $v_1 = \sqrt{v^{2} \cos^{2} \theta"),
+        (
+            TENSION,
+            "Inserting $a_A$ and $a_M$ into the equation for $T$, with the given $T$, gives, in SI units, $11.533",
+        ),
+        (TENSION, r"The other root, $-10.208\ \text{kg}$, is negative, but $m_B$ is positive."),
+        (LANDING, r"$v_y$ and $t$ into the equation for $v_1$ gives $v_1 = \sqrt{v^{2} \cos^{2} \theta"),
         (
             LANDING,
             r"for the given $v_1$, with $\cos^{2} \theta = \tfrac{1}{2} \left(1 + \cos\left(2\,\theta\right)\right)$",
@@ -139,7 +142,7 @@ PRISM = (
 
 def test_formulas_put_into_each_other_stand_in_symbols_where_these_are_short() -> None:
     text = solve_prompt(HALTED)[0].text
-    assert r"Inserting these equations into each other gives $U = \frac{8\,\mu m^{2} g^{2}" in text
+    assert r"$x_1$ and $x_0$ into the equation for $U$ gives $U = \frac{8\,\mu m^{2} g^{2}" in text
     assert "in numbers" not in text
 
 
@@ -151,3 +154,9 @@ def test_a_quotient_of_numbers_has_its_equation_before_it() -> None:
     text = solve_prompt(PRISM)[0].text
     assert r"In SI units, $a_M = \frac{" in text
     assert r"so $M = \frac{4.5903}{3.2755} = 1.4014\ \text{kg}$." in text
+
+
+def test_the_other_angle_with_a_sine_is_more_than_a_right_angle() -> None:
+    found = solve_prompt(ENERGY)[0]
+    assert "The other angle with this sine, $144.10^\\circ$, is more than $90^\\circ$." in found.text
+    assert any(r.role == "exceeds" and r.left.latex() == r"\pi - \theta" for r in found.relations)

@@ -22,7 +22,12 @@ from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 VELOCITY = re.compile(r"the velocity of the probe with the engine on is \$([^$]*)\$ at the time \$\\tau\$ after")
-UPPER = re.compile(r"integral of this velocity from 0 to \$([^$]*)\$, is \$(s(?:_\{\\text\{out\}\})?) = ")
+UPPER = re.compile(r"\\int_0\^\{(.*?)\} .*? So the distance covered(?: by burnout)? is \$(s(?:_\{\\text\{out\}\})?) = ")
+MASSES = re.compile(
+    r"becomes \$(?P<factor>.*?) \\int_\{(?P<low>.*?)\}\^\{(?P<high>m[^ ]*)\} (?P<log>.*?)"
+    r"\\,\\mathrm\{d\}x(?P<fallen>[^$]*)\$; "
+    r"the antiderivative of \$(?P<again>[^$]*)\$ is \$(?P<primitive>[^$]*)\$"
+)
 HEAVY, LIGHT = 20.0, 9.0  # kg/s: of these rates of burning the first lifts the rocket at once
 
 
@@ -57,6 +62,38 @@ def test_a_distance_is_the_integral_of_the_velocity_that_is_written(
         for place in places.tolist()
     ]
     assert 0.5 * end * float(weights @ speeds) == pytest.approx(found.values[name], rel=1e-9)
+
+
+@pytest.mark.parametrize("place", [DeepSpace(), LevelGround()])
+@pytest.mark.parametrize("rate", [HEAVY, LIGHT])
+@pytest.mark.parametrize("moment", [BurnedOut, AtTime(46.0)])
+def test_the_integral_over_the_mass_is_displayed_with_its_antiderivative(
+    place: StartingPlace, rate: float, moment: object
+) -> None:
+    """The displayed integral is the distance, and the antiderivative has the right differences."""
+    found = flight(place, rate, moment)
+    (_, name), held = UPPER.findall(found.text)[0], MASSES.search(found.text)
+    assert held is not None, found.text
+
+    def value(formula: str, x: float = 1.0) -> float:
+        return read(f"$y = {formula}$", {**found.values, "x": x}).values["y"]
+
+    low, high = value(held["low"]), value(held["high"])
+    primitive = value(held["primitive"], high) - value(held["primitive"], low)
+    places, weights = np.polynomial.legendre.leggauss(40)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    logs = [value(held["log"], middle + half * place) for place in places.tolist()]
+    assert held["log"] == held["again"]
+    assert half * float(weights @ logs) == pytest.approx(primitive, rel=1e-9)
+    fallen = value("0" + held["fallen"]) if held["fallen"] else 0.0
+    assert value(held["factor"]) * primitive + fallen == pytest.approx(found.values[name], rel=1e-9)
+
+
+@pytest.mark.parametrize(("place", "words"), [(DeepSpace(), ""), (LevelGround(), ", with gravity")])
+def test_the_velocity_at_burnout_is_named(place: StartingPlace, words: str) -> None:
+    found = flight(place, HEAVY, AtTime(46.0))
+    assert rf"By the rocket equation{words}, the velocity at burnout is $v_{{\text{{out}}}} = " in found.text
+    assert r"So the distance covered by burnout is $s_{\text{out}} = " in found.text
 
 
 def test_how_high_a_rocket_comes_does_not_take_how_long_it_falls_free() -> None:

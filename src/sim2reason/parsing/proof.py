@@ -29,6 +29,19 @@ _ZEROS = re.compile(r"(?<=\d)\.0+(?![\d])|(?<=\.)(\d*[1-9])0+(?!\d)")
 _MEASURED = re.compile(r"(\d+(?:\.\d+)?) ([A-Za-zµΩ²³·]+(?:/[A-Za-zµΩ²³·]+)?)")
 
 
+class UnsaidError(TextError):
+    """A text that says nothing of something that matters in its scene."""
+
+    def __init__(self, name: str) -> None:
+        """Store the name of the closing that would say it."""
+        self.name = name
+        super().__init__("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
+
+    def __reduce__(self) -> tuple[type[TextError], tuple[str, str, str]]:
+        """Pickle it as the error without the name, which only the parser looks at."""
+        return TextError, (self.place, self.problem, self.remedy)
+
+
 class ScriptedWriter(Writer):
     """A writer whose choices are prescribed; where they run out it takes the first wording."""
 
@@ -108,7 +121,7 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
     """Return if the scene has this text; TextError names what should have been said or said otherwise."""
     needed: dict[str, Topic | None] = {closing.name: closing.topic for closing in closings(scene)}
     if lacking := unsaid(scene, state):
-        raise TextError("text", f"nothing is said of {lacking[0]!r}, which matters here", "say it at the end")
+        raise UnsaidError(lacking[0])
     for name in state.closings:
         if name not in needed:
             raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")

@@ -15,8 +15,10 @@ from sim2reason.parsing.assembly import assembled
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.lines import entity_lines, may_begin
 from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
+from sim2reason.parsing.ordinary.nearest import nearest
+from sim2reason.parsing.ordinary.recast import first_unlike, recast
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
-from sim2reason.parsing.proof import prove, unsaid
+from sim2reason.parsing.proof import UnsaidError, prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import CLOSINGS
@@ -24,6 +26,7 @@ from sim2reason.prose.closings import CLOSINGS
 MAX_READINGS = 200
 ASKS = r"\boxed"  # how the last sentence of every prompt ends
 IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
+PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may leave out
 ENDS = 2  # of a connection
 SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
@@ -59,13 +62,73 @@ def parse_scene(
 
     A `startless` text may leave out where things are at first and how they are sent off, as some questions do.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
-    Readings that move alike and call things alike are one; the first is returned.
+    Readings that move alike and call things alike are one; the first is returned. Other texts may be in ordinary
+    English, where each sentence says neither more nor less than one of the library.
 
     Raises:
-        TextError: the text tells no scene, or more than one.
+        TextError: the text tells no scene, or more than one; the message has the nearest sentence of the library.
     """
     rng = rng if rng is not None else np.random.default_rng(0)
     said = pieces(text)
+    readings = _readings(said, rng, given, startless=startless)
+    if len(readings.found) == 1:
+        return readings.found[0]
+    plain = readings.stuck is not None and not startless and not given
+    told = _in_ordinary_english(said, rng) if plain else None
+    if told is not None:
+        return told
+    raise _sent_on(text, _with_nearest(readings.stuck or 0, said) if plain else readings.refusal())
+
+
+@dataclass(frozen=True)
+class _Readings:
+    """All readings of a text that are proven, and why others are not, each with the number of facts that it lacks."""
+
+    found: list[ParsedScene]
+    refused: list[tuple[int, TextError]]
+    matcher: Matcher
+
+    @property
+    def unsaid(self) -> list[str]:
+        """The closings that alone are missing in some reading."""
+        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
+
+    @property
+    def stuck(self) -> int | None:
+        """The index of the first sentence that no reading got through; None if some got through all."""
+        reach = self.matcher.reach
+        return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
+
+    def refusal(self) -> TextError:
+        """Return why there is not exactly one reading."""
+        if self.found:
+            one, other = (_described(reading.scene) for reading in self.found[:2])
+            return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
+        if self.refused:
+            return min(self.refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
+        if self.stuck is None:
+            return TextError("text", "it ends before all is told", "give the whole text of one scene")
+        return _unread(self.stuck, self.matcher.pieces[self.stuck])
+
+
+def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
+    """The scene of a text whose sentences say the same as some of the library; None if there is none."""
+    for first in recast(said):
+        waiting = [first]
+        for told in waiting:  # grows as it is walked through
+            readings = _readings(told.said, rng, NONE_GIVEN)
+            if len(readings.found) == 1 and told.whole:
+                return readings.found[0]
+            if len(told.added) < PRESUMED_AT_MOST:
+                more = (told.adding(name) for name in readings.unsaid)
+                waiting.extend(text for text in more if text is not None and text not in waiting)
+    return None
+
+
+def _readings(
+    said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
+) -> _Readings:
+    """All readings of a text in the library's own sentences."""
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
@@ -85,9 +148,7 @@ def parse_scene(
                 refused.append((lacking, error))
             except (SceneError, UnsupportedError, ValueError) as error:
                 refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
-    if len(found) == 1:
-        return next(iter(found.values()))
-    raise _sent_on(text, _refusal(list(found.values()), refused, matcher))
+    return _Readings(list(found.values()), refused, matcher)
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
@@ -97,21 +158,26 @@ def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
-def _refusal(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> TextError:
-    if found:
-        one, other = (_described(reading.scene) for reading in found[:2])
-        return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
-    if refused:
-        return min(refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
-    if matcher.reach == len(matcher.pieces):
-        return TextError("text", "it ends before all is told", "give the whole text of one scene")
-    fits = f"{shown(matcher.pieces[matcher.reach])} fits nowhere"
-    return TextError(f"sentence {matcher.reach + 1}", fits, "say it in the words of the templates, or leave it out")
-
-
 def _sent_on(text: str, error: TextError) -> TextError:
     """The same, with what reads prompts where the text is one."""
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
+
+
+def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
+    """That a sentence is none of the library's, or not where it stands, with the one that comes nearest."""
+    remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
+    return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
+
+
+def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
+    """Why a text is no scene: the first sentence from one on that says what none of the library does."""
+    unlike = first_unlike(said[stuck:])
+    told = next(recast(said), None) if unlike is None else None
+    if told is not None:
+        words = f"in the library's words: {' '.join(told.said)}"
+        return TextError("text", "its sentences make no scene together", words)
+    index = stuck + (unlike or 0)
+    return _unread(index, said[index], nearest(said[index]))
 
 
 def _described(scene: Scene) -> str:

@@ -34,6 +34,7 @@ class Quantity(ABC):
 
     When it is asked:
         weight: how often, compared with other quantities.
+        drawn_by_recipes: whether recipes ask for it; if not, only people do.
         needs: what its subject must have and the text must say, such as ``mass``.
         given: whether the text gives it at the start.
         immediate: whether it can differ from zero at once, and hangs on more than what the text gives.
@@ -63,6 +64,7 @@ class Quantity(ABC):
     sense: ClassVar[Sense | None] = None
     center: ClassVar[bool] = False
     weight: ClassVar[float] = 1.0
+    drawn_by_recipes: ClassVar[bool] = True
     needs: ClassVar[tuple[str, ...]] = ()
     given: ClassVar[bool] = False
     immediate: ClassVar[bool] = False

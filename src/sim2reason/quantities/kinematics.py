@@ -1,10 +1,15 @@
 """Where bodies are and how they move: of their centres of mass, in room coordinates."""
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
+
+STRAIGHT = 1e-9  # of the product of speed and acceleration: with less between them, a path does not bend
 
 
 @quantity
@@ -70,6 +75,31 @@ class Acceleration(Quantity):
         for number, way in point.gradient.items():
             total = plus(total, times(state.a[:, number], way))
         return state.vector(total)
+
+
+@quantity
+class CurvatureRadius(Quantity):
+    """The radius of curvature of the path, that of the circle itself where a body goes round in a magnetic field."""
+
+    name, unit, symbol = "radius of curvature", "m", "R"
+    of = Bodies()
+    magnitude = "the radius of curvature of the path of {body}{ground}"
+    center = True
+    drawn_by_recipes = False
+    floor = 0.1
+    order = 3
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the path is no straight line."""
+        return not center_path(mechanism, name).straight
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """|v|³/|v × a| in m, (n,); NaN where the path does not bend, or the body is at rest."""
+        velocity, acceleration = Velocity.evaluate(state, subject), Acceleration.evaluate(state, subject)
+        speed, turning = np.linalg.norm(velocity, axis=1), np.linalg.norm(np.cross(velocity, acceleration), axis=1)
+        bends = turning > STRAIGHT * speed * np.linalg.norm(acceleration, axis=1)
+        return np.where(bends, speed**3 / np.where(bends, turning, 1.0), np.nan)
 
 
 @quantity

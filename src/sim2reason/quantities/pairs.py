@@ -11,6 +11,7 @@ from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import AXES, moves
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.quantities.subjects.relative import RelativeBodies
 
 
 @quantity
@@ -60,3 +61,23 @@ class RelativeSpeed(Quantity):
         """|v − v′|, (n,)."""
         a, b = members(subject)
         return np.linalg.norm(Velocity.evaluate(state, a) - Velocity.evaluate(state, b), axis=1)
+
+
+@quantity
+class RelativeVelocity(Quantity):
+    """The velocity of the centre of mass of one body relative to that of another; never drawn."""
+
+    name, unit, symbol = "relative velocity", "m/s", "u"
+    of, vector = RelativeBodies(), True
+    magnitude = "the speed of {relative}"
+    signed = "the {component}velocity of {relative}"
+    given = True
+    drawn_by_recipes = False
+    floor, least = 0.1, 1e-2
+    order = 2
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return v − v′ in m/s, (n, 3)."""
+        a, b = members(subject)
+        return Velocity.evaluate(state, a) - Velocity.evaluate(state, b)

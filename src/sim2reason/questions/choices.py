@@ -20,7 +20,7 @@ def pick(
     targets: Iterable[Target], rng: np.random.Generator, worth: Callable[[Target], bool] = lambda _: True
 ) -> Target | None:
     """A target that is worth asking, by the weight of its quantity, which all its targets share; None without any."""
-    left = list(targets)
+    left = [target for target in targets if QUANTITIES[target.quantity].drawn_by_recipes]
     while left:
         names = [target.quantity for target in left]
         weights = np.array([t.share * QUANTITIES[t.quantity].weight / names.count(t.quantity) for t in left])

@@ -163,8 +163,8 @@ def _understood(
 def _in_ordinary_english(
     draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
 ) -> ParsedPrompt:
-    """Return the meaning of a draft with a question in ordinary English; TextError if the question has no meaning."""
-    reading = parse_scene(draft.story, rng, draft.given, startless=True)
+    """Return the meaning of a draft with a question in ordinary English; TextError if a part has no meaning."""
+    reading = _told(draft, rng)
     if len(reading.unknown) > 1:
         raise untold(reading.unknown.values())
     if given or reading.unknown or "start" in reading.without:
@@ -176,6 +176,16 @@ def _in_ordinary_english(
         raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
     asked = ParsedQuestion("numeric", meant.posed.query)
     return ParsedPrompt(reading, meant.followed.study, asked, unit, shape, meant.followed.reason)
+
+
+def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
+    """Return the scene of a draft, whose story may be in ordinary English, too."""
+    try:
+        return parse_scene(draft.story, rng, draft.given, startless=True)
+    except TextError:
+        if draft.given:
+            raise
+        return parse_scene(draft.story, rng)
 
 
 def _begun(reading: ParsedScene) -> FollowedMotion:

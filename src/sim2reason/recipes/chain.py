@@ -38,9 +38,10 @@ IDEAS = {
 # a blow bears on neither a period nor a start, nor does every spring on both; moments of two modes take a computer
 WEIGHTS = {
     "period": 0.5,
-    "start": 0.3,
-    "event": 0.4,
-    "sum": 0.4,
+    "start": 0.15,
+    "comparison": 0.5,
+    "event": 0.2,
+    "sum": 0.2,
     "extremum": 0.4,
     "time_to_event": 0.2,
     "equilibrium": 0.2,

@@ -45,7 +45,7 @@ TIERS = {
 }
 
 
-WEIGHTS = {"threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
+WEIGHTS = {"sum": 0.7, "threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
 
 
 @recipe("hybrid", weights=WEIGHTS)

@@ -56,6 +56,7 @@ WEIGHTS = {
     "threshold": 0.3,
     "extremum": 0.1,
     "optimum": 0.3,
+    "limit": 0.3,
     "reverse.comparison": 0.3,
 }
 

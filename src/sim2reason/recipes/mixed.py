@@ -70,7 +70,7 @@ WEIGHTS = {
     "period": 0.2,
     "sum": 0.5,
     "extremum": 0.6,
-    "comparison": 0.4,
+    "comparison": 0.3,
     "equilibrium": 0.1,
     "threshold": 0.1,
     "limit": 0.1,

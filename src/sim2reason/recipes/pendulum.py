@@ -46,9 +46,9 @@ TIERS = {
 
 # where a bob is at a time, and when it is somewhere, takes elliptic functions
 WEIGHTS = {
-    "start": 0.2,
+    "start": 0.1,
     "event": 0.6,
-    "sum": 0.6,
+    "sum": 0.3,
     "state": 0.1,
     "time_to_event": 0.1,
     "period": 0.2,

@@ -21,12 +21,12 @@ LEVEL = {
     "start?": 1.0,
     "way": ("to the right",),
 }
-ROCKS = {  # with a hole so large, and on so gentle a slope, that it counts
+ROCKS = {  # with a hole so large, a centre of mass so low, and on so gentle a slope, that it counts
     "body": HOLED,
     "hole?": 1.0,
     "towards?": 1.0,
     "grip": ("NoSlipping",),
-    "bearing": Range(20.0, 160.0),
+    "bearing": Range(15.0, 60.0),
     "radius": Range(0.15, 0.2),
     "hole": Range(0.11, 0.15),
     "offset": Range(0.03, 0.055),
@@ -40,7 +40,13 @@ def _hole_counts(entity: RollingEntity) -> bool:
     return solid >= COUNTS * plain
 
 
-LIVELY = {**ROLLS, "grip": ("Rough",), "start?": 1.0, "start": ("Sliding", "Spinning", "Spinning")}
+LIVELY = {
+    **ROLLS,
+    "grip": ("Rough",),
+    "angle": Range(20.0, 42.0),
+    "start?": 1.0,
+    "start": ("Sliding", "Spinning", "Spinning"),
+}
 IDEAS = {
     "easy": (
         Idea(KIND, {**ROLLS, "start?": 0.0}),
@@ -49,10 +55,10 @@ IDEAS = {
     "medium": (  # it slips until it rolls, slips all the way on too steep a slope, or has its weight on one side
         Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 2.0),
         Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.3}),
-        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 2.0, _hole_counts),
+        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 1.0, _hole_counts),
     ),
     "hard": (
-        Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 2.0, _hole_counts),
+        Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 1.0, _hole_counts),
         Idea(KIND, LIVELY, 2.0),
         Idea(
             PRISM,

@@ -1,8 +1,11 @@
 """Rigid bodies that swing about an axle."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
+from math import copysign, nan, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,8 +14,9 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.solids import Solid
-from sim2reason.entities.parts.assembly import WeldedArm, holds_axle
+from sim2reason.entities.parts.assembly import holds_axle
 from sim2reason.entities.parts.pieces import (
+    FIRST,
     OTHER,
     AxialPiece,
     BallPiece,
@@ -29,16 +33,16 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.bearing import idle
 from sim2reason.recipes.parts.ranges import SIZES
 
-NEAR = {**SIZES, "distance": Range(0.1, 0.5), "side?": 0.4, "side": (OTHER,)}
-FAR = {"distance": Range(0.2, 0.8), "side?": 0.4, "side": (OTHER,)}
+NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
+FAR = Range(0.2, 0.8)  # m, for small balls
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}
 SMALL = 0.5  # the chance that a further piece is a small ball
-OWN = 0.14  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
+OWN = 0.175  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
+MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
 MANY = 3  # pieces, of which one may have a size without bearing
-TOO_MANY = 2  # sizes without bearing, whatever the pieces
-DRAWS = 200
-TRIES = 60  # pieces that are drawn before all are drawn anew
+TRIES = 10  # pieces that are drawn before all are drawn anew
+DRAWS = 20 * TRIES
 
 
 @dataclass(frozen=True)
@@ -58,11 +62,11 @@ TIERS = {
 
 # a period hangs neither on how it begins nor on a lone mass
 WEIGHTS = {
-    "sum": 0.4,
+    "sum": 0.1,
     "state": 0.3,
     "time_to_event": 0.2,
     "period": 0.5,
-    "comparison": 0.3,
+    "comparison": 0.2,
     "threshold": 0.4,
     "optimum": 0.1,
 }
@@ -74,31 +78,55 @@ def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     tiers = TIERS[difficulty]
     tier = tiers[int(rng.integers(len(tiers)))]
     choices = {"rate?": tier.pushed, "rate": PUSH}
-    for _ in range(DRAWS):
-        arm = draw(RotationEntity, rng, choices, {"pieces": _pieces(tier, rng)})
-        if _bears(arm):
-            return Scene(entities=(Named(name="arm", entity=arm),))
-    raise SceneError("arm", f"the pieces of none of {DRAWS} draws all have a bearing", "draw again")
+    arm = draw(RotationEntity, rng, choices, {"pieces": _pieces(tier, rng)})
+    return Scene(entities=(Named(name="arm", entity=arm),))
 
 
 def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
     """One that is large, and others, perhaps small, where there is room on the arm; last those beyond the axle."""
-    count, found, tries = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), list[WeldedPiece](), 0
-    shares = np.array(list(SOLID.values()))
-    while len(found) < count:
-        kind = BallPiece if found and rng.random() < SMALL else list(SOLID)[int(rng.choice(len(SOLID), p=shares))]
-        piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
-        tries += 1
-        if not holds_axle(piece) and all(is_clear(piece, other) for other in found) and _is_worth(piece, found):
+    count, found = 0, list[WeldedPiece]()
+    kinds, chances = [*SOLID], np.array([*SOLID.values()])
+    for attempt in range(DRAWS):
+        if attempt % TRIES == 0:  # the first ones may have taken all the room
+            count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), []
+        kind = BallPiece if found and rng.random() < SMALL else kinds[int(rng.choice(len(kinds), p=chances))]
+        piece = _drawn_near(kind, rng, found)
+        if piece is not None and _fits(piece, found) and _bear([*found, piece], unmoved=count >= MANY):
             found.append(piece)
-        elif tries == TRIES:  # the first ones have taken all the room
-            found, tries = [], 0
-    return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+        if len(found) == count:
+            return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+    raise SceneError("arm", f"{DRAWS} draws gave too few pieces that all have a bearing", "draw again")
 
 
-def _is_worth(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
-    """Return whether the pieces stay large with `piece` among them, and `piece` alone is large or a small ball."""
-    return (isinstance(piece, BallPiece) or _is_large([piece])) and _is_large([*others, piece])
+def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Sequence[WeldedPiece]) -> WeldedPiece | None:
+    """Draw a piece near enough to the axle that the size of each piece matters; None if it can't be so near."""
+    distances = FAR if kind is BallPiece else NEAR
+    choices = {**SIZES, "side?": 0.4, "side": (OTHER,), "distance": distances}
+    piece = draw(kind, rng, choices, {} if others else {"side": FIRST})
+    farthest = _farthest(piece, others)
+    if piece.distance > farthest > distances.low:
+        kept = {name: value for name, value in piece if name != "distance"}
+        piece = draw(kind, rng, {"distance": Range(distances.low, farthest)}, kept)
+    return piece if piece.distance <= farthest else None
+
+
+def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
+    """Return the greatest distance, m, at which enough of the inertia belongs to the pieces about their own centres.
+
+    A piece that is no small ball has enough of its own; NaN if there is no such distance.
+    """
+    solid, mass, share, before = _solid(piece), piece.shape.mass, _share(piece), _total(map(_share, others))
+    most = MOVED * (before.own + share.own) - before.moved
+    if not isinstance(piece, BallPiece):
+        most = min(most, MOVED * share.own)
+    x, _, z = solid.center
+    squared = most / mass - z**2
+    return sqrt(squared) - copysign(x, x * piece.place) if squared >= 0.0 else nan
+
+
+def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
+    """Return whether a piece leaves the axle free, and is beside the others."""
+    return not holds_axle(piece) and all(is_clear(piece, other) for other in others)
 
 
 def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
@@ -107,33 +135,43 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
     return (high < near or far < low) and not any(begin < 0.0 < end for begin, end in (one.span, other.span))
 
 
-def _bears(arm: WeldedArm) -> bool:
-    """Return whether nearly every size of an arm's pieces affects the motion; the mass of a lone piece cancels."""
-    unmoved = [*islice((path for path in idle(arm, _responses) if path.startswith("pieces.")), TOO_MANY)]
-    return len(unmoved) <= (len(arm.pieces) >= MANY) or unmoved == ["pieces.0.body.mass"]
+def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
+    """Return whether all numbers of some pieces but `unmoved` affect how an arm with them moves.
+
+    The mass of a lone piece cancels.
+    """
+    shares = [_share(piece) for piece in pieces]
+    for number, piece in enumerate(pieces):
+        others = _total([*shares[:number], *shares[number + 1 :]])
+        paths = (path for path in idle(piece, partial(_responses, others)) if len(pieces) > 1 or path != "body.mass")
+        unmoved -= sum(1 for _ in islice(paths, unmoved + 1))
+        if unmoved < 0:
+            return False
+    return True
 
 
-def _responses(arm: WeldedArm) -> tuple[float]:
-    """What its motion hangs on: the sum of m x over the moment of inertia about the axle, 1/m."""
-    solids = [_solid(piece) for piece in arm.pieces]
-    moment = sum(p.shape.mass * (solid.center[0] + p.place) for p, solid in zip(arm.pieces, solids, strict=True))
-    return (moment / sum(_inertia(arm.pieces, solids)),)
+class _Share(NamedTuple):
+    """Of pieces: their part in the motion of an arm."""
+
+    moment: float  # m x, kg·m
+    own: float  # moment of inertia about their own centres, kg·m²
+    moved: float  # what the parallel-axis theorem adds, kg·m²
 
 
-def _is_large(pieces: Sequence[WeldedPiece]) -> bool:
-    """Whether enough of the inertia belongs to the pieces about their own centres."""
-    own, moved = _inertia(pieces, [_solid(piece) for piece in pieces])
-    return own >= OWN * (own + moved)
+def _share(piece: WeldedPiece) -> _Share:
+    solid, mass = _solid(piece), piece.shape.mass
+    x, z = solid.center[0] + piece.place, solid.center[2]
+    return _Share(mass * x, solid.inertia(mass)[1], mass * (x * x + z * z))
 
 
-def _inertia(pieces: Sequence[WeldedPiece], solids: Sequence[Solid]) -> tuple[float, float]:
-    """Moments of inertia about their own centres, and what is added about the axle by the parallel-axis theorem."""
-    own = moved = 0.0
-    for piece, solid in zip(pieces, solids, strict=True):
-        mass, (x, _, z) = piece.shape.mass, solid.center
-        own += solid.inertia(mass)[1]
-        moved += mass * ((piece.place + x) ** 2 + z**2)
-    return own, moved
+def _total(shares: Iterable[_Share]) -> _Share:
+    return _Share(*map(sum, zip(*shares, strict=True))) if (shares := [*shares]) else _Share(0.0, 0.0, 0.0)
+
+
+def _responses(others: _Share, piece: WeldedPiece) -> tuple[float]:
+    """What the motion of an arm hangs on: the sum of m x over the moment of inertia about the axle, 1/m."""
+    found = _total((others, _share(piece)))
+    return (found.moment / (found.own + found.moved),)
 
 
 def _solid(piece: WeldedPiece) -> Solid:

@@ -57,11 +57,11 @@ IDEAS = {
 
 # where springs pull from several sides, what adds up on the way, and when it is there, takes an integration
 WEIGHTS = {
-    "start": 0.1,
-    "state": 0.5,
-    "event": 0.3,
+    "start": 0.05,
+    "state": 0.3,
+    "event": 0.2,
     "time_to_event": 0.8,
-    "sum": 0.1,
+    "sum": 0.05,
     "comparison": 0.1,
     "optimum": 0.0,
     "symbolic.extremum": 0.3,

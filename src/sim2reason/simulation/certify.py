@@ -40,8 +40,8 @@ class Certificate:
     """What two engines agree on.
 
     `agreement` holds each channel's worst difference, relative to the scene's largest value of that quantity,
-    over all that was compared; `until` the time from which the channel is not to be trusted. Samples in the
-    `blind` intervals, around events, were not compared.
+    over all that was compared, but for quantities that only people ask for; `until` the time from which the channel is
+    not to be trusted. Samples in the `blind` intervals, around events, were not compared.
     """
 
     engines: tuple[str, str]
@@ -210,9 +210,11 @@ class _Table:
         apart = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
         silent = np.isfinite(size[:, self._heard]) & np.isnan(apart)
         for row, (channel, _) in enumerate(members):
-            self.agreement[channel] = float(np.nanmax(apart[row], initial=0.0))
             over = self._first(apart[row] > self.tolerance)
             self.until[channel] = min(over, self._first(silent[row]))
+            if not quantity.drawn_by_recipes:
+                continue  # what only people ask ends no motion from which recipes draw
+            self.agreement[channel] = float(np.nanmax(apart[row], initial=0.0))
             if over < self._end:
                 self._over[channel] = over
 

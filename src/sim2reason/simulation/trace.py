@@ -50,6 +50,12 @@ IMPACTS = frozenset({"collision", "taut", "land"})
 """Kinds of events at which velocities change at once, so that forces and accelerations are infinite."""
 
 
+def in_order(times: Array) -> Array:
+    """Return instants, (n,), in ascending order without repeats; `np.unique` takes five times as long for so few."""
+    found: Array = np.sort(times)
+    return found[np.append(found[1:] != found[:-1], True)] if len(found) else found
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """Something of one of the `EVENT_KINDS` that happens at an instant, to `subjects` in the order of engines."""
@@ -139,13 +145,13 @@ class Trace:
         end = min(self.stable_until, float(self.state.times[-1]))
         events = np.array([event.time for event in self.events])
         borders = np.concatenate([[0.0, end], self.knots(), events, np.nextafter(events, 0.0)])
-        borders = np.unique(borders[(borders >= 0.0) & (borders <= end)])
+        borders = in_order(borders[(borders >= 0.0) & (borders <= end)])
         if len(borders) < 2:
             return self.sample(borders)
         pieces = min(max(PER_STEP, -(-LEAST // (len(borders) - 1))), max(1, MOST // len(borders)))
         shares = np.arange(pieces) / pieces
         inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
-        return self.sample(np.unique(np.append(inner.ravel(), end)))
+        return self.sample(in_order(np.append(inner.ravel(), end)))
 
 
 def ending(trace: Trace) -> str:

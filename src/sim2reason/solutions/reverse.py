@@ -15,20 +15,17 @@ from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.algebra.single_sine import beyond_right_angle, single_sine
+from sim2reason.solutions.algebra.single_sine import single_sine
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
 from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.opposite_sign import exclude_opposite
+from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
-from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
-Sides = tuple[Expression, Expression]
-"""Left and right of an equation."""
 
 
 def forward(setting: Setting) -> Setting:
@@ -65,8 +62,9 @@ class Inversion:
             raise UnsolvedError("what is given does not hang on what is unknown")
         self.stated, self.magnitude = value, magnitude
         self._found: list[tuple[str, Expression]] = []  # names from the goal to the unknown, with their formulas
-        self._together = False  # formulas were put into each other since the last name was found
+        self._inserted: list[str] = []  # names whose formulas were put in since the last name was found
         self._defined = book.formulas[goal]
+        self._roots = OtherRoots(book, unknown, lambda name: self._chain(name, *self._leading(name)))
 
     def write(self, spelled: str = "") -> str:
         """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
@@ -81,10 +79,11 @@ class Inversion:
                 found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
                     others = self._others(names[0], formula, value)
-                    self._close(names[0], found, at, others, self._equation_behind(names[0], found, formula, value))
+                    behind = self._equation_behind(names[0], found, formula, value)
+                    self._close(names[0], found, at, others, [*([behind] if behind else []), (value, formula)])
                     if names[0] == self.unknown:
                         return self.unknown
-                    at, (formula, value), self._together = names[0], self._equation(names[0]), False
+                    at, (formula, value), self._inserted = names[0], self._equation(names[0]), []
                     continue
             if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
                 return self._numerically(at)
@@ -94,7 +93,8 @@ class Inversion:
             if len(formula.latex()) > LONG:
                 return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
-            formula, self._together = put(formula, last, book.formulas[last]), True
+            formula = put(formula, last, book.formulas[last])
+            self._inserted.append(last)
         return self._numerically(at)
 
     def _begun(self, spelled: str) -> tuple[Expression, Expression]:
@@ -162,7 +162,7 @@ class Inversion:
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return both sides of the equation that formulas put into each other give; None if it is long."""
         bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {Worked}
-        if not self._together and not bare:
+        if not self._inserted and not bare:
             return None
         if next(numbers(found), None) is not None:
             short = self._in_numbers(name, formula)
@@ -179,7 +179,7 @@ class Inversion:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
         book = self.book
         names = self._leading(at)
-        chain = Chain(tuple((name, self._formula(name)) for name in (*names, at)))
+        chain = self._chain(at, *names)
         near = book.values[self.unknown]
         closed = closed_root(chain, Symbol(at), self.unknown, book.values)
         root = closed or NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
@@ -189,47 +189,17 @@ class Inversion:
         if not self.stated:
             step.rest_on(self.goal)
         if closed:
-            said = f"Inserting these equations into each other leaves one for ${self.unknown}$, in numbers"
+            said = f"{self._insertion(at, names[::-1])} leaves one for ${self.unknown}$ alone, in numbers"
             how = f"${closed.equation.latex()} = 0$, so"
         else:
             said, how = f"These equations determine ${self.unknown}$;", "the numerical solution is"
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
-        self._drop(
-            step, self.unknown, other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
-        )
+        others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
+        self._roots.drop(step, self.unknown, others)
+        self._roots.exclude(others)
         self._tell_implied(step, names)
         step.close()
         return self.unknown
-
-    def _drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
-        """Say why another root does not count: a number that is positive would be negative."""
-        book = self.book
-        if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
-            return
-        number = f"The other root, ${with_unit(others[0], book.units[name])}$,"
-        if name == self.unknown:
-            step.say(f"{number} is negative.")
-        elif self._would_be_negative(name, others[0]):
-            step.say(f"{number} would take a negative ${self.unknown}$.")
-
-    def _tell_too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
-        """Say that another root is no time of a stage that ends before a stated instant."""
-        book = self.book
-        stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
-        late = [held for held in stated if book.values[name] < book.values[held] < min(others, default=0.0)]
-        if len(others) == 1 and late:
-            step.say(f"The other root, ${with_unit(others[0], SECONDS)}$, is later than ${late[0]}$.")
-
-    def _would_be_negative(self, name: str, value: float) -> bool:
-        """Return whether a name on which the unknown hangs linearly has a value only where the unknown is negative."""
-        chain = Chain(tuple((held, self._formula(held)) for held in (*self._leading(name), name)))
-        at, known = self.book.values, self.book.values[self.unknown]
-        try:
-            one, two, three = (float(chain.value({**at, self.unknown: n * known}).real) for n in (1.0, 2.0, 3.0))
-        except (ValueError, ArithmeticError):  # it has no value for twice the number
-            return False
-        straight = two != one and abs(three - 2.0 * two + one) <= 1e-9 * max(abs(one), abs(two))
-        return straight and (value - one) / (two - one) < -1.0
 
     def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
         """Tell the values of names that have been written without one, roots and values of special functions."""
@@ -251,6 +221,10 @@ class Inversion:
             waiting += more
         return [name for name in formulas if name in found]
 
+    def _chain(self, at: str, *names: str) -> Chain:
+        """Return the formulas of names, and of one that hangs on them, as one."""
+        return Chain(tuple((name, self._formula(name)) for name in (*names, at)))
+
     def _formula(self, name: str) -> Expression:
         """That of a name, also of a goal that is set to zero and so has none any more."""
         return self._defined if name == self.goal else self.book.formulas[name]
@@ -259,14 +233,22 @@ class Inversion:
         """Return what is said before an equation that several formulas lead to; empty for any other."""
         numeric, counted = any(next(numbers(side), None) is not None for side in equation), self.book.counts_in_si
         units = f" in {'SI units' if counted else 'numbers'}," if numeric else ""
-        if not self._together:
+        if not self._inserted:
             return f"In{units[3:]} " if numeric else ""
         given = at == self.goal and self.stated and equation[0].latex() != at
-        what = f"these equations and the given ${at}$" if given else "these equations"
-        return f"Inserting {what} into each other gives{',' if units else ''}{units} "
+        what, value = self._insertion(at, self._inserted), f", with the given ${at}$," if given else ""
+        return f"{what}{value} gives{',' if units else ''}{units} "
 
-    def _close(self, name: str, found: Expression, at: str, others: Sequence[float], equation: Sides | None) -> None:
-        """Say what a symbol is, by the equation that determines it."""
+    def _insertion(self, at: str, names: Sequence[str]) -> str:
+        """Return the beginning of a sentence about what is inserted into the equation of a name."""
+        inserted = [f"${name}$" for name in names if name not in (self.unknown, at)]
+        if not inserted:
+            return f"The equation for ${at}$"
+        return f"Inserting {joined(inserted)} into the equation for ${at}$"
+
+    def _close(self, name: str, found: Expression, at: str, others: Sequence[float], written: Sequence[Sides]) -> None:
+        """Say what a symbol is, by the equation that determines it: the last one, which may be written as the first."""
+        equation = written[0] if len(written) > 1 else None
         step = self.book.open(SOLVED)
         given = at == self.goal and bool(self.stated)
         where, how = f"With the given ${at}$, " if given else "So ", ""
@@ -277,7 +259,7 @@ class Inversion:
         names = self._leading(self.goal) if name == self.unknown else []
         if equation is not None:
             said, end = step.derived(*equation), "; " if how else ", so "
-            if self._together and given and not how and equation[0].latex() == at:
+            if self._inserted and given and not how and equation[0].latex() == at:
                 end = f", so for the given ${at}$, "
             lead = self._lead(at, equation) or where.replace("So ", "Hence ", 1)
             sine = single_sine(name, found)
@@ -290,9 +272,7 @@ class Inversion:
             self.book.refresh(name, self.book.values[name])
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
         if not isinstance(found, NumericRoot):
-            self._drop(step, name, others)
-            self._tell_too_late(step, name, others)
-            step.say(beyond_right_angle(others, self.book.values[name]) if self.book.units[name] == DEGREES else "")
+            self._roots.tell(step, name, found, others, written)
         self._found.append((name, found))
         if name == self.unknown and self.magnitude and not self.book.in_symbols:
             exclude_opposite(self.book, step, self.goal, self._found)

@@ -208,8 +208,15 @@ class Setting:
             return "to the right" if x > 0.0 else "to the left"
         if abs(y) > 1.0 - LEVEL:
             return "away from us" if y > 0.0 else "towards us"
-        surface = "slope" if on is None else "face"
+        surface = "slope" if on is None or self._slides_along(on, way) else "face"
         return f"{'up' if z > 0.0 else 'down'} the {surface}"
+
+    def _slides_along(self, body: str, way: Vector) -> bool:
+        """Whether a body, or what carries it, itself slides along a direction, as a plank on a slope does."""
+        axes = [held.axis for held in self.mechanism.body[body].coordinates]
+        parent = self.mechanism.body[body].parent
+        along = any(abs(abs(sum(a * b for a, b in zip(axis, way, strict=True))) - 1.0) < LEVEL for axis in axes)
+        return along or (parent is not None and self._slides_along(parent, way))
 
 
 def capital(text: str) -> str:

@@ -10,7 +10,7 @@ from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
-from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.expressions import Expression, Number
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.algebra.signs import plain_latex
 from sim2reason.solutions.writing.unit_latex import DEGREES
@@ -41,7 +41,7 @@ class Relation:
         """As it stands in the text, with dollars; of a result the value follows."""
         formula, sign = plain_latex(self.right), ">" if self.role == "exceeds" else "="
         text = f"{plain_latex(self.left)} {sign} {formula}"
-        if value is not None:
+        if value is not None and (self.unit or not isinstance(self.right, Number)):
             number = with_unit(value, self.unit)
             bare = formula == rounded(value) and self.unit != DEGREES
             plain = bare or isinstance(self.right, NumericRoot | SpecialFunction)

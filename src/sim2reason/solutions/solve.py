@@ -19,6 +19,7 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
 from sim2reason.solutions.collisions.placing import SOLVED, in_order
+from sim2reason.solutions.laws.tension_checks import after_what_they_rest_on
 from sim2reason.solutions.multipart.sequence import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
 from sim2reason.solutions.reverse import Inversion, forward
@@ -74,29 +75,32 @@ def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
     """
     key, study = ("derived by", strategy.name, setting.query), setting.study
     if derived:
-        return study.once(key, lambda: by(strategy, setting))
+        return study.once(key, lambda: by(strategy, setting, shown=False))
     asked = setting.unknown or setting.stated is not None or setting.sought is not None
     if not asked and setting.most < Need.INTEGRATION and study.knows(key):
-        found = study.once(key, lambda: by(strategy, setting))
+        found = study.once(key, lambda: by(strategy, setting, shown=False))
         if found.answer is None or found.needs <= setting.most:
             return found
     return by(strategy, setting)
 
 
-def by(strategy: Strategy, setting: Setting) -> Solution:
-    """The solution by one strategy, without an answer where it finds none; of a problem in symbols one in symbols."""
+def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
+    """The solution by one strategy, without an answer where it finds none; of a problem in symbols one in symbols.
+
+    One that is not `shown` lacks some verifications, on which nothing rests.
+    """
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
     unfit = strategy not in fitting(setting.mechanism)
     refused = refused or (strategy.unfit(setting.mechanism) if unfit else strategy.refusal(setting))
     if refused:
         return Solution(strategy.name, reason=refused, applies=False)
-    found = _written(strategy, setting)
+    found = _written(strategy, setting, shown=shown)
     if setting.formula is None or found.answer is None:
         return found
     said = {given.symbol for given in setting.lexicon.givens.values()}
     own = [symbol for symbol in setting.formula.symbols if symbol not in said]
-    found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)))
+    found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)), shown=shown)
     if found.answer is None:
         return found
     sides = [side for held in found.relations for side in (held.left, held.right)]
@@ -105,7 +109,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     return with_ingredients(replace(found, formula=setting.formula.latex))
 
 
-def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None) -> Solution:
+def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None, *, shown: bool) -> Solution:
     """A solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks_time = setting.sought is not None and not setting.unknown
     book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
@@ -123,7 +127,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         late = {*book.hidden, book.sought}
         if not book.in_symbols:
             book.hidden.clear()
-        for write in book.afterwards:
+        for write in [*book.afterwards, *(book.checks.values() if shown else ())]:
             write()
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
@@ -209,7 +213,7 @@ def _noun(mention: str) -> str:
 def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
     """Return the steps that lead to the goal, ordered and merged as the text shows them."""
     ordered = in_order(_needed(book.steps, goal), book.earliest, late)
-    return without_repeats(in_rows(merged(ordered)))
+    return without_repeats(in_rows(merged(after_what_they_rest_on(ordered, late))))
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:

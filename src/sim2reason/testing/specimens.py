@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from pydantic import ValidationError
 
+from sim2reason.dsl.choices import choices
+from sim2reason.dsl.closing import closed
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
@@ -17,8 +19,6 @@ from sim2reason.questions.targets import Targets, targets
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.simulation.trace import Trace
-from sim2reason.testing.choices import choices
-from sim2reason.testing.closing import closed
 from sim2reason.testing.report import Finding
 
 IT = "it"  # what the entity is called in its scenes

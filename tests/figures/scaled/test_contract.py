@@ -13,6 +13,8 @@ from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.hanger import LightRod
 from sim2reason.dsl.body import BODIES
+from sim2reason.dsl.choices import choices
+from sim2reason.dsl.closing import closed
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import ENTITIES, Named, outer_ports
 from sim2reason.dsl.looks import BodyLook
@@ -26,8 +28,6 @@ from sim2reason.figures.scaled.lines import PIVOT
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape, outline
 from sim2reason.figures.vectors import common
 from sim2reason.prose.description import describe
-from sim2reason.testing.choices import choices
-from sim2reason.testing.closing import closed
 
 TRIES = 60
 

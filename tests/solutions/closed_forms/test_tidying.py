@@ -43,7 +43,9 @@ A, B, C, M = map(Symbol, ("a", "b", "c", "M"))
     [
         (2.0 * Root(Power(A, 3) / (4.0 * M)), r"\sqrt{\frac{a^{3}}{M}}"),
         (2.0 * Root(Power(Quotient(ONE, A - B), 3) / (4.0 * M)), r"\frac{1}{\sqrt{\left(a - b\right)^{3} M}}"),
-        (2.0 * Pi() * Root(ONE / (4.0 * Power(Pi(), 2) * M)), r"\frac{\pi}{\sqrt{\pi^{2} M}}"),
+        (2.0 * Pi() * Root(ONE / (4.0 * Power(Pi(), 2) * M)), r"\frac{1}{\sqrt{M}}"),
+        (Root(Power(Pi(), 4) * M), r"\pi^{2} \sqrt{M}"),
+        (Root(Pi() * M), r"\sqrt{\pi M}"),
         (-(A * ((B - C) / M)) * C, r"\frac{a c \left(c - b\right)}{M}"),
         (-((A - B) * C / M), r"\frac{\left(b - a\right) c}{M}"),
         (-((A + B) * C / M), r"-\frac{\left(a + b\right) c}{M}"),

@@ -1,5 +1,7 @@
 """Oscillations: why they take half a period, which way they begin, and that the place in question is on the way."""
 
+import re
+
 import pytest
 
 from plain_scenes import row
@@ -11,6 +13,7 @@ from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions import Solution
+from sim2reason.testing.solutions.reading import read
 from worked import derived, solution_text
 
 CART, SPRING = "row.carts.0", "row.springs.0"
@@ -68,14 +71,47 @@ def test_modes_are_told_to_be_orthogonal_before_they_are_used() -> None:
     scene = row((2.3, 2.2), (79.0, 93.0), "right", speed=1.4)
     cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
     text = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3))).text
-    assert text.index("normal modes are orthogonal: $m") < text.index("effective mass of mode 1")
-    assert "counted from the start" in text
+    assert text.index("Normal modes are orthogonal, $m") < text.index("effective mass of mode 1")
+    assert "so that the displacements from the start are $x_B = r_1\\,q_1 + q_2$ and $x_A = q_1 + r_2\\,q_2$." in text
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_each_mode_has_an_equation_of_motion_that_its_displayed_solution_fulfils(number: int) -> None:
+    """Insert the solution of the text into the equation of the text, by differences over time."""
+    scene = row((2.3, 2.2), (79.0, 93.0), "right", speed=1.4, strain=0.2)
+    cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
+    found = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3)))
+    told = re.search(
+        rf"The equation of motion of mode {number} is \$(?P<left>[^$=]*) = (?P<right>[^$]*)\$, and its solution with "
+        rf"\$q_{number} = 0\$ and \$\\dot{{q}}_{number} = (?P<rate>[^$]*)\$ at \$t = 0\$ is "
+        rf"\$q_{number} = (?P<q>[^$]*)\$",
+        found.text,
+    )
+    assert told is not None, found.text
+
+    def value(formula: str, **more: float) -> float:
+        held = formula.replace(rf"\ddot{{q}}_{number}", "z")
+        return read(f"$y = {held}$", {**found.values, **more}).values["y"]
+
+    step, time = 1e-4, 0.07
+    early, now, late = (value(told["q"], t=time + n * step) for n in (-1, 0, 1))
+    bent = (early - 2.0 * now + late) / step**2
+    assert value(told["left"], z=bent) == pytest.approx(value(told["right"], **{f"q_{number}": now}), rel=1e-5)
+    assert value(told["q"], t=0.0) == pytest.approx(0.0, abs=1e-12)
+    assert value(told["q"], t=1e-6) / 1e-6 == pytest.approx(value(told["rate"]), rel=1e-4)
+
+
+def test_displacements_are_no_longer_called_deviations_from_equilibrium() -> None:
+    scene = row((2.3, 2.2), (79.0, 93.0), "right", speed=1.4)
+    cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
+    text = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3))).text
+    assert "the deviations of $x_B$ and $x_A$ from equilibrium are in the ratio" in text
 
 
 def test_a_string_in_an_oscillation_is_shown_to_stay_taut() -> None:
     text = solution_text("mixed-easy-multipart-301914-0")
     assert "sets block A in motion to the right" in text
-    assert "and it stays taut" in text
+    assert "stays taut. Its tension is at least $T_{\\text{min}} = " in text
     assert "It turns back" not in text
 
 

@@ -123,7 +123,7 @@ def test_a_later_part_says_what_it_counts_from() -> None:
 def test_a_velocity_is_the_derivative_of_a_displacement_that_is_shown() -> None:
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("velocity", cart(scene)), AtTime(TIME)))
-    assert "let $s_3$ be the displacement from here" in found.text
+    assert "let $s_3$ be the displacement to the right from here" in found.text
     shown = r"The displacement is $s_{\text{eq},3} - s_{\text{eq},3} \cos\left(\omega t_3\right)$; its derivative is $v"
     assert shown in found.text
 

@@ -25,7 +25,19 @@ def test_a_string_is_shown_to_stay_taut_by_the_greatest_acceleration() -> None:
     text = text_of(HUNG)
     assert "The acceleration of block B is at most $a_{\\text{max}} = -\\omega^{2} x_0 = " in text
     assert "less than $g$, so the string between block A and block B stays taut." in text
+    assert "Its tension is at least $T_{\\text{min}} = m_B \\left(g - a_{\\text{max}}\\right) = " in text
     assert "Let $T$ be the tension in the string between block A and block B." in text
+
+
+def test_a_string_along_a_smooth_slope_is_shown_to_stay_taut() -> None:
+    """The other body lies on a second slope, so the string needs less than its weight along that."""
+    prompt = HUNG.replace(
+        "A light string tied",
+        "Another fixed plane of inclination 36° with a smooth surface carries block B (2.1 kg). A light string tied",
+    ).replace("runs straight down to block B (2.1 kg)", "reaches B from above, along the slope")
+    text = text_of(prompt)
+    assert "less than $g \\sin\\theta_2$, so the string between block A and block B stays taut." in text
+    assert "at least $T_{\\text{min}} = m_B \\left(g \\sin\\theta_2 - a_{\\text{max}}\\right) = " in text
 
 
 def test_the_greatest_tension_is_at_an_end_of_the_motion_with_the_reason() -> None:

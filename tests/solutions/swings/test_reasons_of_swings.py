@@ -5,6 +5,7 @@ import pytest
 from plain_scenes import arm
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions import solve_prompt
 from worked import derived, solution_text
 
 
@@ -66,3 +67,23 @@ def test_a_ball_on_a_string_is_not_said_to_swing_to_and_fro() -> None:
     """With k = 0.74 the string would go slack on the other side, above the horizontal."""
     text = solution_text("pendulum-easy-multipart-301924-4")
     assert "As $k < 1$, the energy does not suffice to reach the top of the circle." in text
+
+
+@pytest.mark.parametrize(
+    ("speed", "said"),
+    [
+        ("4.7", "As $v_1^{2} < 2\\,g \\ell$, the string never becomes horizontal and stays taut."),
+        ("9.7", "As $v_1^{2} > 5\\,g \\ell$, the string is taut even at the highest point."),
+    ],
+)
+def test_the_string_of_the_greatest_tension_is_shown_to_stay_taut(speed: str, said: str) -> None:
+    prompt = (
+        "From a fixed point a small ball (1.4 kg) hangs on a light, inextensible string of length 1.6 m. To begin "
+        "with, the string is taut and makes an angle of 21° with the downward vertical. At t = 0 the ball starts "
+        f"moving downwards along its arc at speed {speed} m/s. The acceleration due to gravity is g = 9.8 m/s². In the "
+        "motion that follows, what is the greatest tension in the string? State the answer in N to three "
+        "significant figures, inside \\boxed{}."
+    )
+    found = solve_prompt(prompt)[0]
+    assert said in found.text
+    assert any(step.kind == "verify" and step.relations[0].role == "exceeds" for step in found.steps)

@@ -1,10 +1,7 @@
 """The work of a hand that draws a string in."""
 
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
-
 from sim2reason.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.quantities.subjects import Subject
+from sim2reason.quantities.subjects.hands import Hands
 from sim2reason.quantities.tension import StringLength
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.moments import Moment
@@ -12,28 +9,6 @@ from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
-
-
-@dataclass(frozen=True)
-class Hands(Subject):
-    """The one hand of a text, by the string part that it draws in."""
-
-    name, slot = "hand", "hand"
-
-    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All parts that a hand draws in."""
-        return tuple(line.name for line in mechanism.pulls)
-
-    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """One alone can be spoken of."""
-        del mentions
-        names = self.names(mechanism)
-        return {names[0]: "the hand"} if len(names) == 1 else {}
-
-    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """It needs nothing."""
-        del need, mechanism, name, said
-        return True
 
 
 @functional

@@ -279,10 +279,11 @@ def drawn(
     rng: np.random.Generator,
     wanted: Callable[[M], bool] = lambda _: True,
 ) -> M | None:
-    """One of the moments that a motion offers: a class of them is drawn first; None if there is none.
+    """One of the moments that a motion offers: a class of those that are drawn comes first; None if there is none.
 
     None comes before all that the text gives can bear.
     """
+    classes = [cls for cls in classes if cls.drawn_by_recipes]
     order: list[int] = rng.permutation(len(classes)).tolist()
     for number in order:
         offered = classes[number].found(study, words, rng)

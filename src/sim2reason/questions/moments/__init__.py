@@ -21,6 +21,7 @@ class Moment(ABC):
     Class data:
         kind: the kind of question that asks for quantities at it.
         label: what items record as `asked.event`; None for a time that is stated.
+        drawn_by_recipes: whether recipes ask about it; if not, only people do.
         event: whether it is an event of the engines, which both must see; else its channels must be certified.
         own: whether it is of its own subjects that quantities are asked at it first, as at a collision.
         pronoun: what may stand for its `subject` in a sentence that has named it.
@@ -29,6 +30,7 @@ class Moment(ABC):
 
     kind: ClassVar[str]
     label: ClassVar[str | None]
+    drawn_by_recipes: ClassVar[bool] = True
     event: ClassVar[bool] = False
     own: ClassVar[bool] = False
     pronoun: ClassVar[str] = "it"

@@ -65,9 +65,20 @@ class Stopped(Occurrence):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time of the stop, s, or of an earlier instant at which the body's speed only touches zero."""
+        if self.number > 1:
+            return self._later(trace)
         event = Occurrence.time(self, trace)
         before = trace.stable_until if event is None else event
         return next((time for time in self._touches(trace, before)), event) if self.may_touch else event
+
+    def _later(self, trace: Trace) -> float | None:
+        """Return the time of a later stop, s, instants at which the speed only touches zero counted as well."""
+        end = trace.stable_until
+        times = [e.time for e in trace.events if 0.0 < e.time <= end and self.is_this(e, trace)]
+        touched = self._touches(trace, end) if self.may_touch else ()
+        near = STILL * float(trace.scan.times[-1])
+        times += [time for time in touched if all(abs(time - event.time) > near for event in trace.events)]
+        return sorted(times)[self.number - 1] if len(times) >= self.number else None
 
     def _touches(self, trace: Trace, before: float) -> Iterator[float]:
         """Yield the times before `before`, s, at which the body's speed touches zero without an event."""

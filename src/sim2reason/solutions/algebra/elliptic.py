@@ -5,7 +5,7 @@ Their values come from the arithmetic-geometric mean: Abramowitz and Stegun, Han
 """
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import pi
@@ -44,10 +44,6 @@ class CompleteElliptic(SpecialFunction):
         """As tables have it."""
         return rf"\operatorname{{K}}\left({self.modulus.latex()}\right)"
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the modulus."""
-        return self.modulus.symbols()
-
 
 @dataclass(frozen=True, slots=True)
 class _OfTwo(SpecialFunction):
@@ -65,11 +61,6 @@ class _OfTwo(SpecialFunction):
         """The function of others."""
         argument, modulus = parts
         return type(self)(argument, modulus)
-
-    def symbols(self) -> Iterator[str]:
-        """Those of both."""
-        yield from self.argument.symbols()
-        yield from self.modulus.symbols()
 
 
 @dataclass(frozen=True, slots=True)

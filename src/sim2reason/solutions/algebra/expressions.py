@@ -30,10 +30,14 @@ class Expression:
 
     def symbols(self) -> Iterator[str]:
         """Yield the names in it, from left to right, some more than once; by default those of its parts."""
-        for part in self.parts:
+        waiting = [*self.parts[::-1]]
+        while waiting:  # a generator for each part would take twice as long
+            part = waiting.pop()
             if isinstance(part, Symbol):
                 yield part.name
-            elif not isinstance(part, Number):
+            elif type(part).symbols is Expression.symbols:
+                waiting += part.parts[::-1]
+            else:
                 yield from part.symbols()
 
     @property
@@ -276,11 +280,16 @@ def multiplied(*parts: Expression) -> Expression:
     """A product with one number in front, and none that changes nothing."""
     number, factors = 1.0, list[Expression]()
     for side in parts:
-        for factor in side.factors if isinstance(side, Product) else (side,):
-            if isinstance(factor, Number):
-                number *= factor.x
-            else:
-                factors.append(factor)
+        if isinstance(side, Number):
+            number *= side.x
+        elif isinstance(side, Product):
+            for factor in side.factors:
+                if isinstance(factor, Number):
+                    number *= factor.x
+                else:
+                    factors.append(factor)
+        else:
+            factors.append(side)
     if number == 0.0 or not factors:
         return Number(number)
     if number != 1.0:

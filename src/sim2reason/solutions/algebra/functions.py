@@ -2,7 +2,7 @@
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from typing import Literal, cast
 
@@ -64,10 +64,6 @@ class Power(Expression):
             base = f"{{{base}}}"  # TeX takes a prime for a superscript and refuses a second one
         return f"{base}^{{{self.exponent}}}"
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the base."""
-        return self.base.symbols()
-
 
 @record(slots=True)
 class _OfOne(Expression):
@@ -84,10 +80,6 @@ class _OfOne(Expression):
         """The same function of something else."""
         (inside,) = parts
         return type(self)(inside)
-
-    def symbols(self) -> Iterator[str]:
-        """Those of what it is a function of."""
-        return self.inside.symbols()
 
 
 @record(slots=True)
@@ -131,10 +123,6 @@ class Call(Expression):
             return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
         return rf"\{self.function}\left({inside}\right)"
 
-    def symbols(self) -> Iterator[str]:
-        """Those of the argument."""
-        return self.argument.symbols()
-
 
 @record(slots=True)
 class Absolute(_OfOne):
@@ -164,10 +152,6 @@ class Pi(Expression):
     def latex(self) -> str:
         """Its letter."""
         return r"\pi"
-
-    def symbols(self) -> Iterator[str]:
-        """None."""
-        return iter(())
 
 
 PI = Pi()

@@ -102,14 +102,24 @@ def _over_one(held: Expression) -> Expression:
 
 
 def _root(held: Root) -> Expression:
-    """Return a root with √(1/x) written as 1/√x and square numbers taken out of it."""
+    """Return a root with √(1/x) written as 1/√x, and square numbers and even powers of π taken out of it."""
     match held.inside:
         case Quotient(Number(1.0), below):
             return ratio(ONE, _root(Root(below)))
         case Product((Number(x), *rest)) if x > 1.0 and sqrt(x).is_integer():
-            return multiplied(Number(sqrt(x)), Root(reduce(multiplied, rest)))
+            return multiplied(Number(sqrt(x)), _root(Root(reduce(multiplied, rest))))
+        case Product(factors) if squared := [f for f in factors if isinstance(f, Power) and f.base == PI]:
+            (power,) = squared
+            left = reduce(multiplied, (factor for factor in factors if factor is not power), ONE)
+            if power.exponent % 2 or power.exponent <= 0:
+                return held
+            return multiplied(_power_of_pi(power.exponent // 2), Root(left))
         case _:
             return held
+
+
+def _power_of_pi(exponent: int) -> Expression:
+    return PI if exponent == 1 else Power(PI, exponent)
 
 
 def _place(factor: Expression) -> int:
@@ -245,6 +255,8 @@ def _squared(base: Expression, exponent: int) -> Expression:
     """An even power: of each factor where one is a root, which it takes away; a number's is a number."""
     if isinstance(base, Number):
         return Number(base.x**exponent)
+    if isinstance(base, Power):
+        return Power(base.base, base.exponent * exponent)
     if isinstance(base, Root):
         return base.inside if exponent == 2 else Power(base.inside, exponent // 2)
     if isinstance(base, Product) and any(isinstance(factor, Root) for factor in base.factors):

@@ -10,7 +10,7 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights
 from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.comparing import exceeds, why_this_time
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
@@ -79,17 +79,20 @@ class Impacts(FreeFlights, ABC):
             law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
             formula = self.root(gap, rate, rise)
         later = f" after {self.event(since)}" if since else ""
-        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{later}.")
+        result = step.result(name, formula, SECONDS)
+        why = why_this_time(self.book, step, name, self.root(*motion, first=False)) if rate and rise and gap else ""
+        step.say(f"{self.met(impact)} when {law}, so {result}{later}{why}.")
         step.close()
         return self.counted(since, name)
 
-    def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
-        """The first time at which gap + rate t + ½ rise t² is zero."""
+    def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
+        """The first time at which gap + rate t + ½ rise t² is zero, or the other one if `rate` is not zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
         if not rate:
             return Root(ratio(gap.scaled(-2.0).expression(), rise.expression()))
         root = Root(added(squares([v]), double))
+        root = root if first else -root
         if self.book.value(rise.expression()) < 0.0:
             return ratio(added(root, v), rise.scaled(-1.0).expression())
         return ratio(added(-v, -root), rise.expression())

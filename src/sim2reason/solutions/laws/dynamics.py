@@ -38,7 +38,7 @@ class Dynamics:
         held = {
             k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None
         }
-        rows = [self.newton.string(place).inertia for place in self._taut]
+        rows = [self.newton.string(place).inertia for place in self.taut]
         for _ in rows:  # what is held can hold more
             left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
             held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
@@ -70,7 +70,7 @@ class Dynamics:
 
     def _tied_outside(self, k: int, j: int, sign: float) -> bool:
         """Whether strings feel how a body moves in the room, not how it does on its carrier."""
-        for place in self._taut:
+        for place in self.taut:
             terms = self.newton.string(place).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
             if own and own - other.scaled(sign):
@@ -87,7 +87,8 @@ class Dynamics:
         return found
 
     @property
-    def _taut(self) -> list[int]:
+    def taut(self) -> list[int]:
+        """The numbers of the strings that are taut in this segment."""
         acting = self.segment.found.mode.acting
         return [place for place in range(len(self.newton.lines)) if acting[place]]
 
@@ -99,7 +100,7 @@ class Dynamics:
         pressing |= {int(goal[1:]) for goal in goals if goal[0] == "N"}
         rows = [newton.newton(k) for k in range(size)]
         rows += [newton.normal(face) for face in sorted(pressing)]
-        rows += [newton.string(place) for place in self._taut]
+        rows += [newton.string(place) for place in self.taut]
         rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
         for k, (j, sign) in self.carried.items():  # from now on that of the body itself, not relative to its carrier
@@ -111,7 +112,7 @@ class Dynamics:
             return rows, [
                 name for name in unknowns if self.measure.known is None or name != f"q{self.measure.known[0]}"
             ]
-        unknowns += [f"T{place}" for place in self._taut] + [f"N{face}" for face in sorted(pressing)]
+        unknowns += [f"T{place}" for place in self.taut] + [f"N{face}" for face in sorted(pressing)]
         return rows, unknowns + [f"f{face}" for face in sticking]
 
     @cached_property

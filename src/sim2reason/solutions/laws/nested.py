@@ -81,7 +81,7 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
     step.rest_on(goal)
     if whole is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
-        step.say(f"Combined, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))
         step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         said: list[str] = []
@@ -97,6 +97,13 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
         step.say(f"{lead}, the same equations give {joined(said)}.")
     step.close()
     return Symbol(book.last)
+
+
+def inserted(book: Book, goal: str, equation: str) -> str:
+    """Return a sentence with the equation for a result into which all has been inserted on which it hangs."""
+    names = [f"${name}$" for name, _ in reversed(_leading(book, goal)) if name != goal]
+    lead = f"Inserting {joined(names)} into the equation for ${goal}$ gives" if names else "In short,"
+    return f"{lead} {equation}."
 
 
 def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:

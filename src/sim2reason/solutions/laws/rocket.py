@@ -9,8 +9,8 @@ from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.solutions.algebra.expressions import Expression, Symbol, ratio
-from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, ratio
+from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
@@ -18,6 +18,8 @@ from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
+
+HALF = Number(0.5)
 
 
 class Burning(Way):
@@ -158,13 +160,31 @@ class Burning(Way):
     @property
     def course(self) -> str:
         """Return a clause that gives the velocity as a function of the time of rising."""
-        time = self.since
-        velocity = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * time))
-        if self.gravity:
-            velocity = velocity - self.gravity.expression() * time
         since = "lift-off" if self.waits else "the start"
-        said = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${velocity.latex()}$"
-        return f"{said} at the time ${time.latex()}$ after {since}"
+        said = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${self._velocity.latex()}$"
+        return f"{said} at the time ${self.since.latex()}$ after {since}"
+
+    @property
+    def _velocity(self) -> Expression:
+        """Return the velocity as a function of the time of rising."""
+        found = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * self.since))
+        return found - self.gravity.expression() * self.since if self.gravity else found
+
+    def integrated(self, left: Expression, risen: Expression) -> str:
+        """Return how the velocity is integrated up to a time of rising, with the mass in place of the time."""
+        time, name, full, rate = self.since.latex(), self.book.fresh("x"), self.full, self.rate_of_burning
+        x, speed, fallen = name.latex(), self._velocity.latex(), ""
+        if self.gravity:
+            fallen = f" - {(HALF * self.gravity.expression() * Power(risen, 2)).latex()}"
+            speed = rf"\left({speed}\right)"
+        log = Call("ln", ratio(full, name))
+        masses = rf"\int_{{{left.latex()}}}^{{{full.latex()}}} {log.latex()}\,\mathrm{{d}}{x}"
+        return (
+            rf"With ${x}$ for ${(full - rate * self.since).latex()}$, and so $-\mathrm{{d}}{x}/{rate.latex()}$ for "
+            rf"$\mathrm{{d}}{time}$, its integral $\int_0^{{{risen.latex()}}} {speed}\,\mathrm{{d}}{time}$ becomes "
+            rf"${ratio(self.exhaust, rate).latex()} {masses}{fallen}$; the antiderivative of ${log.latex()}$ is "
+            rf"${(name * log + name).latex()}$."
+        )
 
     @property
     def who(self) -> str:

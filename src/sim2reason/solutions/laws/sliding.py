@@ -1,4 +1,4 @@
-"""Verification of assumed directions of sliding, and of taut strings between sliding bodies."""
+"""Verification of assumed directions of sliding."""
 
 from collections.abc import Sequence
 from math import isinf
@@ -12,7 +12,7 @@ from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, l
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Writing
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
+from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 SLOW = 1e-9  # m/s: nothing slips at the beginning
 
@@ -74,8 +74,6 @@ def _tell(dynamics: Dynamics) -> None:
             _tell_not_held(dynamics, number, needed)
     for relative, faces in moved.items():
         _tell_accelerated(dynamics, relative, faces)
-    for place in _between_sliding(dynamics):
-        _tell_taut(dynamics, place)
 
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
@@ -175,37 +173,6 @@ def _laws(dynamics: Dynamics) -> list[Row]:
         if row.kind == "normal" and not row.inertia:
             pressed[name] = row.forces.without((name,)).scaled(-1.0)
     return [Row(r.kind, r.number, r.forces.put(pressed), r.inertia) for r in rows if r.kind != "normal"]
-
-
-def _between_sliding(dynamics: Dynamics) -> list[int]:
-    """Return the taut strings between two bodies that both slide on faces."""
-    newton, m = dynamics.newton, dynamics.mechanism
-    sliding = {m.faces[number].subject for number, side in newton.rough.items() if side}
-    found: list[int] = []
-    for place, line in enumerate(newton.lines):
-        bodies = {m.site[site].body for site in (line.through[0], line.through[-1])}
-        if newton.segment.found.mode.acting[place] and len(bodies) == 2 and bodies <= sliding:
-            found.append(place)
-    return found
-
-
-def _tell_taut(dynamics: Dynamics, place: int) -> None:
-    book, name = dynamics.book, f"T{place}"
-    rows = _laws(dynamics)
-    tension = found_alone(dynamics, rows, name)
-    if tension is None or book.is_hidden(tension) or book.value(tension) <= 0.0:
-        return
-    line = dynamics.newton.lines[place]
-    bodies = [dynamics.mechanism.site[site].body or "" for site in (line.through[0], line.through[-1])]
-    step = book.open("verify")
-    exceeds(book, step, tension, ZERO)
-    if isinstance(tension, Symbol):
-        return
-    symbol = book.fresh("T", "".join(map(dynamics.setting.mark, bodies)))
-    told = step.verified(symbol, tension, NEWTONS)
-    who = joined([dynamics.setting.called(body) for body in bodies])
-    step.say(f"The string between {who} stays taut, as its tension {told} is positive.")
-    step.close()
 
 
 def sliding_coordinates(m: Mechanism, face: int) -> list[tuple[int, float]]:

@@ -23,6 +23,7 @@ from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.comparing import why_this_time
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import subscript
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
@@ -136,8 +137,7 @@ class Stage:
         time = self.time
         step, name = self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
-        told = step.result(name, formula, METRES, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 
@@ -148,8 +148,7 @@ class Stage:
             raise UnsolvedError("nothing ends a motion at constant velocity")
         step, name = self.book.open("time"), self.book.fresh("t")
         formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
-        told = step.result(name, formula, SECONDS, law=True)
-        step.say(f"{constant_words(self.dynamics, k)}, which gives {told}.")
+        step.say(f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, SECONDS, law=True)}.")
         step.close()
         return name
 
@@ -210,7 +209,10 @@ class Stage:
             distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
             rate, why = self._over(shared)
             law = step.law(distance, _path(begun, rate, name))
-            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}{why}.")
+            result = step.result(name, self._root(shared, distance), SECONDS)
+            if begun != ZERO:
+                why = why_this_time(self.book, step, name, self._root(shared, distance, first=False))
+            step.say(f"{self.end.what} {law}, so {result}{why}.")
             slowed = self.book.value(begun) > 0.0 > self.book.value(a)
             if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
                 who = self.setting.called(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
@@ -218,13 +220,13 @@ class Stage:
         step.close()
         return name
 
-    def _root(self, shared: Shared, distance: Expression) -> Expression:
-        """The first positive time of d = v t + ½ a t²."""
+    def _root(self, shared: Shared, distance: Expression, *, first: bool = True) -> Expression:
+        """The first positive time of d = v t + ½ a t², or the other time."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
             return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))
         under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
-        sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
+        sign = 1.0 if (self._value(shared, moved=False) >= 0.0) is first else -1.0
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
 
     def _over(self, shared: Shared) -> tuple[Expression, str]:
@@ -250,8 +252,7 @@ class Stage:
             return self._by_distance(shared, begun)
         time = self.time
         step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
-        formula = added(begun, multiplied(a, time))
-        told = step.result(name, formula, SPEED, law=True)
+        told = step.result(name, added(begun, multiplied(a, time)), SPEED, law=True)
         said = speed_words(self.dynamics, shared, begun, name)
         step.say(f"After the time ${time.name}$, {said}{told}.")
         step.close()

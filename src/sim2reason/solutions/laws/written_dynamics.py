@@ -22,6 +22,7 @@ from sim2reason.solutions.laws.rolling_words import (
 from sim2reason.solutions.laws.selection import needed
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
+from sim2reason.solutions.laws.tension_checks import verify_taut
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
@@ -44,6 +45,7 @@ class WrittenDynamics(Dynamics):
         DynamicsWriter(self, chosen, goals).write()
         verify_sticking(self)
         verify_sliding(self)
+        verify_taut(self, rows)
         for name, held in self.names.items():
             for monomial, part in held.terms.items():
                 self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)

@@ -1,13 +1,15 @@
 """The solutions of all parts of a problem, each of which starts from those of the parts before it."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from sim2reason.grading.parts import LABELS
+from sim2reason.solutions.laws.tension_checks import TAUT
 from sim2reason.solutions.multipart.faults import naming_fault
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.quoting import quoting
-from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.recall import given_for, renumbered, starting_from
 from sim2reason.solutions.multipart.shortcuts import shortened
 from sim2reason.solutions.multipart.unused import without_unused
 from sim2reason.solutions.setting import Setting
@@ -25,7 +27,8 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     found, earlier = list[Solution](), list[tuple[str, Solution]]()
-    for label, held, setting in zip(LABELS, consistent(solutions, fixed), settings, strict=False):
+    for label, alone, setting in zip(LABELS, consistent(solutions, fixed), settings, strict=False):
+        held = _without_repeated_checks(alone, earlier) if whole else alone
         solution = starting_from(held, earlier, whole=whole)
         if whole:
             direct = (starting_from(each, earlier, whole=True) for each in shortened(held, earlier))
@@ -36,6 +39,19 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
     if fault := naming_fault(found):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in found]
     return quoting(found) if whole else found
+
+
+def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Solution:
+    """Return a solution that does not say again that strings stay taut, as an earlier part has said of the motion."""
+    if not any(step.kind == TAUT for _, other in earlier for step in other.steps):
+        return solution
+    kept = [step for step in solution.steps if step.kind != TAUT]
+    if len(kept) == len(solution.steps):
+        return solution
+    symbols = {name for step in kept if step.kind != "givens" for name in step.symbols()} | {solution.goal}
+    return replace(
+        solution, steps=renumbered([given_for(step, symbols) if step.kind == "givens" else step for step in kept])
+    )
 
 
 def _accepted(solution: Solution, setting: Setting) -> bool:

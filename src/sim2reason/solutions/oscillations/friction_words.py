@@ -29,10 +29,10 @@ def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
     half = "half an oscillation, symmetric about the point at which the net force is zero"
     if number:
         begun = way.first(motion.free[0]) and number == 1
-        whole = f"This is {half}." if begun else ""
+        counted = f"let ${held.name.name}$ be the displacement {way.towards(motion.free[0])} from here"
         return [
-            f"Until it next comes to rest, friction acts {acts}; let ${held.name.name}$ be the displacement from here.",
-            whole,
+            f"Until it next comes to rest, friction acts {acts}; {counted}.",
+            f"The motion is then {half}." if begun else "",
         ]
     whole = half if not held.first else "harmonic about the point at which the net force is zero"
     friction = f"constant friction{_size(motion)} acts {acts}"

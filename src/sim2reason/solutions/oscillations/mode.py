@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power
 
+UNNAMED = Symbol("q")
+
 
 @dataclass
 class Mode:
@@ -15,6 +17,7 @@ class Mode:
     square: Expression  # λ; zero where nothing drives it back
     first: int = 0  # the free coordinate that moves the most, and by 1
     shape: list[Expression] = field(default_factory=list[Expression])
+    name: Symbol = UNNAMED  # of its coordinate ξ
     rate: Symbol | None = None
     rise: Expression = ZERO  # of ξ at the place of balance, q/µλ; of a mode without λ its acceleration q/µ
     swing: Expression = ZERO  # p/µω; of a mode without λ its speed p/µ

@@ -69,7 +69,7 @@ class ModeLaws:
         said: list[str] = []
         for i, number in enumerate(self.motion.free):
             held = [(*self.entry(i, j), name) for j, name in enumerate(self.names)]
-            inertia = total(mass * Polynomial.of(_second(name)) for _, mass, name in held)
+            inertia = total(mass * Polynomial.of(dotted(name)) for _, mass, name in held)
             pull = total(stiff * Polynomial.of(name) for stiff, _, name in held)
             forces = (self.motion.load(number) if loaded else NIL) - pull
             said.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
@@ -178,7 +178,7 @@ class ModeLaws:
         step.label(f"mode {mode.number}")
         rate = f"$-{mode.square.latex()}$"
         if names:
-            accelerations = f"each acceleration is {rate} times the displacement"
+            accelerations = f"each acceleration is {rate} times the deviation"
             held = accelerations if driven else "the forces of the springs do not change"
             step.say(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {held}:")
         else:
@@ -244,10 +244,11 @@ class ModeLaws:
         """Return the mode shape as a ratio of displacements, in words."""
         ratio = " : ".join(part.latex() for part in mode.shape)
         who = joined([f"${name.latex()}$" for name in self.names])
-        return f"the displacements {who}, measured from equilibrium, are in the ratio ${ratio}$"
+        what = f"the deviations of {who} from equilibrium" if mode.square != ZERO else f"the displacements {who}"
+        return f"{what} are in the ratio ${ratio}$"
 
 
-def _second(name: Symbol) -> Symbol:
-    """Return the symbol of the second time derivative of a coordinate."""
+def dotted(name: Symbol, dots: int = 2) -> Symbol:
+    """Return the symbol of the first or second time derivative of a coordinate."""
     base, line, mark = name.name.partition("_")
-    return Symbol(rf"\ddot{{{base}}}{line}{mark}")
+    return Symbol(rf"\{'d' * dots}ot{{{base}}}{line}{mark}")

@@ -11,13 +11,14 @@ from math import inf
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.cramer import cramer
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.oscillations.mode import Mode, place
-from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws
+from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws, dotted
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
@@ -62,6 +63,11 @@ class NormalModes(ModeLaws):
 
     def shown(self, forms: Sequence[Form]) -> list[int]:
         """Return the numbers of the modes that `excited` finds, without writing anything."""
+        return [n for n in self._moving if self._counts(n, forms)]
+
+    @cached_property
+    def _moving(self) -> list[int]:
+        """The numbers of the modes that the initial state excites."""
         sizes: list[float] = []
         for n in range(self.size):
             shape = self.shapes[:, n]
@@ -69,7 +75,7 @@ class NormalModes(ModeLaws):
             rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.begun) / heavy
             square = self.squares[n] if n >= self.zeros else 1.0
             sizes.append(max(abs(rise) / square, abs(swing) / square**0.5) * float(np.abs(shape).max()))
-        return [n for n in range(self.size) if sizes[n] > FAINT * max(sizes) and self._counts(n, forms)]
+        return [n for n in range(self.size) if sizes[n] > FAINT * max(sizes)]
 
     def excited(self, forms: Sequence[Form]) -> list[Mode]:
         """Write the modes that the initial state excites, with their shapes and amplitudes, and return them.
@@ -102,20 +108,43 @@ class NormalModes(ModeLaws):
         return f"It does not change {kept}, so displacements are measured relative to it."
 
     def _tell_projection(self, found: Sequence[Mode]) -> None:
-        """Write why each mode has an equation of motion of its own."""
+        """Write displacements as sums over modes, and why each mode has an equation of motion of its own."""
         if self.size == 1 or not found:
             return
+        for mode in found:
+            mode.name = self.book.fresh("q", str(mode.number + 1))
         step = self.book.open("projection")
-        rest = "normal modes are orthogonal"
+        names = [f"${mode.name.latex()}$ {'' if n else 'be '}" for n, mode in enumerate(found)]
+        first, *others = [f"the coordinate of mode {mode.number + 1}" for mode in found]
+        others = [other.replace("the coordinate", "that") for other in others]
+        told = joined([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
+        step.say(f"Let {told}{self._sums(found)}.")
+        rest = "Normal modes are orthogonal"
         if len(found) == self.size == PAIR:
-            rest = f"{rest}: {step.derived(self._product(*found), ZERO)}"
+            rest = f"{rest}, {step.derived(self._product(*found), ZERO)}"
         step.say(
-            "Each displacement, counted from the start, is the sum of the coordinates of the modes times its numbers "
-            f"in their ratios, and {rest}.",
-            "So the equations of motion, each times its number in one mode, add up to one for the coordinate of this "
-            "mode alone, with an effective mass.",
+            f"{rest}, so the equations of motion, each multiplied by the share of its displacement in one mode, add up "
+            "to an equation for the coordinate of this mode alone.",
         )
         step.close()
+
+    def _sums(self, found: Sequence[Mode]) -> str:
+        """Return a clause with the displacements as sums over modes; empty if other modes show in all of them."""
+        others = [n for n in self._moving if n not in self.told]
+        common = [n for n in others if n < self.zeros]
+        hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
+        told: list[str] = []
+        for i, name in enumerate(self.names):
+            if hidden[i] <= FAINT * float(hidden.max()):
+                whole: Expression = ZERO
+                for mode in found:
+                    whole = whole + mode.shape[i] * mode.name
+                told.append(f"${name.latex()} = {whole.latex()}$")
+        if not told:
+            return ""
+        apart = " apart from the common motion" if common else " from the start"
+        what = f"the displacements{apart} are" if len(told) > 1 else f"the displacement{apart} is"
+        return f", so that {what} {joined(told)}"
 
     def _product(self, one: Mode, other: Mode) -> Expression:
         """Return the sum of masses times the shares in two modes."""
@@ -201,15 +230,25 @@ class NormalModes(ModeLaws):
             mode.rise = self.book.fresh("b", mark)
             below = own * mode.square if driven else own
             result = step.result(mode.rise, push / below, METRES if driven else ACCELERATION, law=True)
-            said.append(f"{result} (its {'equilibrium position' if driven else 'acceleration'})")
+            said.append(f"{result} (the {'equilibrium value' if driven else 'acceleration'})")
         if momentum != ZERO:
             mode.swing = self.book.fresh("c", mark)
             below = own * mode.rate if mode.rate is not None else own
             result = step.result(mode.swing, momentum / below, METRES if driven else SPEED, law=True)
             said.append(f"{result} (from the initial velocities)")
-        course = place([replace(mode, shape=[ONE])], 0, Symbol("t")).latex()
-        step.say(f"The coordinate of mode {mark} is ${course}$ at the time $t$, with {joined(said)}.")
+        step.say(self._motion(mode, own, push, momentum), f"Here {joined(said)}.")
         step.close()
+
+    def _motion(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> str:
+        """Return a sentence with the equation of motion of a mode and its solution."""
+        name = mode.name if self.size > 1 else self.names[0]
+        right = push - own * mode.square * name if mode.square != ZERO else push
+        start = f"${name.latex()} = 0$ and ${dotted(name, 1).latex()} = {(momentum / own).latex()}$"
+        course = place([replace(mode, shape=[ONE])], 0, Symbol("t")).latex()
+        return (
+            f"The equation of motion of mode {mode.number + 1} is ${(own * dotted(name)).latex()} = {right.latex()}$, "
+            f"and its solution with {start} at $t = 0$ is ${name.latex()} = {course}$."
+        )
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:
         """aᵀM a."""

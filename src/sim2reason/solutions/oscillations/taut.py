@@ -1,15 +1,27 @@
-"""Whether strings on which bodies hang stay taut while these oscillate."""
+"""Whether strings that hold bodies against their weight stay taut while these oscillate."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from sim2reason.solutions.algebra.expressions import Expression, Number
+from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
-from sim2reason.solutions.writing.unit_latex import ACCELERATION
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
+
+
+@dataclass(frozen=True)
+class _Held:
+    """A body that a string pulls against its weight: its coordinate, the line, its mass, and how it would fall."""
+
+    k: int
+    line: int
+    mass: Expression
+    falling: Expression  # its acceleration without the string, m/s²
 
 
 def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
@@ -18,11 +30,10 @@ def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
     motion = held.motion
     if book.in_symbols or not isinstance(motion, LinearMotion):
         return
-    gravity = setting.lexicon.of(lambda m: -m.gravity[2]).expression()
-    for k, line in _hanging(motion):
-        ratio = abs(motion.ratio(k, motion.free[0]))
-        if 0.0 < ratio * held.numbers[0] ** 2 * held.size < book.value(gravity):
-            book.afterwards.append(lambda k=k, line=line, r=ratio: _write(setting, book, held, gravity, k, line, r))
+    for body in _hanging(motion):
+        ratio = abs(motion.ratio(body.k, motion.free[0]))
+        if 0.0 < ratio * held.numbers[0] ** 2 * held.size < body.falling.value(motion.givens).real:
+            book.afterwards.append(lambda body=body, r=ratio: _write(setting, book, held, body, r))
 
 
 def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
@@ -33,21 +44,28 @@ def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
         earlier = earlier.like
 
 
-def _hanging(motion: LinearMotion) -> Iterator[tuple[int, int]]:
-    """Yield the coordinates of bodies on which their weight and one string act alone, each with that string."""
+def _hanging(motion: LinearMotion) -> Iterator[_Held]:
+    """Yield the bodies on which one string and, against it, their weight act alone."""
     for k in motion.ratios:
-        names = [n for n in motion.laws.newton(k).forces.names() if n[0] in "TNSf" and n[1:].isdigit()]
-        if len(names) == 1 and names[0][0] == "T" and abs(motion.mechanism.coordinates[k].axis[2]) > 1.0 - 1e-9:
-            yield k, int(names[0][1:])
+        row = motion.laws.newton(k)
+        names = [n for n in row.zero.names() if n[0] in "TNSf" and n[1:].isdigit()]
+        if len(names) != 1 or names[0][0] != "T":
+            continue
+        pull, mass = row.forces.without(names), row.inertia.coefficient(f"q{k}")
+        along, weight = row.forces.coefficient(names[0]).number or 0.0, pull.value(motion.givens)
+        if mass and not row.inertia.without((f"q{k}",)) and along * weight < 0.0:
+            falling = over(pull if weight > 0.0 else pull.scaled(-1.0), mass)
+            yield _Held(k, int(names[0][1:]), mass.factored(), falling)
 
 
-def _write(setting: Setting, book: Book, held: Harmonic, gravity: Expression, k: int, line: int, ratio: float) -> None:
+def _write(setting: Setting, book: Book, held: Harmonic, body: _Held, ratio: float) -> None:
     greatest = Power(held.rate, 2) * held.amplitude
     formula = greatest if ratio == 1.0 else Number(ratio) * greatest
-    step, name = book.open("verify"), book.fresh("a", r"\text{max}")
-    exceeds(book, step, gravity, formula)
-    who = setting.called(setting.mechanism.coordinates[k].body)
-    string = setting.lines[held.motion.laws.lines[line].name]
+    step, name, least = book.open("verify"), book.fresh("a", r"\text{max}"), book.fresh("T", r"\text{min}")
+    exceeds(book, step, body.falling, formula)
+    who = setting.called(setting.mechanism.coordinates[body.k].body)
+    string = setting.lines[held.motion.laws.lines[body.line].name]
     step.say(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")
-    step.say(f"less than ${gravity.latex()}$, so {string} stays taut.")
+    step.say(f"less than ${body.falling.latex()}$, so {string} stays taut. Its tension is at least")
+    step.say(f"{step.verified(least, body.mass * (body.falling - name), NEWTONS)}.")
     step.close()

@@ -97,7 +97,9 @@ class TwoCases(Strategy):
         step.say(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
         step.close()
         other, begun = with_changed_scene(inner, changed, query.path, new.name), len(book.steps)
+        checks = {**book.checks}
         after = solved(other, book, _closed(other))
+        book.checks = checks  # strings are told to stay taut in the first case alone
         shorten_second_case(book, begun, {new.name: symbol})
         return compared(book, query, goal, after)
 

@@ -34,6 +34,7 @@ from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
+from sim2reason.solutions.writing.comparing import why_this_time
 from sim2reason.solutions.writing.numeric_roots import told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
@@ -275,6 +276,7 @@ class _Struck(Way):
     def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Leg) -> Symbol:
         """Write when the `way`, what is left of it and where it leads to, is done."""
         (gap, target), a = way, self.flights.acceleration(k)
+        parts: tuple[Polynomial, Polynomial, Polynomial] | None = None
         step, name = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(name)
         law = step.law((gap + target + speed * t + (a * t * t).scaled(0.5)).expression(), target.expression())
@@ -283,10 +285,13 @@ class _Struck(Way):
         elif a:
             # gap and rise have opposite signs unless it is thrown back; the first root in either case
             sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
-            formula = self.flights.root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))
+            parts = gap.scaled(sign), speed.scaled(sign), a.scaled(sign)
+            formula = self.flights.root(*parts)
         else:
             formula = ratio(gap.scaled(-1.0).expression(), speed.expression())
         later = f" after {self.flights.collision(leg.after)}" if leg.after is not None else ""
-        step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}{later}.")
+        result = step.result(name, formula, SECONDS)
+        why = why_this_time(self.book, step, name, self.flights.root(*parts, first=False)) if parts and speed else ""
+        step.say(f"{said} {law}, so {result}{later}{why}.")
         step.close()
         return self.flights.counted(self.flights.begins(leg), name)

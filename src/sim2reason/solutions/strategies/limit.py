@@ -5,7 +5,7 @@ from sim2reason.questions.kinds.limit import LimitKind, LimitQuery
 from sim2reason.solutions.algebra.asymptotics import CancelledError, limit
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import ClosedFormError, shortened
-from sim2reason.solutions.laws.nested import inner_setting, lone_symbol, short_formula, solved
+from sim2reason.solutions.laws.nested import inner_setting, inserted, lone_symbol, short_formula, solved
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -52,7 +52,7 @@ class Limit(Strategy):
         step.rest_on(goal)
         which = "highest" if query.large else "lowest"
         name = book.fresh(goal, end)
-        step.say(f"Combined, these equations give {step.derived(Symbol(goal), whole)}.")
+        step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))
         step.say(f"For ${symbol} \\to {end}$ only the terms with the {which} power of ${symbol}$ are left in each sum:")
         step.say(f"{step.result(name, found, book.units.get(goal, ''), law=True)}.")
         step.close()

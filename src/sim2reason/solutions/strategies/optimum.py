@@ -13,7 +13,14 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Root
 from sim2reason.solutions.closed_forms import ClosedFormError, shortened
-from sim2reason.solutions.laws.nested import inner_setting, lone_symbol, short_formula, solved, with_changed_scene
+from sim2reason.solutions.laws.nested import (
+    inner_setting,
+    inserted,
+    lone_symbol,
+    short_formula,
+    solved,
+    with_changed_scene,
+)
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, deriving, strategy
@@ -79,7 +86,7 @@ def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, s
         raise UnsolvedError(str(error)) from error
     step, name = book.open("derivative"), book.fresh("D")
     step.rest_on(goal)
-    step.say(f"Combined, these equations give {step.derived(Symbol(goal), whole)}.")
+    step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))
     said = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
     extreme = "greatest" if query.greatest else "least"
     where = "" if core == whole else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"

@@ -149,7 +149,7 @@ class _Burning(Burning):
         rest = distance - high
         self.told_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
-            said = f"{self.who} covers the rest of the distance ${distance.latex()}$ at this speed, in"
+            said = f"{self.who} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
             return self.book.told("time", said, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
@@ -236,16 +236,15 @@ class _Burning(Burning):
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
             formula = formula - self.gravity.expression() * risen
-        said = f"{before}{self.rocket_equation},"
+        when = "at burnout is" if mark else f"at ${self.time.name}$ is" if self.out else "is then"
+        said = f"{before}{self.rocket_equation}, the velocity {when}"
         return self.book.told("velocity", said, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered under power in a time of rising; return its symbol."""
-        path, x = self._path(self.dry if self.out else self.left, risen), self.book.fresh("x").latex()
-        left = (self.full - self.rate_of_burning * self.since).latex()
-        primitive = rf"${x} \ln {x} - {x}$ as the antiderivative of $\ln {x}$"
-        said = f"{self.course}. With ${x}$ for ${left}$ and {primitive}, the distance covered,"
-        said = f"{said} which is the integral of this velocity from 0 to ${risen.latex()}$, is"
+        left = self.dry if self.out else self.left
+        path, by_then = self._path(left, risen), " by burnout" if mark else ""
+        said = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
         return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
 
     @cached_property

@@ -15,6 +15,7 @@ from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.state import SwingState
 from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.swings.where_extreme import Ends
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
 
 
@@ -63,9 +64,25 @@ class _Angular(SwingState):
 
     def _pull(self) -> Expression:
         """T = m g cos φ + m v²/ℓ."""
+        if self.line is not None and self.extreme == "fastest" and not self.book.in_symbols:
+            self.book.checks.setdefault(self, self._tell_taut)
         weight = multiplied(multiplied(self.mass, self.gravity), self.cosine)
         bend = multiplied(self.mass, ratio(self.squared, self.length))
         return added(weight, bend)
+
+    def _tell_taut(self) -> None:
+        """Write, of the greatest speed, that the string stays taut: below the fixed point, or all the way round."""
+        book, step, length = self.book, self.book.open("verify"), multiplied(self.gravity, self.length)
+        low, high = multiplied(Number(2.0), length), multiplied(Number(5.0), length)
+        if book.value(self.squared) < book.value(low):
+            exceeds(book, step, low, self.squared)
+            step.say(
+                f"As ${self.squared.latex()} < {low.latex()}$, the string never becomes horizontal and stays taut."
+            )
+        elif book.value(self.squared) > book.value(high):
+            exceeds(book, step, self.squared, high)
+            step.say(f"As ${self.squared.latex()} > {high.latex()}$, the string is taut even at the highest point.")
+        step.close()
 
     @property
     def components(self) -> tuple[Expression, Expression]:

@@ -102,7 +102,8 @@ class CarriageAngle(SwingAngle):
         assert isinstance(query, StretchQuery)
         superlative, _, noun = query.functional.partition(" ")
         step = self.book.open("extreme")
-        step.say(f"The {noun} is {superlative} where {where}.")
+        whose = f" of {self.setting.called(query.subject)}" if noun in ("speed", "kinetic energy") else ""
+        step.say(f"The {noun}{whose} is {superlative} where {where}.")
         step.close()
 
     def _tell_where(self, quantity: str) -> None:

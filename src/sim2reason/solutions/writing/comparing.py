@@ -1,6 +1,6 @@
 """Comparisons that verify an assumption of a solution."""
 
-from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
@@ -10,3 +10,16 @@ def exceeds(book: Book, step: Writing, left: Expression, right: Expression) -> N
     if not book.value(left) > book.value(right):
         raise UnsolvedError(f"{left.latex()} does not exceed {right.latex()}")
     step.relations.append(Relation(left, right, "exceeds"))
+
+
+def why_this_time(book: Book, step: Writing, found: Symbol, other: Expression) -> str:
+    """Return why one of two solutions for a time counts, as an addition to a sentence; nothing in symbols."""
+    if book.in_symbols:
+        return ""
+    if book.value(other) < 0.0:
+        exceeds(book, step, ZERO, other)
+        return "; the other root is negative"
+    if book.value(other) > book.value(found):
+        exceeds(book, step, other, found)
+        return "; the other root is later"
+    return ""

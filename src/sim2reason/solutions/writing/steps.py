@@ -54,6 +54,7 @@ class Book(FreshNames):
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.afterwards: list[Callable[[], None]] = []  # write arguments that may rest on what was found in the end
+        self.checks: dict[object, Callable[[], None]] = {}  # write, after those, verifications of what is shown alone
         self.earliest: dict[int, int] = {}  # of a step that belongs further up: the number of one that it stands after
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
         self.labels = Labels()
@@ -111,10 +112,10 @@ class Book(FreshNames):
         if self.most < Need.INTEGRATION and (need := need_of(formula)) > self.most:
             raise UnsolvedError(f"it needs more: {need.label}")
 
-    def value(self, held: Expression) -> float:
-        """What a formula comes to; UnsolvedError where it has no value."""
+    def value(self, held: Expression, at: Mapping[str, float] | None = None) -> float:
+        """What a formula comes to, with what the book knows or `at` other values; UnsolvedError if it has no value."""
         try:
-            found = held.value(self.values)
+            found = held.value(self.values if at is None else at)
         except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero
             raise UnsolvedError(f"{held.latex()} has no value") from error
         assert not isinstance(found, complex)
@@ -233,11 +234,9 @@ class Writing:
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
-        """State the value of a formula that only checks an assumption, so that no later result depends on the value.
-
-        The book keeps the value of a new name.
-        """
-        relation, value = Relation(what, formula, "verified", self._book.unit_in_text(unit)), self._book.value(formula)
+        """State the value of a formula that only checks an assumption; the book keeps that of a new name for others."""
+        relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
+        value = self._book.value(formula, {**self._book.observed, **self._book.values})
         self.relations.append(relation)
         if isinstance(what, Symbol) and what.name not in self._book.values:
             self._book.observed[what.name] = value

@@ -28,7 +28,7 @@ CLOSE = 6e-5  # relative: what five digits leave of a number, at most
 STEP = 1e-6  # relative, of a derivative
 PROBLEM = re.compile(
     r"(?:Let (?=\$[^$]*\$ be )|Along with them"
-    r"|(?:The equations? of motion (?:is|are)|Initially|The phase begins with) (?=\$))"
+    r"|(?:The equations? of motion(?: of mode \d)? (?:is|are)|Initially|The phase begins with) (?=\$))"
     r"(?:[^$.]|\.(?!\s)|\$[^$]*\$)*\.(?=\s|$)|Numerical integration until (?:[^$]|\$[^$]*\$)*?,? gives"
 )
 """What states an initial-value problem: formulas that hold throughout a phase, not for numbers that the text gives."""

@@ -34,6 +34,12 @@ WEDGE = scene(
 )
 
 
+DAMPED = (
+    "track: {{}}, carts: [{{mass: 0.001}}], springs: [{{stiffness: 1.0e6}}], ends: left, damping: {}, "
+    "strain: {{spring: 0, way: stretched, by: 0.001}}"
+)
+
+
 def stretches(trace: Trace) -> int:
     """Count the linear stretches that the engine takes in closed form."""
     assert isinstance(trace.record, Motion)
@@ -99,3 +105,26 @@ def test_ordinary_motions_are_integrated_as_before() -> None:
     """Closed forms replace integration only where it would take too many steps."""
     soft = scene("AnchoredSpring", "spring: {stiffness: 100.0, length: 0.5}, block: {mass: 0.1}, start: 0.6")
     assert stretches(simulate(soft, 100.0)) == 0
+
+
+@pytest.mark.parametrize("damping", [1e-4, 0.5, 20.0, 200.0])
+def test_a_stiff_spring_with_a_dashpot_is_followed_for_seconds(damping: float) -> None:
+    """M ẍ = −k x − b ẋ with x = A at first: A (λ₂ e^(λ₁ t) − λ₁ e^(λ₂ t))/(λ₂ − λ₁), be λ complex or real."""
+    trace = simulate(scene("SpringMassChain", DAMPED.format(damping)), 1.0)
+    assert stretches(trace) >= 1
+    half = damping / (2.0 * LIGHT)
+    root = np.sqrt(complex(half**2 - RATE**2))
+    one, other = -half + root, -half - root
+    times = np.concatenate([np.linspace(0.0, 1.0, 41), np.geomspace(1e-5, 1.0, 200)])
+    left = np.real((other * np.exp(one * times) - one * np.exp(other * times)) / (other - one))
+    assert abs(trace.sample(times).q[:, 0]) == pytest.approx(0.001 * (1.0 - left), abs=1e-9)
+    turned = [event.time for event in trace.events if event.kind == "turn"]
+    assert turned[:100] == pytest.approx([n * np.pi / abs(root) for n in range(1, len(turned[:100]) + 1)], rel=1e-6)
+    assert (len(turned) > 5) == (half < RATE)
+
+
+def test_at_critical_damping_a_stiff_motion_is_refused_in_words() -> None:
+    """There are too few eigenvectors then; the message says that a shorter time can be simulated."""
+    critical = 2.0 * sqrt(STIFF * LIGHT)
+    with pytest.raises(SimulationError, match="simulate a shorter time"):
+        simulate(scene("SpringMassChain", DAMPED.format(repr(critical))), 100.0)

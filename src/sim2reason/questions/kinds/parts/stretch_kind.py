@@ -228,7 +228,7 @@ def _end(query: StretchQuery, study: Study) -> float | None:
 def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
     """Moments of a motion that may end a stretch: a few of those that the motion brings about, and a time."""
     found, events = list[Moment](), 0
-    classes = by_cause()
+    classes = [cls for cls in by_cause() if cls.drawn_by_recipes]
     order: list[int] = rng.permutation(len(classes)).tolist()
     for cls in (classes[number] for number in order):
         happens = issubclass(cls, Happening)

@@ -52,12 +52,12 @@ class Occurrence(VerbHappening):
         numbers = set(numbers_of(text))
         for name, phrase in cls.candidates(words).items():
             if phrase in text:
-                yield from (moment for moment in cls.each(name) if not cls.most or moment.number in numbers)
+                yield from (m for m in cls.each(name, max(numbers)) if not cls.most or m.number in numbers)
 
     @classmethod
-    def each(cls, name: str) -> Iterator[Self]:
-        """All moments of one subject."""
-        return (cls(name, number) for number in range(1, max(1, cls.most) + 1))
+    def each(cls, name: str, last: int = 1) -> Iterator[Self]:
+        """All moments of one subject that are asked about, and those up to the `last` one of which a text speaks."""
+        return (cls(name, number) for number in range(1, max(cls.most, last if cls.most else 1) + 1))
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -111,9 +111,9 @@ class VelocityJump(Occurrence):
     after: bool = True
 
     @classmethod
-    def each(cls, name: str) -> Iterator[Self]:
+    def each(cls, name: str, last: int = 1) -> Iterator[Self]:
         """Both sides of each."""
-        for number in range(1, max(1, cls.most) + 1):
+        for number in range(1, max(cls.most, last if cls.most else 1) + 1):
             yield cls(name, number, after=True)
             yield cls(name, number, after=False)
 

@@ -1,8 +1,9 @@
 """Long stretches of linear motion solved at once by eigenmodes, where an integrator would need too many steps.
 
 Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves independently: as a
-cosine, or with a constant acceleration. Whether they are affine is tested at corners of the box that contains the whole
-stretch. A stretch is short enough that no margin can be used up on it, whatever the phases of the modes.
+cosine, or with a constant acceleration; with damping, each eigenvector of coordinates and rates together does, as an
+exponential. Whether they are affine is tested at corners of the box that contains the whole stretch. A stretch is short
+enough that no margin can be used up on it, whatever the phases of the modes.
 """
 
 from collections.abc import Callable, Sequence
@@ -13,6 +14,7 @@ from math import pi
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.exact.damped_modes import DampedModes, found_damped
 from sim2reason.simulation.engines.exact.dop853 import Rate, Values
 
 Margins = Callable[[float, Values], Sequence[float]]
@@ -43,6 +45,16 @@ class Modes:
         """The angular frequencies of the modes, rad/s."""
         return np.sqrt(self.square)
 
+    @property
+    def fastest(self) -> float:
+        """The largest angular frequency, rad/s."""
+        return float(self.rate.max())
+
+    @property
+    def start(self) -> Array:
+        """The coordinates and rates at the beginning, (2n,)."""
+        return np.concatenate([self.place, self.ways @ self.speed])
+
     def at(self, times: Array) -> Array:
         """Return the coordinates and rates at times (m,), of shape (m, 2n)."""
         since, w = (times - self.time)[:, None], self.rate
@@ -53,6 +65,41 @@ class Modes:
         s = np.where(swings, middle * (1.0 - cosine) + size * sine, since * (self.speed + 0.5 * since * self.force))
         u = np.where(swings, divisor * (middle * sine + size * cosine), self.speed + since * self.force)
         return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
+
+    def least(self, slopes: Array, span: float) -> Array:
+        """Return a bound below the changes in `span`, s, of functions with these slopes (m, 2n), of shape (m,)."""
+        effects = (slopes @ self._spread)[:, :, None] * self._ranges(span)[None]
+        found: Array = effects.min(axis=2).sum(axis=1)
+        return found
+
+    def changes(self, span: float) -> list[Array]:
+        """Return changes of coordinates and rates, (2n,) each, of the size of those during the first `span`, s."""
+        ranges = self._ranges(span)
+        found: list[Array] = [self._spread @ np.array(corner) for corner in islice(product(*ranges), CORNERS)]
+        return found + [self._spread @ ranges[:, side] for side in (0, 1)]
+
+    def accelerations(self, change: Array) -> Array:
+        """Return the accelerations after a change of coordinates and rates, (n,)."""
+        n = len(self.place)
+        found: Array = self.ways @ (self.force - self.square * (np.linalg.inv(self.ways) @ change[:n]))
+        return found
+
+    def load(self, change: Array) -> float:
+        """Return the largest acceleration after a change of coordinates and rates."""
+        return float(np.abs(self.accelerations(change)).max())
+
+    def moves_until(self, span: float) -> float:
+        """Return for how much of `span`, s, it moves: all of it."""
+        return span
+
+    @property
+    def _spread(self) -> Array:
+        return np.asarray(np.kron(np.eye(2), self.ways), dtype=np.float64)
+
+    def _ranges(self, span: float) -> Array:
+        """The bounds of the changes of s and of its rate, (2n, 2)."""
+        s, u = self.ranges(span)
+        return np.concatenate([s, u]) - np.concatenate([np.zeros(len(self.place)), self.speed])[:, None]
 
     def ranges(self, span: float) -> tuple[Array, Array]:
         """Return the bounds of s and of ṡ during the first `span`, s, of shape (n, 2) each."""
@@ -73,7 +120,7 @@ class Modes:
 class Stretch:
     """A stretch of linear motion."""
 
-    modes: Modes
+    modes: Modes | DampedModes
     length: float  # s
 
     @property
@@ -92,20 +139,22 @@ class Stretch:
         return tuple(self.modes.at(np.array([self.time + self.length]))[0].tolist())
 
 
-def pieces(modes: Modes, span: float) -> int:
+def pieces(modes: Modes | DampedModes, span: float) -> int:
     """Return the number of pieces into which to divide a span so that the fastest mode is simple on each piece."""
-    return max(1, int(np.ceil(span * float(modes.rate.max()) / (2.0 * pi) * SHARE)))
+    return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SHARE)))
 
 
-def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes | None:
-    """Return the undamped eigenmodes at an instant, or None; `sizes` (2n,) are the changes for differences."""
+def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes | DampedModes | None:
+    """Return the eigenmodes at an instant, or None; `sizes` (2n,) are the changes for differences."""
     n = len(values) // 2
     here = np.array(values)
     base = np.array(rate(time, values))[n:]
     slopes = _slopes(lambda at: rate(time, at)[n:], here, sizes)
     load = float(np.abs(slopes * sizes).max(initial=0.0))
-    if not load or np.abs(slopes[:, n:] * sizes[n:]).max() > EXACT * load:
-        return None  # it is damped, or nothing oscillates
+    if not load:
+        return None
+    if np.abs(slopes[:, n:] * sizes[n:]).max() > EXACT * load:
+        return found_damped(time, here, slopes, base)
     eigenvalues, vectors = np.linalg.eig(-slopes[:, :n])
     largest, turned = float(np.abs(eigenvalues).max()), float(np.abs(np.imag(eigenvalues)).max())
     squares: Array = np.asarray(np.real(eigenvalues), dtype=np.float64)
@@ -128,45 +177,31 @@ def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array
     return np.array(columns).T
 
 
-def stretch(modes: Modes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
+def stretch(modes: Modes | DampedModes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
     """Return a linear stretch of at most `span`, s, on which no event can be due; None if no stretch is worthwhile."""
-    least = SHORTEST * 2.0 * pi / float(modes.rate.max())
-    n = len(modes.place)
-    here = np.concatenate([modes.place, modes.ways @ modes.speed])
-    values: Values = tuple(here.tolist())
+    shortest = SHORTEST * 2.0 * pi / modes.fastest
+    values: Values = tuple(modes.start.tolist())
     left = np.array(margins(modes.time, values))
-    slopes = _slopes(lambda at: margins(modes.time, at), here, sizes) if len(left) else np.zeros((0, 2 * n))
+    slopes = _slopes(lambda at: margins(modes.time, at), modes.start, sizes) if len(left) else np.zeros((0, len(sizes)))
     for _ in range(HALVINGS):
-        if span < least:
+        if span < shortest:
             return None
-        s, u = modes.ranges(span)
-        start = np.concatenate([np.zeros(n), modes.speed])
-        ranges = np.concatenate([s, u]) - start[:, None]  # of modes, as changes
-        spread: Array = np.asarray(np.kron(np.eye(2), modes.ways), dtype=np.float64)
-        effects = (slopes @ spread)[:, :, None] * ranges[None]
-        if (left + effects.min(axis=2).sum(axis=1) > 0.0).all():
-            changes: list[Array] = [spread @ np.array(corner) for corner in islice(product(*ranges), CORNERS)]
-            changes += [spread @ ranges[:, side] for side in (0, 1)]
-            if _is_affine(modes, (rate, margins), (left, slopes), changes, modes.time + span):
-                return Stretch(modes, span)
-            return None
+        if (left + modes.least(slopes, span) > 0.0).all():
+            is_affine = _is_affine(modes, (rate, margins), (left, slopes), span)
+            return Stretch(modes, span) if is_affine else None
         span *= 0.5
     return None
 
 
-def _is_affine(
-    modes: Modes, code: tuple[Rate, Margins], known: tuple[Array, Array], changes: Sequence[Array], end: float
-) -> bool:
+def _is_affine(modes: Modes | DampedModes, code: tuple[Rate, Margins], known: tuple[Array, Array], span: float) -> bool:
     """Return whether rates and margins agree with the eigenmodes at far corners, at both ends of a stretch."""
-    n = len(modes.place)
-    here = np.concatenate([modes.place, modes.ways @ modes.speed])
-    inverse = np.linalg.inv(modes.ways)
-    for change in changes:
-        values: Values = tuple((here + change).tolist())
-        wanted = modes.ways @ (modes.force - modes.square * (inverse @ change[:n]))
-        for time in (modes.time, end):
+    n = len(modes.start) // 2
+    for change in modes.changes(span):
+        values: Values = tuple((modes.start + change).tolist())
+        wanted = modes.accelerations(change)
+        for time in (modes.time, modes.time + span):
             found, left = np.array(code[0](time, values))[n:], np.array(code[1](time, values))
-            if np.abs(found - wanted).max() > EXACT * np.abs(wanted).max():
+            if np.abs(found - wanted).max() > EXACT * modes.load(change):
                 return False
             expected = known[0] + known[1] @ change
             if len(left) and (np.abs(left - expected) > EXACT * np.abs(known[1] * change).sum(axis=1) + EXACT).any():
@@ -174,9 +209,10 @@ def _is_affine(
     return True
 
 
-def turns(modes: Modes, span: float) -> list[tuple[float, int]]:
+def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
     """Return the times when the speed of a coordinate passes through zero, in order, each with its coordinate."""
-    n, count = len(modes.place), pieces(modes, span)
+    span = modes.moves_until(span)
+    n, count = len(modes.start) // 2, pieces(modes, span)
     times = modes.time + np.linspace(0.0, span, count + 1)
     speeds = modes.at(times)[:, n:]
     found: list[tuple[float, int]] = []

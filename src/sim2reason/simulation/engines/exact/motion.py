@@ -15,7 +15,7 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.trace import Event
+from sim2reason.simulation.trace import Event, in_order
 
 
 @dataclass(slots=True)
@@ -97,7 +97,7 @@ class Motion:
         found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
         linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
         found += [time for stretch in linear for time in stretch.knots.tolist()]
-        return np.unique([*(time for time in found if time <= self.end), self.end])
+        return in_order(np.array([*(time for time in found if time <= self.end), self.end]))
 
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""

@@ -59,6 +59,7 @@ class Lines:
         self._last = np.array([place[last] for _, (_, last) in pieces], dtype=np.intp)
         self._kept = np.array([ways.get(ends, ZERO) for _, ends in pieces]).reshape(len(pieces), 3)
         self._keeps = np.array([ends in ways for _, ends in pieces], dtype=bool)
+        self._is_kept = bool(self._keeps.any())
         self._owned, self._wound = np.zeros((len(lines), len(pieces))), np.zeros((len(lines), int(model.nv)))
         for number, (owner, _) in enumerate(pieces):
             self._owned[owner, number] = 1.0
@@ -85,9 +86,9 @@ class Lines:
         """How long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
         keeps = self._keeps
         runs: Array = np.sqrt(np.vecdot(apart, apart))
-        if not (runs.astype(bool) | keeps).all():
+        if not (runs.all() or (runs.astype(bool) | keeps).all()):
             raise SimulationError("two points of a line have come together")
-        if not keeps.any():
+        if not self._is_kept:
             return runs, apart / runs[:, None]
         turning = apart / np.where(keeps, 1.0, runs)[:, None]
         return np.where(keeps, np.vecdot(apart, self._kept), runs), np.where(keeps[:, None], self._kept, turning)
@@ -133,12 +134,13 @@ class Pulls:
         self._given, self._stiffness, self._natural, self._damping = (
             np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
         )
+        self._damps = bool(self._damping.any())
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
         """The load on the joints, (joints,), of all lines but those that are `idle`."""
         values, gradients, _ = self._lines.lengths(data, q)
         tension = self._given + self._stiffness * (values - self._natural)
-        if self._damping.any():
+        if self._damps:
             tension += self._damping * (gradients @ v)
         if idle:
             tension *= [line not in idle for line in self._lines.lines]

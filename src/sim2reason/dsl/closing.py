@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.dsl.body import Body
+from sim2reason.dsl.choices import choices, reachable
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import ENTITIES, Entity, Named, outer_ports
 from sim2reason.dsl.model import draw
@@ -13,7 +14,6 @@ from sim2reason.dsl.ports import Pass, Port
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
-from sim2reason.testing.choices import choices, reachable
 
 USED = 0.5  # the chance that a port that may stay open is used
 

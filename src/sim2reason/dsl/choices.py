@@ -1,4 +1,4 @@
-"""How the kit draws: everything optional is there half of the time, and numbers that have a word of their own occur."""
+"""Chances and special values with which a check or an example draws: everything optional half of the time."""
 
 from collections.abc import Iterator
 

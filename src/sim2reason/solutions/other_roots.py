@@ -1,0 +1,202 @@
+"""Why the other solution of an equation for a name does not count."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from math import pi
+
+from sim2reason.solutions.algebra.evaluated import Chain
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Root
+from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.single_sine import beyond_right_angle
+from sim2reason.solutions.solution import SAME, with_unit
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
+
+Sides = tuple[Expression, Expression]
+"""Left and right of an equation."""
+LONGEST = 6000  # characters of a comparison with everything inserted
+UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
+
+
+class OtherRoots:
+    """The reasons that a solution of a reverse question gives, each verified by a relation where it can be."""
+
+    def __init__(self, book: Book, unknown: str, chain: Callable[[str], Chain]) -> None:
+        """Take the name that is asked for, and the formulas by which another name hangs on it."""
+        self.book, self.unknown, self._chain = book, unknown, chain
+
+    def tell(
+        self, step: Writing, name: str, found: Expression, others: Sequence[float], written: Sequence[Sides]
+    ) -> None:
+        """Write why what else a name might be does not count.
+
+        `others` fulfil the equation as it stands; of `written` equations the first is the one that the text shows.
+        """
+        book = self.book
+        if book.in_symbols:
+            return
+        if name == self.unknown:
+            self.exclude(others)
+        if len(others) == 1:
+            self.drop(step, name, others)
+            self._too_late(step, name, others)
+            self._breaks_assumption(step, name, others[0])
+        elif not others and len(written) > 1:
+            self._from_squaring(step, name, *written)
+        if book.units[name] == DEGREES:
+            step.say(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
+
+    def drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
+        """Say why another root does not count: a number that is positive would be negative."""
+        book = self.book
+        if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
+            return
+        number = self._number(name, others[0])
+        if name == self.unknown:
+            step.say(f"The other root, {number}, is negative, but ${name}$ is positive.")
+        elif self._would_be_negative(name, others[0]):
+            step.say(f"The other root, {number}, would take a negative ${self.unknown}$.")
+
+    def _number(self, name: str, value: float) -> str:
+        return f"${with_unit(value, self.book.units[name])}$"
+
+    def exclude(self, others: Sequence[float]) -> None:
+        """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
+
+        By then all comparisons are written on which the equations rest.
+        """
+        for value in others:
+            if value > 0.0:
+                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value))
+
+    def _tell_excluded(self, value: float) -> None:
+        held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
+        relations = [relation for step in self.book.steps for relation in step.relations]
+        for relation in relations:
+            if relation.role == "verified" and isinstance(relation.left, Symbol):
+                held.setdefault(relation.left.name, relation.right)
+        for relation in relations:
+            if relation.role != "exceeds" or isinstance(relation.left, Number):
+                continue
+            try:
+                left, right = (self._with(side, held, value) for side in (relation.left, relation.right))
+                broken = self.book.value(right) > self.book.value(left)
+            except UNDEFINED:
+                continue
+            if broken:
+                step = self.book.open("verify")
+                exceeds(self.book, step, right, left)
+                positive = "positive" if relation.right == ZERO else f"greater than ${relation.right.latex()}$"
+                number = self._number(self.unknown, value)
+                step.say(f"With the other root for ${self.unknown}$, {number}, ${relation.left.latex()}$ would not be")
+                step.say(f"{positive}.")
+                step.close()
+                return
+
+    def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
+        """Return a formula with all inserted that hangs on the unknown, and a value for that.
+
+        Raises:
+            UnsolvedError: it becomes long.
+        """
+        for name in reversed(held):
+            side = put(side, name, held[name])
+            if len(side.latex()) > LONGEST:
+                raise UnsolvedError("it becomes too long")
+        return put(side, self.unknown, Number(value))
+
+    def _too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
+        """Say that another root is no time of a stage that ends before a stated instant."""
+        book = self.book
+        stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
+        late = [held for held in stated if book.values[name] < book.values[held] < others[0]]
+        if late:
+            step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
+
+    def _would_be_negative(self, name: str, value: float) -> bool:
+        """Return whether a name on which the unknown hangs linearly has a value only where the unknown is negative."""
+        at, known, chain = self.book.values, self.book.values[self.unknown], self._chain(name)
+        try:
+            one, two, three = (float(chain.value({**at, self.unknown: n * known}).real) for n in (1.0, 2.0, 3.0))
+        except (ValueError, ArithmeticError):  # it has no value for twice the number
+            return False
+        straight = two != one and abs(three - 2.0 * two + one) <= 1e-9 * max(abs(one), abs(two))
+        return straight and (value - one) / (two - one) < -1.0
+
+    def _breaks_assumption(self, step: Writing, name: str, value: float) -> None:
+        """Say that with another root a comparison would be false on which the equations rest."""
+        for left, right in self._assumed(name):
+            try:
+                more, less = put(right, name, Number(value)), put(left, name, Number(value))
+                broken = self.book.value(more) > self.book.value(less)
+            except UNDEFINED:
+                continue
+            if broken:
+                exceeds(self.book, step, more, less)
+                step.say(
+                    f"With the other root, {self._number(name, value)}, ${left.latex()}$ would not be greater than "
+                    f"${right.latex()}$."
+                )
+                return
+
+    def _assumed(self, name: str) -> Iterator[Sides]:
+        """Yield the sides of comparisons that were written before with a name, all else in which is known."""
+        for relation in (relation for step in self.book.steps for relation in step.relations):
+            names = {*relation.symbols()}
+            if relation.role == "exceeds" and name in names and self.book.hidden.isdisjoint(names - {name}):
+                yield relation.left, relation.right
+
+    def _from_squaring(self, step: Writing, name: str, shown: Sides, plain: Sides) -> None:
+        """Say of the other root of the quadratic equation that the text shows that it is negative, or does not fit."""
+        other, known = self._other_of_quadratic(name, shown), self.book.values[name]
+        if other is None:
+            return
+        number = self._number(name, other)
+        if other < 0.0 < known and name == self.unknown:
+            step.say(f"The other root, {number}, is negative, but ${name}$ is positive.")
+        elif any(isinstance(part, Root) and name in part.symbols() for side in plain for part in _parts(side)):
+            size = SAME * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
+            try:
+                gap = Absolute(put(plain[0], name, Number(other)) - put(plain[1], name, Number(other)))
+                misses = self.book.value(gap) > size
+            except UNDEFINED:
+                return
+            if misses:
+                exceeds(self.book, step, gap, ZERO)
+                step.say(f"The other root, {number}, does not satisfy the equation before it is squared.")
+
+    def _other_of_quadratic(self, name: str, shown: Sides) -> float | None:
+        """Return the second root of an equation that is quadratic in a name; None for any other equation."""
+        known = self.book.values[name]
+
+        def excess(size: float) -> float:
+            at = {**self.book.values, name: size * known}
+            return float((shown[0].value(at) - shown[1].value(at)).real)
+
+        try:
+            less, one, two, three = (excess(size) for size in (-1.0, 1.0, 2.0, 3.0))
+        except UNDEFINED:
+            return None
+        slope, middle = (one - less) / 2.0, (one + less) / 2.0  # of α x² + β x + γ: β and α + γ
+        bend = (two - middle - 2.0 * slope) / 3.0
+        rest, whole = middle - bend, abs(less) + abs(two) + abs(three)
+        fits = abs(9.0 * bend + 3.0 * slope + rest - three) <= SAME * whole and abs(one) <= SAME * whole
+        root = rest / bend if abs(bend) > SAME * whole else 1.0
+        return root * known if fits and abs(root - 1.0) > SAME else None
+
+    def _obtuse(self, step: Writing, name: str, found: Expression) -> str:
+        """State that the other angle with the same sine exceeds 90°; return "" for what is found in another way."""
+        inverse = -found if found.negative else found
+        known = self.book.values[name]
+        if not isinstance(inverse, Call) or inverse.function != "arcsin" or not 0.0 < known < 0.5 * pi:
+            return ""
+        exceeds(self.book, step, PI - Symbol(name), Number(0.5) * PI)
+        return f"The other angle with this sine, {self._number(name, pi - known)}, is more than $90^\\circ$."
+
+
+def _parts(held: Expression) -> Iterator[Expression]:
+    yield held
+    for part in held.parts:
+        yield from _parts(part)

@@ -1,0 +1,102 @@
+"""Questions that people ask and recipes do not: power, relative velocity, curvature, returns, later events."""
+
+from collections.abc import Callable
+from math import log, pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from plain_scenes import G, atwood, ramp
+from sim2reason.dsl.scene import Scene
+from sim2reason.parsing import parse_scene
+from sim2reason.prose.description import describe
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import MOMENTS
+from sim2reason.questions.choices import pick
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.targets import targets
+from sim2reason.scene_files import loads
+from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.channels import Channel
+
+ROCKET = """
+scene:
+  entities:
+  - {name: pad, type: RocketEntity, parameters: {rocket: {mass: 1000.0, dry: 200.0}, place: {kind: deep_space},
+      exhaust: 3.0, rate: 5.0}}
+"""
+CIRCLE = """
+scene:
+  entities:
+  - {name: s, type: EmEntity, parameters: {magnetic: {kind: uniform_magnetic, strength: 0.5, way: positive z},
+      particle: {mass: 100.0, charge: 400.0, sign: positive}, start: {kind: launched, speed: 2.0, angle: 0.0}}}
+"""
+BALL = """
+scene:
+  entities:
+  - {name: s, type: Projectile, parameters: {ball: {mass: 0.5}, height: 2.0, speed: 3.0, angle: 0.0, restitution: 0.5}}
+"""
+LANDS = sqrt(4.0 * G)  # the speed at which the ball meets the ground, m/s
+TAKES = LANDS / G
+
+
+def pulled() -> Scene:
+    """Return a block of 3 kg on a smooth floor, drawn by a hand with 12 N."""
+    return parse_scene(
+        "A block of mass 3.0 kg lies on a smooth, fixed horizontal plane. A light string tied to the block runs to the"
+        " right along the plane and ends in a hand that pulls with a steady force of 12 N. The motion starts from"
+        " rest. Take g = 9.8 m/s²."
+    ).scene
+
+
+def scene(text: str) -> Callable[[], Scene]:
+    """Return what reads a scene from its file."""
+    return lambda: loads(text.strip())
+
+
+@pytest.mark.parametrize(
+    ("made", "parts", "answer"),
+    [
+        (lambda: ramp(2.0, 30.0), {"find": "power of gravity", "when": "2 s"}, 2.0 * (G / 2.0) ** 2 * 2.0),
+        (lambda: ramp(2.0, 30.0), {"find": "power of the net force", "when": "2 s"}, 2.0 * (G / 2.0) ** 2 * 2.0),
+        (atwood, {"find": "relative velocity", "when": "0.5 s"}, 2.0 * (G / 5.0) * 0.5),
+        (scene(ROCKET), {"find": "power of the thrust", "when": "60 s"}, 15_000.0 * 3000.0 * log(1000.0 / 700.0)),
+        (pulled, {"find": "power of a hand", "when": "2 s"}, 12.0 * 12.0 / 3.0 * 2.0),
+        (scene(CIRCLE), {"find": "radius of curvature", "when": "0.3 s"}, 1e-4 * 2.0 / (4e-4 * 0.5)),
+        (scene(CIRCLE), {"find": "time", "when": "returned"}, 2.0 * pi * 1e-4 / (4e-4 * 0.5)),
+        (scene(BALL), {"find": "radius of curvature", "when": "at start"}, 9.0 / G),
+        (scene(BALL), {"find": "time", "when": "top after bounce"}, TAKES + 0.5 * LANDS / G),
+        (scene(BALL), {"find": "height above the ground", "when": "second top after bounce"}, 2.0 * 0.5**4),
+        (lambda: ramp(angle=20.0, speed=3.0), {"find": "time", "when": "returned"}, 6.0 / (G * sin(radians(20.0)))),
+    ],
+)
+def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts: dict[str, str], answer: float) -> None:
+    """By one structured question; both engines agree, and the sentence leads back to it where there is one."""
+    found = made()
+    motion, words = motion_of(found), words_of(describe(found))
+    if parts["find"] == "relative velocity":
+        parts = {**parts, "of": QUANTITIES["relative velocity"].of.names(words.mechanism)[0]}
+    question = posed(StructuredQuestion.read(parts), motion, words)
+    followed = question.followed(motion)
+    assert followed.answer == pytest.approx(answer, rel=1e-6)
+    trace, certificate = witnessed(followed.study.trace)
+    query = question.query
+    time = query.moment.time(trace) if query.moment is not None else None
+    assert time is not None
+    asked = [Channel(query.target.subject, query.target.quantity)] if query.target is not None else []
+    assert all(certificate.covers(channel, time) for channel in (*asked, *query.moment.channels))
+    sentence = question.sentence(words)
+    assert not sentence or parse_question(sentence, followed.study, words) == query
+
+
+def test_recipes_ask_none_of_it() -> None:
+    """What only people ask is never picked for a question of a dataset."""
+    words = words_of(describe(ramp(2.0, 30.0)))
+    spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
+    assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}
+    assert pick(spared, np.random.default_rng(0)) is None
+    assert {name for name, cls in MOMENTS.items() if not cls.drawn_by_recipes} == {"returned", "top_after_bounce"}
