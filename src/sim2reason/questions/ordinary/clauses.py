@@ -32,6 +32,12 @@ def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[W
 CLAUSES: Mapping[str, Reader] = {
     "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
     "meets {t}": read.met,
+    "[{s} ]sets off": read.sets_off,
+    "[{s} ]at height of {n}": read.at_height,
+    "[{s} ](?P<motion>falls|rises|moves) {n} vertically[ {way=WAY}]": read.vertically,
+    "[{s} ]crosses (?P<axis>x|y) axis": read.crosses,
+    "[{s} ]fastest": read.fastest,
+    "[{s} ]stops on other side": read.across,
     "[{s} ]returns": read.returned,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ]finally stops": read.for_good,

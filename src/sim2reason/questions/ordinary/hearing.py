@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.strings import Strings
+from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
@@ -101,7 +102,8 @@ def hear(sentence: str, words: Words) -> Heard:
     if words.released:
         text = _FROM_REST.sub("", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
-    return Heard(reworded(" ".join(_without_pronouns(text, subjects).split())), tuple(subjects), numbers)
+    text = without_asides(" ".join(_without_pronouns(text, subjects).split()))
+    return Heard(reworded(text), tuple(subjects), numbers)
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:

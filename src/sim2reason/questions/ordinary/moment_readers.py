@@ -8,8 +8,12 @@ from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
+    ACROSS,
+    FASTEST,
     ON,
     ORIGIN,
+    SETS_OFF,
+    UNMOVED,
     QUANTITIES,
     RELAXED,
     RESTS,
@@ -225,11 +229,47 @@ def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
     yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
 
 
+def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the start, presuming that a body starts to move at once; before it, of what does not depend on motion."""
+    way = UNMOVED if side == BEFORE else SETS_OFF
+    yield When("at start", ways=((subject_of(found, heard, subject), way),))
+
+
+def at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is at a height above the ground."""
+    yield When(f"height above the ground of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is a given height above, or below, its starting point."""
+    who, down = subject_of(found, heard, subject), found["motion"] == "falls" or (found["way"] or "").startswith("down")
+    told = f"displacement of {who} along vertical = {'-' if down else ''}{heard.number(found['n'])}"
+    yield When(told, side)
+
+
+def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment after the start when a body that starts at the origin is on an axis."""
+    who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
+    yield When(f"displacement of {who} along {other} = 0 m", side, ((who, f"{ORIGIN} {other}"),))
+
+
+def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moments at which a body may be fastest, presuming that it is."""
+    who = subject_of(found, heard, subject)
+    for told in (f"acceleration of {who} along {ONLY_LINE} = 0 m/s^2", f"{who} lowest point", f"{who} closest"):
+        yield When(told, side, ((who, FASTEST),))
+
+
+def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
+    who = subject_of(found, heard, subject)
+    yield When(f"{who} stopped", side, ((who, ACROSS),))
+
+
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the start."""
     del found, heard, subject
-    if side != BEFORE:
-        yield When("at start")
+    yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
 
 
 def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -33,6 +33,8 @@ _LOOSE = frozenset(
     )
 )
 _FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
+_ON_ITS_WAY = re.compile(r" on (?:its |@\d+@ 's |their )?(?:way|journey|trip) (?:back|home|there|out)\b(?! from)")
+_ON_OTHER_SIDE = re.compile(r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b")
 TOGETHER = "they move together"
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
 _PASSING = frozenset(
@@ -63,6 +65,7 @@ def paraphrased(clause: str) -> Iterator[str]:
         re.search(r"without (?:slip|slid|skid)|(?:shorter|longer) than", clause)
     ):
         return
+    clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
     text = based(text)
     ways = " ".join(re.findall("<.+?>", text))
@@ -70,7 +73,8 @@ def paraphrased(clause: str) -> Iterator[str]:
     for told, plain in HEADS.items():
         said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
         for found in _head(told).finditer(said):
-            yield from _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}")
+            for plainly in _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}"):
+                yield f"{plainly} on other side" if across else plainly
 
 
 def way_of(said: str) -> str:

@@ -14,12 +14,14 @@ from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
+from sim2reason.questions.posing import PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -62,6 +64,9 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
+    if asked.of == EVERYTHING:
+        every = all_of(asked.find, words) if asked.find in SUMMED else ()
+        return (PLUS.join(every),) if every else ()
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
@@ -113,7 +118,9 @@ def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
     quantity = quantities_named(words.mechanism).get(asked.find)
     if quantity is None or asked.of not in words.mentions.values() or quantity.of.name == TurningBodies.name:
         return True  # a light rod turns as what hangs on it
-    return asked.of in words.called(quantity.of).values()
+    return asked.of in words.called(quantity.of).values() or addresses(words).get(asked.of) in quantity.subjects(
+        words.mechanism
+    )
 
 
 def _fits(reading: Reading, words: Words) -> bool:

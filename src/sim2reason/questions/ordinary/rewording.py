@@ -18,7 +18,8 @@ REWORDINGS: Mapping[str, str] = {
         r"what is \g<of>"
     ),
     "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
-    "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
+    "(?<=\\bhow )(?:soon|long|much time|many (?:seconds|years)) after (?:@0@ 's |its |their )?(?:START|it) "
+    "(?=is |are |do |does |will |has |have |did )": "long until ",
     "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
     "\\bupon ": "on ",
     "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
