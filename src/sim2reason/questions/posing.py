@@ -24,7 +24,7 @@ EXTREMES = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
-SINCE = " since "  # between two moments, for the change from the earlier one to the later one
+MINUS = " minus "  # between two moments, for the value at the first one less the value at the second one
 SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass")
 """Quantities whose values of several subjects add up to that of all."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
@@ -35,14 +35,14 @@ class PosedQuestion:
     """A query; if the question asks for a number of the scene, also that number and the query's required answer.
 
     If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks for
-    a change between two moments, `earlier` is the question for the earlier one.
+    a difference between two moments, `less` is the question for the second one.
     """
 
     query: Query
     unknown: Unknown | None = None
     given: float = 0.0
     others: tuple[Query, ...] = ()
-    earlier: "PosedQuestion | None" = None
+    less: "PosedQuestion | None" = None
 
     def unit(self, words: Words) -> str:
         """Return the unit of the answer."""
@@ -56,8 +56,8 @@ class PosedQuestion:
 
     def followed(self, motion: FollowedMotion) -> Followed:
         """Return the answer with the motion that leads to the answer, or the reason why there is none."""
-        if self.earlier is not None:
-            return _change(replace(self, earlier=None).followed(motion), self.earlier.followed(motion))
+        if self.less is not None:
+            return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
         if self.unknown is None:
             found = [follow(query, motion) for query in (self.query, *self.others)]
             missing = next((each for each in found if each.answer is None), None)
@@ -70,7 +70,7 @@ class PosedQuestion:
         """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
-        if self.unknown is not None or self.others or self.earlier or (target is not None and noun is None):
+        if self.unknown is not None or self.others or self.less or (target is not None and noun is None):
             return ""
         shapes = KINDS[self.query.kind].shapes(self.query, words, noun)
         return sentence(shapes[0]) if shapes else ""
@@ -87,7 +87,7 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
     if asked.given:
         return _reversed(asked, motion, words)
     find = one_of("find", asked.find, findable(words))
-    if SINCE in asked.when:
+    if MINUS in asked.when:
         return _between(asked, motion, words)
     if PLUS in asked.of:
         return _summed(asked, motion, words)
@@ -103,21 +103,21 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
 
 
 def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the question for a change between two moments, such as *second bounced since bounced*."""
+    """Return the question for a difference between two moments, such as *second bounced minus bounced*."""
     if asked.change:
-        raise TextError("when", "a change between two moments is not compared", "ask for each of the two moments")
-    later, earlier = (posed(replace(asked, when=when), motion, words) for when in asked.when.rsplit(SINCE, 1))
-    target = later.query.target
-    if target is not None and target.sense is None and QUANTITIES[target.quantity].vector:
+        raise TextError("when", "a difference between two moments is not compared", "ask for each of the two moments")
+    first, second = (posed(replace(asked, when=when), motion, words) for when in asked.when.rsplit(MINUS, 1))
+    target = first.query.target
+    if target is not None and target.sense is None and QUANTITIES[target.quantity].vector and asked.find != "speed":
         raise TextError("along", f"{asked.find} may change its direction", "name a direction, by along")
-    return replace(later, earlier=earlier)
+    return replace(first, less=second)
 
 
-def _change(later: Followed, earlier: Followed) -> Followed:
+def _difference(first: Followed, second: Followed) -> Followed:
     """Return the difference of two answers; the one that is missing, if one is."""
-    if later.answer is None or earlier.answer is None:
-        return later if later.answer is None else earlier
-    return later._replace(answer=later.answer - earlier.answer)
+    if first.answer is None or second.answer is None:
+        return first if first.answer is None else second
+    return first._replace(answer=first.answer - second.answer)
 
 
 def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:

@@ -34,7 +34,7 @@ CLAUSES: Mapping[str, Reader] = {
     "meets {t}": read.met,
     "[{s} ]sets off": read.sets_off,
     "[{s} ]at height of {n}": read.at_height,
-    "[{s} ](?P<motion>falls|rises|moves) {n} vertically[ {way=WAY}]": read.vertically,
+    "[{s} ]moves {n} vertically {way=WAY}": read.vertically,
     "[{s} ]crosses (?P<axis>x|y) axis": read.crosses,
     "[{s} ]fastest": read.fastest,
     "[{s} ]stops on other side": read.across,

@@ -83,6 +83,11 @@ ROWS = (
         "how much potential energy does {s} lose"),
     WantedRow(("{quantity}", f"{_IN_ALL}|combined|joint|together|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
+    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", "gain|increase|rise|grow"),
+        "how much {quantity} does {s} gain"),
+    WantedRow(("{quantity}", "?by how much|how much", "lose|loss|decrease|fall|drop|diminish"),
+        "how much {quantity} does {s} lose"),
+    WantedRow(("{quantity}", "?by how much|how much", "change"), "how much {quantity} does {s} change"),
     # distances
     WantedRow((_FAR, HOME, f"?{MOTION}", "?away"), "how far is {s} from its starting point"),
     WantedRow((_FAR, f"(?:from|of) {HOME}", MOTION, "(?P<toward><(?:up|down|to right|to left)>)"),
@@ -130,6 +135,8 @@ ROWS = (
     # energies and impulses
     WantedRow((_HEAT, _LOST, f"(?:by|to|through|against|due to|because of|in|between|into|of)? ?{_RUBS}",
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
+    WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
+        "how much mechanical energy does {s} lose"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     WantedRow(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),

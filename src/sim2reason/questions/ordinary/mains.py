@@ -127,6 +127,8 @@ FRAMES: Mapping[str, Reader] = {
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
     "ASK energy stored in {s}": of_one("spring energy"),
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
+    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": read.changed,
+    "how much mechanical energy ~{s} lose": read.lost_in_impact,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

@@ -14,6 +14,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ORIGIN,
     SETS_OFF,
     UNMOVED,
+    WAYS,
     QUANTITIES,
     RELAXED,
     RESTS,
@@ -23,6 +24,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
+LINES = "horizontal", "vertical", "x", "y"
 UP_WAY, DOWN_WAY = "up", "down"
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
@@ -137,9 +139,13 @@ def rather(reader: Reader) -> Reader:
 def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
     who, number = subject_of(found, heard, subject), heard.number(found["n"])
-    ways = ways_of(found, who)
+    axis = meant(WAYS, found.groupdict().get("way") or "")
+    ways = tuple((said, way) for said, way in ways_of(found, who) if way != axis or axis not in LINES)
     if is_time(number):
         yield When(f"at {number}", side, ways)
+    elif axis in LINES:
+        sign = "-" if axis == "vertical" and (who, DOWN_WAY) in ways else ""
+        yield When(f"displacement of {who} along {axis} = {sign}{number}", side, ways if axis == "vertical" else ())
     else:
         yield When(f"{who} moved {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
@@ -242,7 +248,7 @@ def at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
 
 def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is a given height above, or below, its starting point."""
-    who, down = subject_of(found, heard, subject), found["motion"] == "falls" or (found["way"] or "").startswith("down")
+    who, down = subject_of(found, heard, subject), (found["way"] or "").startswith("down")
     told = f"displacement of {who} along vertical = {'-' if down else ''}{heard.number(found['n'])}"
     yield When(told, side)
 

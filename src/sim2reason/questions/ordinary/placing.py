@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
@@ -21,7 +22,7 @@ from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
-from sim2reason.questions.posing import PLUS, SUMMED
+from sim2reason.questions.posing import MINUS, PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -54,10 +55,9 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
             if not _of_its_kind(asked, words):
                 continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
-            for when in _hung(asked.when, words):
-                told = _met(_collided(_component(when, words), words, events), words) or (
-                    START if reading.steady else ""
-                )
+            for whens in product(*(list(_hung(part, words)) for part in asked.when.split(MINUS))):
+                parts = (_met(_collided(_component(when, words), words, events), words) for when in whens)
+                told = MINUS.join(parts) or (START if reading.steady else "")
                 asked = replace(asked, of=_pair(asked, told, words))
                 yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
 

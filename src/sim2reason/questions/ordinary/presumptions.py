@@ -25,6 +25,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
     FASTEST,
+    GAINED,
     LASTS,
     ONCE,
     ONE_WAY,
@@ -212,6 +213,11 @@ def _one_way(case: Case) -> bool:
     return any(abs(float(velocity @ np.array(line))) >= (1.0 - EVEN) * speed for line in lines)
 
 
+def _gained(case: Case) -> bool:
+    """Return whether the answer, a difference, is greater than zero."""
+    return (case.followed.answer or 0.0) > 0.0
+
+
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; without a body named, true."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
@@ -266,6 +272,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     ROLLING: ("{who} slips", _rolling),
     SETS_OFF: ("{who} does not move at first", _sets_off),
     UNMOVED: ("nothing is told of the time before the start", _unmoved),
+    GAINED: ("it is the other way round", _gained),
     FASTEST: ("{who} is faster at another time", _fastest),
     ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),

@@ -5,13 +5,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.changes import after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
+from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
+from sim2reason.questions.posing import MINUS
 from sim2reason.questions.structured import StructuredQuestion
 
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
@@ -70,7 +72,8 @@ class Reading:
 def readings(heard: Heard) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
     for told in (heard, _together(heard)):
-        found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
+        between = [_with(main, when) for main, when in differences(told)]
+        found = between or [reading for parts in _parts(told.text) for reading in _of_parts(*parts, told)]
         if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading) if _tells(each))):
             return distinct
     return ()
@@ -137,6 +140,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+    yield from (_with(main, when) for main, when in after_bounce(question, clause, side, heard))
     for main in mains(question, heard):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
@@ -144,7 +148,10 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
-                if main.needs != LANDING or _LANDED.search(when.told):
+                if main.needs in CHANGES:
+                    both = changed(main, when, side)
+                    yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))
+                elif main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)
         yield from _on_the_way(main, clause, side, heard)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
@@ -197,7 +204,7 @@ def _alone(main: Main) -> Iterator[Reading]:
         yield _with(main, main.when)
     elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
         yield from _whole(main)
-    elif main.find != "time" and main.needs not in (CLAUSED, LANDING):
+    elif main.find != "time" and main.needs not in (CLAUSED, LANDING, *CHANGES):
         yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
         if main.needs == STRETCH:
             yield from _to_its_end(main)
@@ -205,6 +212,8 @@ def _alone(main: Main) -> Iterator[Reading]:
 
 def _with(main: Main, when: When) -> Reading:
     side = AFTER if main.needs == STRETCH else when.side
+    if MINUS in when.told:
+        return Reading(_asked(main, when.told), AFTER, (*main.ways, *when.ways), rank=main.rank + when.rank)
     told = when.told.removesuffix(" before") if main.find == "time" else when.told
     if main.needs == STRETCH and main.find != "time":
         told = told.removesuffix(" before")

@@ -214,7 +214,6 @@ STRETCHES: Mapping[str, Reader] = {
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
     "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
-    "how much kinetic energy ~{s} lose": _lost,
     "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),

@@ -97,7 +97,7 @@ ALOFT = "aloft"  # higher than the ground
 SMALL = "small"  # oscillations, so that the period does not depend on how far they go
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
-SETS_OFF, UNMOVED, FASTEST, ACROSS = "sets off", "unmoved", "fastest", "across"
+SETS_OFF, UNMOVED, FASTEST, ACROSS, GAINED = "sets off", "unmoved", "fastest", "across", "gained"
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
 WORDS: Mapping[str, str] = {
