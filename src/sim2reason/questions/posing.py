@@ -25,7 +25,8 @@ LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
 MINUS = " minus "  # between two moments, for the value at the first one less the value at the second one
-SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass")
+AXLE = "moment of inertia about the axle"
+SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass", AXLE)
 """Quantities whose values of several subjects add up to that of all."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 

@@ -22,7 +22,7 @@ ASIDES = tuple(
         "(?<=first collision) of all(?= |$)|(?<=first impact) of all(?= |$)",
         " (?:like this|in this way|in doing so|in process|as described)(?= |$)",
         r"(?:,? )(?:that follows|that results|that ensues)(?= |$)",
-        " for reader(?= |$)",
+        "(?: ,)? (?:those with walls? (?:included|counted)|including those with walls?|counting those with walls?(?: too)?)(?: ,)?",
     )
 )
 """What is passed over, on text without articles; a whole sentence or clause that only says how to write the answer."""

@@ -39,7 +39,7 @@ AUXILIARIES = frozenset(
 EMPTY = frozenset(
     re.split(
         " ",
-        "exactly precisely just momentarily instantaneously briefly actually then now freely already been being "
+        "uselessly vainly exactly precisely just momentarily instantaneously briefly actually then now freely already been being "
         "still ever currently simply indeed itself themselves itself there",
     )
 )

@@ -14,8 +14,9 @@ _DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total
 _DROP = "(?:(?:by|through|down|up|over) )*vertical (?:distance|height|drop|depth) (?:of )?"
 _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
-    "|(?:release|launch|throw|throwing|launching|starting|kick) point|(?:point|place|position|location) of"
-    " (?:release|launch|departure)"
+    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) point|(?:point|place|position|location) of"
+    " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch|thrower|launch point"
+    "|release)|foot of (?:cliff|tower|building|wall)"
     "|(?:original|initial) (?:point|position|place|location)"
     "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
     "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
@@ -147,9 +148,8 @@ HEADS: Mapping[str, str] = {
     "|peak)))": "{s} fastest",
     "(?:go|become|get|turn) slack|slack": "{s} goes slack",
     "(?:go|become|get|pull) (?:taut|tight)(?: again)?|taut|tight": "{s} becomes taut",
-    "(?:leave|lose contact with|lift off|detach from|lose touch with|separate from|come off) (?:@\\d+@|GROUNDS)": (
-        "{s} leaves surface"
-    ),
+    "(?:leave|lose contact with|lift off|detach from|lose touch with|separate from|come off|take off from|rise from|lift from)"
+    " (?:@\\d+@|GROUNDS)|lift off|take off|lift-off|liftoff|takeoff|take-off": "{s} leaves surface",
     "(?:enter|come into|get into|reach) (?:electric |magnetic )?(?:field|region)(?: region)?": "{s} enters field",
     "(?:leave|exit|come out of|emerge from|get out of) (?:electric |magnetic )?(?:field|region)": "{s} leaves field",
     "(?:begin|start) (?:to )?(?:slip|slide|skid)": "{s} begins to slip",

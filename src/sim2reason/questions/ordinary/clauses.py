@@ -37,6 +37,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]moves {n} vertically {way=WAY}": read.vertically,
     "[{s} ]crosses (?P<axis>x|y) axis": read.crosses,
     "[{s} ]fastest": read.fastest,
+    "{s} leaves surface": read.lifts_off,
+    "{s} returns to origin": read.back_at_origin,
     "[{s} ]stops on other side": read.across,
     "[{s} ]returns": read.returned,
     "[{s} ]stops going {way=WAY}": read.stops_going,

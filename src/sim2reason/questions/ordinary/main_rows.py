@@ -14,7 +14,7 @@ VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO
 MOTION = f"(?:{'|'.join(VERBS.values())})"
 _FAST = "how (?:fast|quick|quickly|rapid|rapidly|swiftly)|what speed|how much speed"
 _FAR = (
-    "how far|(?:what|how much|how large a|how great a|total|whole|length of) (?:total |whole )?(?:distance|path)"
+    "how far|(?:what|how much|how large a|how great a|length of) (?:distance|path)"
     "|distance|how many (?:metres|meters|m)"
 )
 _HIGH = "how high|(?:what|which) (?:height|altitude)|height|altitude"
@@ -31,11 +31,11 @@ _ONCE = (
     f" (?:around|round)|year"
 )
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
-_IN_ALL = "total|altogether|in total|in all|all together|overall|all in all|as a whole"
+_IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
-    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)",
+    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off|(?:begin|start) to move",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
 
@@ -99,7 +99,12 @@ ROWS = (
     WantedRow((f"{_FAST}|speed",
          "apart|together|(?:toward|towards|away from|relative to|from) (?:each other|one another)",
          f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
-    WantedRow((_FAR, MOTION, f"?{_IN_ALL}"), "how far does {s} {verb}{way}"),
+    WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
+    WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
+    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"(?:measured )?along (?:{GROUNDS})",
+         f"?{MOTION}"), "how far does {s} move {side}"),
+    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"?{MOTION}"),
+        "how far vertically {side} its start is {s}"),
     WantedRow((_FAR, f"{_LEVEL}", MOTION), "how far horizontally does {s} move"),
     WantedRow((_FAR, _LEVEL, f"(?:from|of) {HOME}", "land|hit|strike|impact"),
         "how far horizontally does {s} land"),
@@ -129,6 +134,7 @@ ROWS = (
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
     WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
+    WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
     WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
     WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring"),
         "how much energy is stored in {s}"),
@@ -146,7 +152,11 @@ ROWS = (
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
     # forces
+    WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
+    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on"), "what upward force of ground on {s}"),
     WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
+    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", "(?:fixed )?(?:wall|stop|support|peg)", "?by|on|of|from"),
+        "what is force of {s}"),
     WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
     WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
     WantedRow(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
@@ -167,9 +177,9 @@ ROWS = (
          "deflect|deviate|deflection|scatter",
          "?direction of motion|velocity|path|from its (?:initial|original) direction"),
         "what angle {s} is deflected through"),
-    WantedRow(("how much|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
         "how much left fuel {s}"),
-    WantedRow(("how much|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"), "how much burnt fuel {s}"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"), "how much burnt fuel {s}"),
     WantedRow(("angle", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
@@ -180,6 +190,12 @@ ROWS = (
     WantedRow(("(?:how long|how much time|time|how many (?:seconds|years))",
          "?(?:(?:need|take|require|last|complete|make|go|go through|perform|execute|travel|move)(?: to)? ?)+", _ONCE),
         "what is period of {s}"),
+    WantedRow(("(?:how long|how much time|how many (?:seconds|years))", "need|take|require", f"(?:to )?{_GO}",
+         rf"(?:round|around) (?={S})|(?:round|around) (?:(?:a|one|single|full|complete|whole) )*(?:circle|orbit|circuit) (?:of|round) (?={S})",
+         "?once|(?:one|single) time"),
+        "what is period of {s} about {t}", 2),
+    WantedRow(("(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
+         "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),

@@ -7,9 +7,9 @@ from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.vocabulary import LEVEL, pattern
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
@@ -123,11 +123,18 @@ FRAMES: Mapping[str, Reader] = {
     "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": read.quantity,
-    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": read.stored,
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
-    "ASK energy stored in {s}": of_one("spring energy"),
+    "ASK energy stored in {s}": read.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
     "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": read.changed,
+    "how far altogether ~{s} move[ {way=WAY}]": read.far_in_all,
+    "how far vertically (?P<side>below|above) its start is {s}": read.far_vertically,
+    "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),
+    "what is period of {s} about {t}": read.of_orbit,
+    "how many turns does {s} make": of_one("revolutions made", needs=CLAUSED),
+    "(?:ASK|what) {q=QUANTITY} (?:of|in) {s} ,? ?(?:taking|counting|reckoning|with|if) (?P<way>upwards?|right|to right) "
+    "(?:direction )?~(?:counted |taken )?as positive": read.signed,
     "how much mechanical energy ~{s} lose": read.lost_in_impact,
     "TIME": read.time,
 }

@@ -25,6 +25,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
 LINES = "horizontal", "vertical", "x", "y"
+_LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")
 UP_WAY, DOWN_WAY = "up", "down"
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
@@ -202,11 +203,11 @@ def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield a stated time."""
-    del subject
+    """Yield a stated time; one that is counted from a lift-off only where the body lifts off at once."""
     number = heard.number(found["n"])
+    ways = ((subject, SETS_OFF),) if _LIFT_OFF.search(heard.text) is not None else ()
     if is_time(number):
-        yield When(f"at {number}", THEN if side == AFTER else side)
+        yield When(f"at {number}", THEN if side == AFTER else side, ways)
 
 
 def second(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -266,6 +267,19 @@ def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
         yield When(told, side, ((who, FASTEST),))
 
 
+def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
+    who = subject_of(found, heard, subject)
+    yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
+
+
+def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body that starts at the origin is back there."""
+    who = subject_of(found, heard, subject)
+    for when in returned(found, heard, subject, side):
+        yield replace(when, ways=((who, f"{ORIGIN} x"),))
+
+
 def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
     who = subject_of(found, heard, subject)
@@ -273,9 +287,11 @@ def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start."""
-    del found, heard, subject
-    yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
+    """Yield the start; a lift-off only where the body lifts off at once."""
+    if _LIFT_OFF.search(found[0]) is not None or _LIFT_OFF.search(heard.text) is not None:
+        yield When("at start", ways=((subject, SETS_OFF),))
+    else:
+        yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
 
 
 def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

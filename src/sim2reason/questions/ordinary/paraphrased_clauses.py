@@ -124,6 +124,8 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
         return "{s} finally stops"
     if plain == "{s} stops" and ways:
         return "{s} stops going{way}"
+    if plain == "{s} returns" and re.search(r"\borigin\b", text) is not None:
+        return "{s} returns to origin"
     if "{t}" not in plain or len(subjects) > 1:
         return plain
     numbers = _ORDINAL.findall(rest)

@@ -11,7 +11,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
-from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -22,7 +22,7 @@ from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
-from sim2reason.questions.posing import MINUS, PLUS, SUMMED
+from sim2reason.questions.posing import AXLE, MINUS, PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -66,6 +66,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if asked.of == EVERYTHING:
         every = all_of(asked.find, words) if asked.find in SUMMED else ()
+        axles = {turning_axes(words.mechanism, name)[0][0] for name in every if asked.find == AXLE}
+        every = every if len(axles) < 2 else ()
         return (PLUS.join(every),) if every else ()
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
@@ -180,12 +182,26 @@ def _component(told: str, words: Words) -> str:
     if found is None:
         return told
     asked = StructuredQuestion(found["find"], found["of"])
+    if found["axis"] == "vertical" and (line := _on_slope(asked, found["value"], words)):
+        return line
     if found["axis"] != ONLY_LINE:
         return f"{found['find']} of {found['of']} along {axis_named(found['axis'], asked, words)} = {found['value']}"
     names = [name for name, said in words.called(Bodies()).items() if found["of"] in (name, said)]
     senses = [sense for name in names for sense in Bodies().senses(words.mechanism, name)]
     line = senses[0].positive if len(senses) == 1 else found["axis"]
     return f"{found['find']} of {found['of']} along {line} = {found['value']}"
+
+
+def _on_slope(asked: StructuredQuestion, value: str, words: Words) -> str:
+    """Return a vertical displacement of a body that moves along one sloping line as that along the line; else empty."""
+    found = addresses(words).get(asked.of, asked.of)
+    if asked.find != "displacement" or found not in words.mechanism.body:
+        return ""
+    senses, (number, _, unit) = Bodies().senses(words.mechanism, found), value.partition(" ")
+    path = center_path(words.mechanism, found)
+    if not path.straight or len(senses) != 1 or not EVEN < abs(senses[0].vector[2]) < 1.0 - EVEN:
+        return ""
+    return f"displacement of {asked.of} along {senses[0].positive} = {float(number) / senses[0].vector[2]:.15g} {unit}"
 
 
 def _carries(of: str, words: Words) -> bool:

@@ -16,6 +16,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     FIXED_FACE,
     ON,
     ORIGIN,
+    ROUND,
     SOLE,
 )
 from sim2reason.questions.ordinary.whens import AFTER
@@ -83,6 +84,10 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(ON):
                 face = way.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
+            elif way.startswith(ROUND):
+                center = named(way.removeprefix(ROUND), words)
+                pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
+                yield "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
             else:
                 told, holds = OTHERS[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)

@@ -27,6 +27,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     FASTEST,
     GAINED,
     LASTS,
+    LEVEL,
     ONCE,
     ONE_WAY,
     ONLY,
@@ -218,6 +219,12 @@ def _gained(case: Case) -> bool:
     return (case.followed.answer or 0.0) > 0.0
 
 
+def _level(case: Case) -> bool:
+    """Return whether a body can move horizontally only."""
+    name = named(case.who, case.words)
+    return bool(name) and not center_path(case.words.mechanism, name).rises
+
+
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; without a body named, true."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
@@ -273,6 +280,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SETS_OFF: ("{who} does not move at first", _sets_off),
     UNMOVED: ("nothing is told of the time before the start", _unmoved),
     GAINED: ("it is the other way round", _gained),
+    LEVEL: ("{who} does not move on a level face", _level),
     FASTEST: ("{who} is faster at another time", _fastest),
     ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),

@@ -37,6 +37,10 @@ REWORDINGS: Mapping[str, str] = {
         r"what is final \g<q> of \g<s>"
     ),
     "\\bby end of (?=first #)": "after ",
+    "\\b(?:leave|leaves|rebound from|rebounds from|bounce off|bounces off|fly off|come off) SURFACE after "
+    "(?:hitting|striking|touching|landing on|bouncing off) (?:@0@|it|SURFACE) for (?P<number>ORDINAL) time": (
+        r"move just after \g<number> bounce"
+    ),
     "\\b(?:at end of|throughout|within|during) (?=first #)": "in ",
 }
 """By what a part of a question is like, on text without articles: what says the same."""

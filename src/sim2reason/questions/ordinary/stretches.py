@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     ONCE,
@@ -150,6 +150,12 @@ def _most(name: str) -> Reader:
     return read
 
 
+def _count(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the number of all collisions, or of those up to a moment."""
+    yield from implied("number of collisions", "last collision")(found, heard)
+    yield Main("number of collisions", needs=CLAUSED)
+
+
 def _at_once(*finds: str) -> Reader:
     """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
     return of_pair(*finds, needs=STRETCH)
@@ -227,9 +233,7 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": implied(
-        "number of collisions", "last collision"
-    ),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": _count,
     "how much ~{s} compressed at most": _most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),

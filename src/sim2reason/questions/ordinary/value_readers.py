@@ -31,6 +31,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ORIGIN,
     QUANTITIES,
     RESTS,
+    ROUND,
     SLOWER,
     SOLE,
     UP,
@@ -156,6 +157,29 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
 
 
+def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the distance that a body travels, there and back."""
+    for of in each(heard, found["s"]):
+        yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
+
+
+def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, "vertical", STRETCH, ((of, "down" if found["side"] == "below" else "up"),))
+
+
+def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the component of a quantity along the way that a sentence counts as positive."""
+    along = "up" if found["way"].startswith("up") else "right"
+    yield from (Main(meant(QUANTITIES, found["q"]), of, along) for of in each(heard, found["s"]))
+
+
+def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the period of a body, presuming that the body that it goes round draws it."""
+    yield Main("period", heard.subject(found["s"]), needs=FREE, ways=((heard.subject(found["s"]), f"{ROUND}{heard.subject(found['t'])}"),))
+
+
 def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield a time."""
     del found, heard
@@ -202,11 +226,12 @@ def fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main(f"fuel {found['fuel']}", heard.subject(found["s"]))
 
 
-def of_ground(find: str) -> Reader:
+def of_ground(find: str, *ways: str) -> Reader:
     """Return a reader for a force of the fixed surface on a body, even on one that carries others."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        yield from (Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"),)) for of in each(heard, found["s"]))
+        for of in each(heard, found["s"]):
+            yield Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"), *((of, way) for way in ways)))
 
     return read
 
@@ -220,6 +245,11 @@ def relatively(name: str) -> Reader:
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
 
     return read
+
+
+def stored(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the energy stored in a spring, or in several springs together."""
+    yield Main("spring energy", PLUS.join(each(heard, found["s"])))
 
 
 def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -98,6 +98,8 @@ SMALL = "small"  # oscillations, so that the period does not depend on how far t
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 SETS_OFF, UNMOVED, FASTEST, ACROSS, GAINED = "sets off", "unmoved", "fastest", "across", "gained"
+LEVEL = "level"
+ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
 WORDS: Mapping[str, str] = {
