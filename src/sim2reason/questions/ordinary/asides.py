@@ -15,7 +15,7 @@ ASIDES = tuple(
         rf" (?:relative to|with respect to|in) (?:(?:{GROUNDS}|laboratory|lab|earth)(?: 's)? {_FRAME}|laboratory|lab|earth)(?= |$)",
         rf" ?,? (?:as )?(?:measured|counted|reckoned|counting|measuring) (?:from|since) {pattern('START').pattern}(?: on)? ?,?"
         "(?= |$)",
-        rf"(?:\.|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude|size|value)"
+        rf"(?:[.?]|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude|size|value)"
         rf"(?: only)?(?: (?:in|as) [a-z/²^0-9]+(?: per [a-z]+)?)?\)?$",
         rf"(?: ,)? \((?:measured )?in {_UNITS}(?: per [a-z]+)?\)(?: ,)?",
         rf" in {_UNITS}(?: per second(?: squared)?)?$",
@@ -29,8 +29,13 @@ ASIDES = tuple(
 _FIRST_INSTANT = re.compile(r"\b(?:at )?(?:very )?first (?:instant|moment|time) (?:at which|when|that|in which|it is that)\b")
 
 
+_WORK = re.compile(r"how much work (?:has|does|did) friction (?:done|do)(?: on @\d+@)?")
+
+
 def without_asides(text: str) -> str:
-    """Return a question without what adds nothing to it."""
+    """Return a question without what adds nothing to it; the size of friction's work is the heat that it produces."""
+    if re.search(r"\bgive (?:only )?(?:its )?(?:magnitude|size)$", text) is not None:
+        text = _WORK.sub("how much energy is lost to friction", text)
     for aside in ASIDES:
         text = aside.sub("", text)
     return " ".join(_FIRST_INSTANT.sub("when", text).split()).rstrip(" ,.;")

@@ -43,6 +43,7 @@ _SPAN = tuple(
         f"(?P<other>ORDINAL) {_LANDING}",
     )
 )
+_RISE = pattern("how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?")
 _TOP = pattern(
     "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
     "~(?:rise|get|go|fly|climb|reach|come|bounce|rebound|jump)(?: back)?(?: up)?(?: above SURFACE)?"
@@ -67,6 +68,12 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             who = whole
             when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
+
+
+    if _RISE.fullmatch(heard.text) is not None:
+        for rank, top in enumerate(("highest point", "stopped")):
+            when = f"{whole} {top}{MINUS}{whole} lowest point"
+            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),), rank)
 
 
 def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:

@@ -25,7 +25,7 @@ _HOME = (
 )
 HOME = rf"(?:{_HOME})"
 START_WORDS = (
-    "(?:start|release|launch|blow|kick|beginning|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
+    "(?:start(?! point| position| place| location)|release(?! point)|launch(?! point)|blow|kick|beginning|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
     "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set (?:in motion|move|going|go|free)"
     "|leave (?:origin|HOME)|throw off|project|projection|departure|leave hand|free)"
 )
@@ -68,9 +68,9 @@ HEADS: Mapping[str, str] = {
     "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
     "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
     "(?:down|downward|downwards)": "{s} passes through vertical",
-    "(?:closest|nearest)(?: approach| point| distance| position)?|perihelion|periapsis|pericentre|perigee|periastron"
+    "(?:closest|nearest)(?: approach| point| distance| position)?(?: to)?|perihelion|periapsis|pericentre|perigee|periastron"
     "|minimum distance|least distance|smallest distance": "{s} closest to {t}",
-    "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?|aphelion|apoapsis|apocentre|apogee"
+    "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?(?: from)?|aphelion|apoapsis|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
     "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
@@ -135,7 +135,11 @@ HEADS: Mapping[str, str] = {
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
     r"|(?:from|after|of|since|following|past)(?: (?:[a-z]+|@\d+@))?(?: both| all)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
-    f"(?:start|begin|set out|set off|start off|start out)(?: to)?(?: {_MOVE})?(?: off| out)?": "{s} sets off",
+    "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic energy) (?:be |become "
+    "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as (?:great|large) as (?:at start"
+    "|initially)|(?:its |that at )?(?:initial|original|start|starting)(?: value| one| speed| velocity)?|what it be (?:at start|initially))"
+    "|(?P<tripled>double|treble|triple|quadruple) its (?P<o>speed|velocity|kinetic energy)": "{q} of {s} {times} times at first",
+    f"(?:start(?! point| position| place)|begin|set out|set off|start off|start out)(?: to)?(?: {_MOVE})?(?: off| out)?": "{s} sets off",
     rf"(?P<n>{N}) (?:above|over|off|from|clear of) GROUNDS|(?:at |reach )?(?:height|altitude) of (?P<m>{N})(?: (?:above|over)"
     rf" GROUNDS)?|(?P<k>{N}) high": "{s} at height of {n}",
     rf"{FALL} {_DROP}(?P<n>{N})(?: vertically)?|(?:vertical )?(?:drop|descent|fall) of (?P<m>{N})": "{s} falls {n} vertically",

@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
-_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull)"
+_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull|shift)"
 VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO}
 MOTION = f"(?:{'|'.join(VERBS.values())})"
 _FAST = "how (?:fast|quick|quickly|rapid|rapidly|swiftly)|what speed|how much speed"
@@ -95,14 +95,14 @@ ROWS = (
     WantedRow((_FAR, _LEVEL, f"(?:from|of) {HOME}", f"?{MOTION}"), "how far horizontally does {s} move"),
     WantedRow((f"{_FAR}|displacement", HOME, "{greatest}|farthest|furthest", f"?{MOTION}", "?away"),
         "how far does {s} get from its starting point at most"),
-    WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}"), "how far does {s} {verb}{way}"),
+    WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}|move|shift|advance|slide|recoil"), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAST}|speed",
          "apart|together|(?:toward|towards|away from|relative to|from) (?:each other|one another)",
          f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
     WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
     WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"(?:measured )?along (?:{GROUNDS})",
-         f"?{MOTION}"), "how far does {s} move {side}"),
+         f"?{MOTION}"), "how far {side} is {s}"),
     WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"?{MOTION}"),
         "how far vertically {side} its start is {s}"),
     WantedRow((_FAR, f"{_LEVEL}", MOTION), "how far horizontally does {s} move"),
@@ -153,7 +153,7 @@ ROWS = (
         "what impulse does {s} give {t}", 2),
     # forces
     WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
-    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on"), "what upward force of ground on {s}"),
+    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"), "what upward force of ground on {s}"),
     WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
     WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", "(?:fixed )?(?:wall|stop|support|peg)", "?by|on|of|from"),
         "what is force of {s}"),
@@ -191,8 +191,7 @@ ROWS = (
          "?(?:(?:need|take|require|last|complete|make|go|go through|perform|execute|travel|move)(?: to)? ?)+", _ONCE),
         "what is period of {s}"),
     WantedRow(("(?:how long|how much time|how many (?:seconds|years))", "need|take|require", f"(?:to )?{_GO}",
-         rf"(?:round|around) (?={S})|(?:round|around) (?:(?:a|one|single|full|complete|whole) )*(?:circle|orbit|circuit) (?:of|round) (?={S})",
-         "?once|(?:one|single) time"),
+         "round|around", "once|(?:one|single) time"),
         "what is period of {s} about {t}", 2),
     WantedRow(("(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
          "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),

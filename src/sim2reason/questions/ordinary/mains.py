@@ -128,6 +128,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK energy stored in {s}": read.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
     "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": read.changed,
+    "how far (?P<side>up|down) is {s}": read.far_off,
     "how far altogether ~{s} move[ {way=WAY}]": read.far_in_all,
     "how far vertically (?P<side>below|above) its start is {s}": read.far_vertically,
     "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.multiples import TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
@@ -278,6 +279,15 @@ def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) 
     who = subject_of(found, heard, subject)
     for when in returned(found, heard, subject, side):
         yield replace(when, ways=((who, f"{ORIGIN} x"),))
+
+
+FACTORS = {"double": 2, "twice": 2, "treble": 3, "triple": 3, "three": 3, "quadruple": 4, "four": 4, "ten": 10}
+
+
+def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a quantity is a multiple of what it is at the start."""
+    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
 
 
 def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

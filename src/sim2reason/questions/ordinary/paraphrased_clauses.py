@@ -32,9 +32,9 @@ _LOOSE = frozenset(
         "permanently ever",
     )
 )
-_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
 _ON_ITS_WAY = re.compile(r" on (?:its |@\d+@ 's |their )?(?:way|journey|trip) (?:back|home|there|out)\b(?! from)")
 _ON_OTHER_SIDE = re.compile(r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b")
+_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever|everything)\b")
 TOGETHER = "they move together"
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
 _PASSING = frozenset(
@@ -89,6 +89,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
     subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
     plain = _for_these(plain, subjects, ways, f"{found[0]} <> {rest}")
     count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
+    rest = re.sub(r"\beverything\b", " ", rest) if "stops" in plain else rest
     left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
     if any(place in plain for place in _PASSED):
         left -= _PASSING
@@ -108,7 +109,8 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         count=f" for {count[0]} time" if count else "",
         axis=groups.get("axis", ""),
         sign="-" if groups.get("sign") else "",
-        q=groups.get("q", ""),
+        q=next((groups[key] for key in "qro" if groups.get(key)), ""),
+        times=next((groups[key] for key in ("times", "fold", "tripled") if groups.get(key)), ""),
         sense=_sense(groups),
     )
     yield re.sub(r" of equals", " equals", " ".join(told.split()))

@@ -60,6 +60,9 @@ def _mass(found: re.Match[str]) -> str:
     return f"what mass {found['verb']} {found['who']} have"
 
 
+_ALL = re.compile(r"\b(?:everything|system|all|equilibrium|balance|balanced)\b")
+
+
 class DecidingNumber(NamedTuple):
     """A number by its name, its owner, the outcome, whether it happens, of what, and which end of the range."""
 
@@ -82,7 +85,7 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
     owner = heard.subject(asked["own"] or asked["of"] or (has["who"] if has is not None else None))
     rest = based(_ASIDES.sub(" ", rest if has is None else f"{rest[: has.start()]} {rest[has.end() :]}"))
     for told, (does, happens) in OUTCOMES.items():
-        found = re.search(rf"(?<![\w@]){told}(?![\w@])", rest)
+        found = re.search(rf"(?<![\w@])(?:{told})(?![\w@])", rest)
         if found is None:
             continue
         others, least = f"{rest[: found.start()]} {rest[found.end() :]}", None
@@ -92,11 +95,12 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
         subjects = list(dict.fromkeys(re.findall(r"@\d+@", f"{others} {found.groupdict().get('kept') or ''}")))
         words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
         if len(subjects) <= 1 and not set(words) - _LOOSE:
-            of = heard.subject(subjects[0]) if subjects else ""
-            yield DecidingNumber(
-                meant(numbers, asked["p"]), owner or ("" if does != "rests" else of), does, happens, of, least
-            )
-        return
+            alone = has["who"] if has is not None and not _ALL.search(others) else None
+            of = heard.subject(subjects[0] if subjects else alone)
+            name = meant(numbers, asked["p"])
+            owner = owner or (of if does == "rests" and name == "mass" else "")
+            yield DecidingNumber(name, owner, does, happens, of, least)
+            return
 
 
 @cache

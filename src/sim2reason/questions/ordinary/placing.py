@@ -15,6 +15,7 @@ from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
@@ -253,17 +254,19 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
                 asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
                 yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
         elif found.given == AT_REST:
-            yield from _balanced(path, words)
+            yield from _balanced(path, found.of, words)
         else:
             asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
             yield Reading(asked, found.when.side, rank=found.when.rank)
 
 
-def _balanced(path: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which no body is accelerated, in a scene without friction."""
-    if any(face.friction > 0.0 for face in words.mechanism.faces):
+def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
+    """Yield readings that ask for the number with which a body, by default each, is not accelerated, without friction."""
+    rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
+    if rubs:
         return  # within a whole range of numbers
-    for name in words.called(Bodies()):
+    name = addresses(words).get(of, "")
+    for name in (name,) if name else words.called(Bodies()):
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"

@@ -72,10 +72,11 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
     events = (event.time for event in trace.events if event.time > 0.0)
     early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
     then = early if not time else float(np.nextafter(time, 0.0))
-    for kind, ways in ((Displacement, reading.gone), (Velocity, reading.moving)):
+    late = time if time and reading.side == AFTER else then  # what is asked for just after an event moves as it does then
+    for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.moving, late)):
         for who, way in ways:
             if way in AXES:
-                yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
+                yield "" if _goes(kind, who, way, trace.at(instant), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
                 yield "" if _from_origin(who, way[-1], followed.study, words) else f"{who} does not start at the origin"
             elif way.startswith(SOLE):

@@ -37,6 +37,8 @@ REWORDINGS: Mapping[str, str] = {
         r"what is final \g<q> of \g<s>"
     ),
     "\\bby end of (?=first #)": "after ",
+    "(?<= )next (?=cross)": "",
+    "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
     "\\b(?:leave|leaves|rebound from|rebounds from|bounce off|bounces off|fly off|come off) SURFACE after "
     "(?:hitting|striking|touching|landing on|bouncing off) (?:@0@|it|SURFACE) for (?P<number>ORDINAL) time": (
         r"move just after \g<number> bounce"

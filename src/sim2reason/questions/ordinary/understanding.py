@@ -9,6 +9,7 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.multiples import in_numbers
 from sim2reason.questions.ordinary.placing import numbers_wanted, placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
@@ -74,7 +75,7 @@ def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> P
     """Return the posed question, by addresses where the text's phrases name nothing; None if it has no meaning."""
     for told in dict.fromkeys((asked, addressed(asked, words), seen_from(asked, words))):
         try:
-            return posed(told, motion, words)
+            return posed(in_numbers(told, motion, words), motion, words)
         except TextError:
             continue
     return None

@@ -163,6 +163,11 @@ def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
 
 
+def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the displacement of a body, presuming that it is above its start, or below it."""
+    yield from (Main("displacement", of, needs=STRETCH, ways=((of, found["side"]),)) for of in each(heard, found["s"]))
+
+
 def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
     for of in each(heard, found["s"]):
