@@ -4,12 +4,14 @@ import re
 from collections.abc import Iterator
 from itertools import product
 
+from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
 from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
 from sim2reason.questions.posing import MINUS
+from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START
 
 _LONG = "how (?:much time|long|many (?:seconds|years))"
@@ -20,12 +22,16 @@ _BETWEEN = tuple(
         "(?:ASK|what) (?:time|interval|time interval|delay)(?: that)? ?~(?:pass|passes|elapse|elapses|lies)? ?between (?P<one>.+) and "
         "(?P<other>.+)",
         f"{_LONG} after (?P<one>.+?) (?:do|does|did|is|are|will|has|until) (?P<other>.+)",
+        f"{_LONG} ~{{s}} ~(?:stay|remain|fly)? ?(?:in air|in flight|airborne|aloft|flying) between (?P<one>.+) and (?P<other>.+)",
         f"{_LONG} ~{{s}} (?:take|need|require) (?:to (?:MOTION|get|pass) )?from (?P<one>.+) (?:to|until) (?P<other>.+)",
         f"{_LONG} ~{{s}} (?:take|need|require) to (?P<verb>MOTION|get|come|return)(?: back)? from (?P<one>.+?) (?:to|until) "
         "(?P<other>.+)",
     )
 )
 _NUMBERED = re.compile(pattern("ORDINAL").pattern)
+_FOLLOWING = re.compile(rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?")
+COLLISION = "energy lost in a collision"
+_HOMEWARD = re.compile(HOME)
 _AGAIN = re.compile(r"\b(?:again|next|another|second time|third time)\b")
 _LANDING = (
     "(?:landing|landing point|landing place|bounce|impact|impact point|hit|hits|point of impact|point|place|spot|touchdown)s?"
@@ -39,9 +45,18 @@ _SPAN = tuple(
         f"how far ~(?P<other>ORDINAL) {_LANDING} from (?P<one>ORDINAL)(?: one| {_LANDING})?",
         f"(?:ASK|what) (?:horizontal )?distance between (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
         f"(?:ASK|what) distance between @0@ 's (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
-        f"how far(?: ,? ?(?:measured )?horizontally ,?)? ~@0@ (?:MOTION )?between (?:its )?(?P<one>ORDINAL) and (?:its )?"
+        f"how far(?: ,? ?(?:measured )?horizontally ,?)? ~@0@ (?:MOTION )?(?:horizontally )?between (?:its )?(?P<one>ORDINAL) and (?:its )?"
         f"(?P<other>ORDINAL) {_LANDING}",
     )
+)
+_FROM_START = pattern(
+    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)? from (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for (?P<number>ORDINAL) time)?"
+    f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
+)
+_PEAK = pattern(
+    "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb|reach|bounce)(?: up)?"
+    "(?: above SURFACE)? between (?:its )?(?P<one>ORDINAL) and (?:its )?(?P<other>ORDINAL) (?:bounce|impact|landing|rebound)s?"
 )
 _RISE = pattern("how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?")
 _TOP = pattern(
@@ -70,6 +85,14 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
 
 
+    found = _FROM_START.fullmatch(heard.text)
+    if found is not None:
+        number = found["number"] or found["other"] or "first"
+        for rank, when in enumerate((f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))):
+            yield Main("displacement", whole, "horizontal"), When(when, AFTER, rank=rank)
+    found = _PEAK.fullmatch(heard.text)
+    if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
+        yield Main("height above the ground", whole), When(f"{found['one']} {whole} top after bounce")
     if _RISE.fullmatch(heard.text) is not None:
         for rank, top in enumerate(("highest point", "stopped")):
             when = f"{whole} {top}{MINUS}{whole} lowest point"
@@ -80,6 +103,11 @@ def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main,
     """Yield the time from one moment to another, each told by a clause; *the first and the second bounce* share a noun."""
     if _AGAIN.search(other) or _AGAIN.search(one):
         return
+    if _HOMEWARD.fullmatch(other):
+        other = "returns"
+    following, noun = _FOLLOWING.fullmatch(other), _NUMBERED.sub("", one, count=1)
+    if following is not None:
+        other = f"{following['number']}{noun}"
     first = _NUMBERED.match(other)
     if _NUMBERED.fullmatch(one) and first is not None:
         one = f"{one}{other[first.end() :]}"
@@ -106,7 +134,9 @@ def changed(main: Main, when: When, side: str) -> When | None:
     """Return the moment, less an earlier one, of a gain, a loss or a change: over an event, or else since the start."""
     told = when.told.removesuffix(" before")
     jumps = told.endswith(("bounced", "collided")) and side in (THEN, DURING)
-    if main.needs == JUMP and not jumps:
+    if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):
+        return When(told, AFTER, when.ways, when.rank) if jumps and main.find == COLLISION else None
+    if main.find == COLLISION:
         return None
     later, earlier = (told, f"{told} before") if jumps else (when.told, START)
     both = MINUS.join((earlier, later) if main.needs in (LOSS, JUMP) else (later, earlier))

@@ -27,7 +27,7 @@ HOME = rf"(?:{_HOME})"
 START_WORDS = (
     "(?:start(?! point| position| place| location)|release(?! point)|launch(?! point)|blow|kick|beginning|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
     "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set (?:in motion|move|going|go|free)"
-    "|leave (?:origin|HOME)|throw off|project|projection|departure|leave hand|free)"
+    "|leave (?:origin|HOME)|throw off|project|projection|departure|leave (?:thrower 's )?hand|free)"
 )
 _SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
 
@@ -138,7 +138,7 @@ HEADS: Mapping[str, str] = {
     "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic energy) (?:be |become "
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as (?:great|large) as (?:at start"
     "|initially)|(?:its |that at )?(?:initial|original|start|starting)(?: value| one| speed| velocity)?|what it be (?:at start|initially))"
-    "|(?P<tripled>double|treble|triple|quadruple) its (?P<o>speed|velocity|kinetic energy)": "{q} of {s} {times} times at first",
+    "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic energy)": "{q} of {s} {times} times at first",
     f"(?:start(?! point| position| place)|begin|set out|set off|start off|start out)(?: to)?(?: {_MOVE})?(?: off| out)?": "{s} sets off",
     rf"(?P<n>{N}) (?:above|over|off|from|clear of) GROUNDS|(?:at |reach )?(?:height|altitude) of (?P<m>{N})(?: (?:above|over)"
     rf" GROUNDS)?|(?P<k>{N}) high": "{s} at height of {n}",

@@ -66,6 +66,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~BOUNCES for {number=ORDINAL} time": read.jump("bounced"),
     "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": read.jump("collided"),
     "{number=ORDINAL} collision": read.jump("collided"),
+    "[their ]{number=ORDINAL} collision (?:of|between) {s} (?:and|with) {t}": read.meet_again,
     "{s} 's {number=ORDINAL} collision": read.jump("collided"),
     "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": read.meet,
     "[pure ]rolling (?:sets in|begins|starts)": read.simply("stopped slipping"),

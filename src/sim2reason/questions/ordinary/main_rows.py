@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
-_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull|shift)"
+_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull|shift|displace|progress|proceed)"
 VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO}
 MOTION = f"(?:{'|'.join(VERBS.values())})"
 _FAST = "how (?:fast|quick|quickly|rapid|rapidly|swiftly)|what speed|how much speed"
@@ -35,7 +35,8 @@ _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|ov
 SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
-    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off|(?:begin|start) to move",
+    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
+    "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin|start) its motion",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
 
@@ -83,7 +84,7 @@ ROWS = (
         "how much potential energy does {s} lose"),
     WantedRow(("{quantity}", f"{_IN_ALL}|combined|joint|together|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
-    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", "gain|increase|rise|grow"),
+    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", "gain|increase|rise|grow|pick up|acquire|put on"),
         "how much {quantity} does {s} gain"),
     WantedRow(("{quantity}", "?by how much|how much", "lose|loss|decrease|fall|drop|diminish"),
         "how much {quantity} does {s} lose"),
@@ -111,6 +112,7 @@ ROWS = (
     WantedRow((_FAR, "apart|between|from each other|from one another", "?(?:centre|center)s?(?: of)?", f"?{MOTION}"),
         "how far apart are {s} and {t}", 2),
     WantedRow((_FAR, "from", "?away", f"?{MOTION}"), "how far is {s} from {t}", 2),
+    WantedRow((_FAR, "from", "?away", "get|go|come|stray|recede"), "what is greatest distance between {s} and {t}", 2),
     WantedRow((_FAR, "from|between", "{greatest}|farthest|furthest", "?away", f"?{MOTION}"),
         "what is greatest distance between {s} and {t}", 2),
     WantedRow(("distance|how far", "to|from|between|of", "{least}|closest|nearest", f"?{MOTION}|approach"),
@@ -143,6 +145,8 @@ ROWS = (
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
         "how much mechanical energy does {s} lose"),
+    WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|draw|eat|consume|rob", "?from|away|out", "friction",
+         f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     WantedRow(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),
@@ -154,6 +158,9 @@ ROWS = (
     # forces
     WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
     WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"), "what upward force of ground on {s}"),
+    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})", "?by|from|of|on"),
+        "what whole force of ground on {s}"),
+    WantedRow((_FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
     WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
     WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", "(?:fixed )?(?:wall|stop|support|peg)", "?by|on|of|from"),
         "what is force of {s}"),
@@ -184,6 +191,8 @@ ROWS = (
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what is greatest angle of {s} with vertical"),
+    WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
+        "what is greatest angle of {s} with vertical"),
     WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN), "through what angle does {s} turn"),
     WantedRow(("period(?: of revolution| of oscillation| of rotation)?", f"?{'{motion}'}", "?of"),
         "what is period of {s}"),
@@ -193,7 +202,11 @@ ROWS = (
     WantedRow(("(?:how long|how much time|how many (?:seconds|years))", "need|take|require", f"(?:to )?{_GO}",
          "round|around", "once|(?:one|single) time"),
         "what is period of {s} about {t}", 2),
-    WantedRow(("(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
+    WantedRow(("(?:at )?(?:what|which) rate|rate at which", _TURN), "how fast does {s} turn"),
+    WantedRow(("(?:how many times|how often)",
+         "(?:change|reverse) (?:its )?(?:direction|sense|way|motion)(?: of (?:motion|travel))?|reverse|turn (?:back|round|around)"),
+        "how many times does {s} reverse"),
+    WantedRow(("(?:through )?(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
          "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),

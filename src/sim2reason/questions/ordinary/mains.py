@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
 from sim2reason.questions.ordinary.readers import CLAUSED, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import LEVEL, pattern
+from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
@@ -129,6 +129,10 @@ FRAMES: Mapping[str, Reader] = {
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
     "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": read.changed,
     "how far (?P<side>up|down) is {s}": read.far_off,
+    "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
+    "what force acts on {s}": read.of_fields,
+    "how many times does {s} reverse": of_one("number of reversals", needs=CLAUSED),
+    "how much mechanical energy ~(?:lost|lose)": read.lost_in_impact,
     "how far altogether ~{s} move[ {way=WAY}]": read.far_in_all,
     "how far vertically (?P<side>below|above) its start is {s}": read.far_vertically,
     "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),

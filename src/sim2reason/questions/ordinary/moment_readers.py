@@ -10,7 +10,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
     ACROSS,
-    FASTEST,
     ON,
     ORIGIN,
     SETS_OFF,
@@ -106,6 +105,12 @@ def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterat
         yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
+def meet_again(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield a numbered collision of two named bodies."""
+    for when in meet(found, heard, subject, asked):
+        yield replace(when, told=f"{found['number']} {when.told}")
+
+
 def met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
     """Yield the collision of the question's subject with a named body."""
     if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
@@ -166,6 +171,7 @@ def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     """Yield the moment when a body on a straight line is back where it started."""
     who = subject_of(found, heard, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
+    yield When(f"{who} returned", side, rank=LAST)
 
 
 def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -262,10 +268,8 @@ def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
 
 
 def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moments at which a body may be fastest, presuming that it is."""
-    who = subject_of(found, heard, subject)
-    for told in (f"acceleration of {who} along {ONLY_LINE} = 0 m/s^2", f"{who} lowest point", f"{who} closest"):
-        yield When(told, side, ((who, FASTEST),))
+    """Yield the moment at which a body is fastest."""
+    yield When(f"{subject_of(found, heard, subject)} fastest", side)
 
 
 def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

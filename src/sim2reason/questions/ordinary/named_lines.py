@@ -134,6 +134,8 @@ def _by_ends(line: Named, lines: list[Named]) -> Iterable[Ranked]:
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {told}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_FROM.format(end=told).replace('?P<who>', '?:')}"
         tied = told if not axle else rf"(?:the )?axle of {told}"
+        if not axle:
+            yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {tied}(?! [A-Z]\b)"
     walls = [each for each in lines if "" in each.ends]
     if line.noun == "spring" and walls == [line] and len(lines) > 1:

@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS,
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
 
 WAY = re.compile(
-    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick )(?<!picks )"
+    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick )(?<!picks )(?<!picked )"
     r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
     r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
     r"|to left)"

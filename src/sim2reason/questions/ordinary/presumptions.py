@@ -24,7 +24,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
-    FASTEST,
+    FIELDS_ALONE,
     GAINED,
     LASTS,
     LEVEL,
@@ -39,6 +39,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SETS_OFF,
     SLOWER,
     SMALL,
+    SMOOTH,
     STRAIGHT,
     STRETCHED,
     UNMOVED,
@@ -225,6 +226,18 @@ def _level(case: Case) -> bool:
     return bool(name) and not center_path(case.words.mechanism, name).rises
 
 
+def _smooth(case: Case) -> bool:
+    """Return whether the face on which a body lies exerts no friction on it."""
+    contact = case.words.mechanism.contacts.get(named(case.who, case.words))
+    return contact is not None and contact.friction == 0.0
+
+
+def _fields_alone(case: Case) -> bool:
+    """Return whether nothing but fields and gravitation acts on the bodies of a scene."""
+    mechanism, name = case.words.mechanism, named(case.who, case.words)
+    return bool(name) and not _falls(mechanism, name) and not mechanism.lines and not mechanism.contacts
+
+
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; without a body named, true."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
@@ -235,16 +248,6 @@ def _sets_off(case: Case) -> bool:
 def _unmoved(case: Case) -> bool:
     """Return whether what is asked for depends on places alone, so that it is the same before and after a release."""
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
-
-
-def _fastest(case: Case) -> bool:
-    """Return whether a body has its greatest speed of the known motion at the instant asked about."""
-    name, trace = named(case.who, case.words), case.followed.study.trace
-    if not name:
-        return False
-    speeds = np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
-    speed = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name)))
-    return speed >= (1.0 - STEADY) * float(speeds.max())
 
 
 def _across(case: Case) -> bool:
@@ -280,8 +283,9 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SETS_OFF: ("{who} does not move at first", _sets_off),
     UNMOVED: ("nothing is told of the time before the start", _unmoved),
     GAINED: ("it is the other way round", _gained),
+    SMOOTH: ("there is friction, too", _smooth),
+    FIELDS_ALONE: ("there are other forces", _fields_alone),
     LEVEL: ("{who} does not move on a level face", _level),
-    FASTEST: ("{who} is faster at another time", _fastest),
     ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),
 }

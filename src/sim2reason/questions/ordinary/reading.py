@@ -23,6 +23,8 @@ _AT_EVENT = (
     rf"|high){_PLACE}?))"
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
+_REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
+_VALUES = "with what", "at what", "how fast", "what"
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
@@ -44,6 +46,7 @@ _BEGINS = pattern(
 )
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+INCLINATION = "angle with the horizontal"  # of a velocity
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
@@ -119,7 +122,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
         question = f"{at_event[1].removesuffix(' away')} {at_event[2] if '@' in at_event[2] else ''}".strip()
-        yield question, f"{at_event[2]} {at_event[3]}", THEN
+        rebounds = question.startswith(_VALUES) and _REBOUNDS.match(at_event[3]) is not None
+        yield question, f"{at_event[2]} {at_event[3]}", AFTER if rebounds else THEN
     takes = re.fullmatch(_TAKES, text)
     if takes is not None:
         yield "when", f"{takes[1]} {takes[2]}", THEN
@@ -219,7 +223,8 @@ def _with(main: Main, when: When) -> Reading:
         told = told.removesuffix(" before")
     elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
         told = f"{told} before"
-    gone, moving = ((), main.ways) if main.needs == MOMENT else (main.ways, ())
+    moves = main.needs == MOMENT or main.find == INCLINATION
+    gone, moving = ((), main.ways) if moves else (main.ways, ())
     return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     ONCE,
@@ -114,6 +114,8 @@ def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
     del found, heard
     yield Main("energy dissipated by friction", needs=STRETCH)
+    yield Main("energy lost in a collision", needs=JUMP)
+    yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
         yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
 

@@ -23,7 +23,9 @@ from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     COMPRESSED,
     DOWN,
+    FIELDS_ALONE,
     FIXED_FACE,
+    GROUNDS,
     LASTS,
     MOTIONS,
     ON,
@@ -33,6 +35,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     RESTS,
     ROUND,
     SLOWER,
+    SMOOTH,
     SOLE,
     UP,
     WAYS,
@@ -54,6 +57,8 @@ def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main(name, PLUS.join(each(heard, groups.get("s"))))
         return
     for of in each(heard, groups.get("s")):
+        if name == "force" and re.search(rf"\b{GROUNDS} (?:exert|act)", found[0]) is not None:
+            yield Main("normal force", of, ways=((of, f"{ON}{FIXED_FACE}"), (of, SMOOTH)))
         ways = ways_of(found, of) if not along else ()
         yield from named(name, of, along, ways)
 
@@ -163,6 +168,11 @@ def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
 
 
+def of_fields(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the net force on a body, presuming that nothing but fields acts on it."""
+    yield from (Main("net force", of, ways=((of, FIELDS_ALONE),)) for of in each(heard, found["s"]))
+
+
 def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the displacement of a body, presuming that it is above its start, or below it."""
     yield from (Main("displacement", of, needs=STRETCH, ways=((of, found["side"]),)) for of in each(heard, found["s"]))
@@ -267,7 +277,7 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the kinetic energy that a body loses in an impact, which is all the mechanical energy that it loses there."""
-    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found["s"]))
+    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found.groupdict().get("s")))
 
 
 CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}

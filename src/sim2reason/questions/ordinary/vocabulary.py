@@ -97,8 +97,8 @@ ALOFT = "aloft"  # higher than the ground
 SMALL = "small"  # oscillations, so that the period does not depend on how far they go
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
-SETS_OFF, UNMOVED, FASTEST, ACROSS, GAINED = "sets off", "unmoved", "fastest", "across", "gained"
-LEVEL = "level"
+SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
+LEVEL, SMOOTH, FIELDS_ALONE = "level", "smooth", "fields alone"
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
