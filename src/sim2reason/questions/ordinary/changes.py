@@ -50,7 +50,7 @@ _SPAN = tuple(
     )
 )
 _FROM_START = pattern(
-    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)? from (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)?(?: away)? from (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
     f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for (?P<number>ORDINAL) time)?"
     f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
 )
@@ -58,7 +58,10 @@ _PEAK = pattern(
     "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb|reach|bounce)(?: up)?"
     "(?: above SURFACE)? between (?:its )?(?P<one>ORDINAL) and (?:its )?(?P<other>ORDINAL) (?:bounce|impact|landing|rebound)s?"
 )
-_RISE = pattern("how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?")
+_RISE = pattern(
+    "how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
+)
 _TOP = pattern(
     "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
     "~(?:rise|get|go|fly|climb|reach|come|bounce|rebound|jump)(?: back)?(?: up)?(?: above SURFACE)?"
@@ -86,7 +89,7 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
 
 
     found = _FROM_START.fullmatch(heard.text)
-    if found is not None:
+    if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
         number = found["number"] or found["other"] or "first"
         for rank, when in enumerate((f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))):
             yield Main("displacement", whole, "horizontal"), When(when, AFTER, rank=rank)

@@ -16,7 +16,7 @@ _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
     "|(?:release|launch|throw|throwing|launching|starting|kick|projection) point|(?:point|place|position|location) of"
     " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch|thrower|launch point"
-    "|release)|foot of (?:cliff|tower|building|wall)"
+    "|release)|foot of (?:cliff|tower)"
     "|(?:original|initial) (?:point|position|place|location)"
     "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
     "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
@@ -139,6 +139,9 @@ HEADS: Mapping[str, str] = {
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as (?:great|large) as (?:at start"
     "|initially)|(?:its |that at )?(?:initial|original|start|starting)(?: value| one| speed| velocity)?|what it be (?:at start|initially))"
     "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic energy)": "{q} of {s} {times} times at first",
+    "(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial|original|start|starting|launch"
+    "|same|own|release) (?:height|level)|(?:height|level) (?:from|at|of) (?:which|where) (?:it|@\\d+@) (?:start|throw|release|launch"
+    "|leave)|(?:height|level) of (?:throw|launch|release|projection)|launch height)(?: again)?": "{s} back at its height",
     f"(?:start(?! point| position| place)|begin|set out|set off|start off|start out)(?: to)?(?: {_MOVE})?(?: off| out)?": "{s} sets off",
     rf"(?P<n>{N}) (?:above|over|off|from|clear of) GROUNDS|(?:at |reach )?(?:height|altitude) of (?P<m>{N})(?: (?:above|over)"
     rf" GROUNDS)?|(?P<k>{N}) high": "{s} at height of {n}",

@@ -37,6 +37,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]moves {n} vertically {way=WAY}": read.vertically,
     "[{s} ]crosses (?P<axis>x|y) axis": read.crosses,
     "[{s} ]fastest": read.fastest,
+    "[{s} ]back at its height": read.back_at_height,
     "(?P<q>speed|velocity|kinetic energy) of(?: {s})? (?P<times>\\w+)(?: times)+ at first": read.multiple,
     "{s} leaves surface": read.lifts_off,
     "{s} returns to origin": read.back_at_origin,

@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import CLAUSED, Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
@@ -40,7 +40,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": read.quantity,
     "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
     "[ {way=WAY}]": read.quantity,
-    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": read.quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY}": read.quantity,
     "what (?P<axis>horizontal|vertical) {q=QUANTITY} ~{s}[ ~HAVE]": read.quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": read.quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": read.quantity,
@@ -133,6 +133,9 @@ FRAMES: Mapping[str, Reader] = {
     "what force acts on {s}": read.of_fields,
     "how many times does {s} reverse": of_one("number of reversals", needs=CLAUSED),
     "how much mechanical energy ~(?:lost|lose)": read.lost_in_impact,
+    "what angle {s} hits at": of_one("angle with the horizontal", needs=LANDING),
+    "ASK moment of inertia about [its ]axle": read.all_about_axle,
+    "what is power of hand": of_none("power of a hand"),
     "how far altogether ~{s} move[ {way=WAY}]": read.far_in_all,
     "how far vertically (?P<side>below|above) its start is {s}": read.far_vertically,
     "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),

@@ -171,7 +171,7 @@ def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     """Yield the moment when a body on a straight line is back where it started."""
     who = subject_of(found, heard, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
-    yield When(f"{who} returned", side, rank=LAST)
+    yield When(f"{who} returned", side)
 
 
 def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -276,6 +276,11 @@ def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
     """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
     who = subject_of(found, heard, subject)
     yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
+
+
+def back_at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is as high again as it was at the start."""
+    yield When(f"displacement of {subject_of(found, heard, subject)} along vertical = 0 m", side)
 
 
 def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -23,7 +23,10 @@ _CARRYING = (
     "(?:holding|holds|supporting|supports|carrying|carries|bearing|bears|suspending|suspends|lifting|lifts)(?: up)?"
     "|(?:pulling|pulls|dragging|drags|acting|acts|tugging|tugs)(?: on| up| along| at)?"
 )
-_FROM = "(?:from|by) which (?P<who>{end}) (?:hangs|is hung|is suspended|is held)"
+_FROM = (
+    "(?:from|by|on) which (?:{end}) (?:hangs|is hung|is suspended|is held)"
+    "(?: from (?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?pulley(?: [A-Z])?)?"
+)
 _OVER = rf"{_THAT}(?:(?:passing|passes|going|goes|running|runs|led|laid|slung|hung|wound|wrapped) )?(?:over|round|around|across)"
 _PARTS = "(?:part|section|piece|segment|portion|side|stretch|end|length)"
 _PART = rf"(?:{_PARTS} of (?:the )?)?"
@@ -132,11 +135,15 @@ def _by_ends(line: Named, lines: list[Named]) -> Iterable[Ranked]:
             yield 1450, line.phrase, rf"{string} {holds}"
             continue
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {told}(?! [A-Z]\b)"
-        yield 1450, line.phrase, rf"{string} {_FROM.format(end=told).replace('?P<who>', '?:')}"
+        yield 1450, line.phrase, rf"{string} {_FROM.format(end=told)}"
         tied = told if not axle else rf"(?:the )?axle of {told}"
         if not axle:
             yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {tied}(?! [A-Z]\b)"
+    loose = [each for each in lines if "" in each.ends]
+    if line.noun == "string" and loose == [line] and len(lines) > 1:
+        hook = "(?:the )?(?:fixed )?(?:hook|support|ceiling|beam|wall|point)"
+        yield 1400, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {hook}"
     walls = [each for each in lines if "" in each.ends]
     if line.noun == "spring" and walls == [line] and len(lines) > 1:
         wall = "(?:the )?(?:fixed )?(?:wall|stop|support)"

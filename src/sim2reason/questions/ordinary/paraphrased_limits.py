@@ -35,7 +35,7 @@ _LOOSE = frozenset(
         "what which find determine calculate compute how large big great must would should could need needed "
         "require make required necessary enough sufficient just have to be for so that such with in order allow let "
         "keep everything all system whole it they can still at it go carry bring get give of on prevent from where "
-        "if start than and barely the value whole just pull push exert apply slow release launch let will",
+        "if start than and barely the value whole just pull push exert apply slow release launch let will leave put",
     )
 )
 _SIZES = {

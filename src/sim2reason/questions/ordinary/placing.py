@@ -39,6 +39,7 @@ _COLLISION = re.compile(
     rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
 )
 _ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
+ANGULAR, MOST = ("angular velocity", "angular acceleration"), 6
 PERIODS = ("period", "frequency", "angular frequency")
 
 
@@ -74,6 +75,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
+    if asked.find in ANGULAR:
+        return ("", *quantity.subjects(words.mechanism)[:MOST]) if quantity is not None else ()
     if asked.find in PERIODS:
         return tuple(movers(words)) or ("",)
     functional = FUNCTIONALS.get(asked.find)

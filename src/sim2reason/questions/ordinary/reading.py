@@ -24,6 +24,7 @@ _AT_EVENT = (
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
 _REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
+_IMPACT = pattern("(?:its |their |@0@ 's )?(?:ORDINAL )?(?:bounce|impact|collision|rebound)")  # in which nothing falls
 _VALUES = "with what", "at what", "how fast", "what"
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
@@ -152,6 +153,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
+                if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
+                    continue
                 if main.needs in CHANGES:
                     both = changed(main, when, side)
                     yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))

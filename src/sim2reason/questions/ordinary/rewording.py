@@ -38,6 +38,7 @@ REWORDINGS: Mapping[str, str] = {
     ),
     "\\bby end of (?=first #)": "after ",
     "(?<= )next (?=cross)": "",
+    "^(?P<when>when (?:do|does|will|is) @\\d+@) next ": r"\g<when> ",
     "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
     "\\b(?:leave|leaves|rebound from|bounce off|come off) SURFACE (?:just |immediately )?after (?:its |their )?(?P<number>ORDINAL) "
     "(?:bounce|impact|landing|rebound)": r"move just after \g<number> bounce",

@@ -75,9 +75,9 @@ def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
-    for of in each(heard, found["s"]):
-        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed"))
-        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced"), rank=1)
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed".strip()))
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced".strip()), rank=1)
 
 
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -258,6 +258,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
+    "ASK [horizontal ]range[ of (?:throw|flight|shot|projectile|motion|trajectory)]": _range,
     "how far[ horizontally] from [BASE ](?:thrower|cliff|tower|building|wall|table) ~{s} LANDS": _range,
     "how far horizontally[ from HOME] ~{s} LANDS": _range,
     "how far from BASE HOME ~{s} LANDS": _range,

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import (
     CHANGE,
@@ -173,6 +174,12 @@ def of_fields(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield from (Main("net force", of, ways=((of, FIELDS_ALONE),)) for of in each(heard, found["s"]))
 
 
+def all_about_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the moment of inertia of everything that turns about the only axle."""
+    del found, heard
+    yield Main("moment of inertia about the axle", EVERYTHING)
+
+
 def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the displacement of a body, presuming that it is above its start, or below it."""
     yield from (Main("displacement", of, needs=STRETCH, ways=((of, found["side"]),)) for of in each(heard, found["s"]))
@@ -282,7 +289,7 @@ def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
 ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
-UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")} | {"velocity": "speed"}
+UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
