@@ -34,7 +34,7 @@ class Fastest(Passage):
         return -np.einsum("ij,ij->i", velocity, acceleration)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the speed first stops growing at its greatest value, s; None if it does not, or may grow later."""
+        """Return when the speed first stops growing at its greatest value, s; None if it may grow later, too."""
         if not nothing_new(trace):
             return None
         greatest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())

@@ -29,10 +29,7 @@ class LiftedOff(Occurrence):
         """What burns fuel and stands on a prop."""
         mechanism = words.mechanism
         held = {
-            mechanism.site[site].body
-            for line in mechanism.lines
-            if isinstance(line.law, Prop)
-            for site in line.through
+            mechanism.site[site].body for line in mechanism.lines if isinstance(line.law, Prop) for site in line.through
         }
         burns = {burn.body for burn in mechanism.burns}
         return {name: said for name, said in words.called(cls.of).items() if name in held & burns}

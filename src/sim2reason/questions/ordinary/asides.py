@@ -4,29 +4,49 @@ import re
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
-_ROOM = rf"(?:{GROUNDS}|(?:laboratory|lab|earth|room|observer|someone|somebody|person|bystander)(?: standing)?(?: on (?:{GROUNDS}))?)"
+_ROOM = (
+    rf"(?:{GROUNDS}|(?:laboratory|lab|earth|room|observer|someone|somebody|person|bystander)(?: standing)?(?:"
+    rf" on (?:{GROUNDS}))?)"
+)
 _FRAME = "(?:reference )?frame(?: of reference)?"
 _TELL = "(?:give|state|express|quote|write|report|take)"
 _UNITS = "(?:kg|kilograms?|metres|meters|m|newtons?|n|joules?|j|seconds?|s|m/s|degrees?|years?|watts?|cm|km/s|radians?)"
 ASIDES = tuple(
     re.compile(told)
     for told in (
-        rf" ?,? (?:as )?(?:seen|viewed|observed|measured|judged) (?:from|by|in|relative to) {_ROOM}(?: {_FRAME})? ?,?(?= |$)",
-        rf" (?:relative to|with respect to|in) (?:(?:{GROUNDS}|laboratory|lab|earth)(?: 's)? {_FRAME}|laboratory|lab|earth)(?= |$)",
-        rf" ?,? (?:as )?(?:measured|counted|reckoned|counting|measuring) (?:from|since) {pattern('START').pattern}(?: on)? ?,?"
-        "(?= |$)",
-        rf"(?:[.?]|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude|size|value)"
-        rf"(?: only)?(?: (?:in|as) [a-z/²^0-9]+(?: per [a-z]+)?)?\)?$",
+        (
+            rf" ?,? (?:as )?(?:seen|viewed|observed|measured|judged) (?:from|by|in|relative to) {_ROOM}(?: {_FRAME})?"
+            rf" ?,?(?= |$)"
+        ),
+        (
+            rf" (?:relative to|with respect to|in) (?:(?:{GROUNDS}|laboratory|lab|earth)(?: 's)? {_FRAME}|laboratory"
+            rf"|lab|earth)(?= |$)"
+        ),
+        (
+            rf" ?,? (?:as )?(?:measured|counted|reckoned|counting|measuring) (?:from|since)"
+            rf" {pattern('START').pattern}(?: on)? ?,?"
+            "(?= |$)"
+        ),
+        (
+            rf"(?:[.?]|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude"
+            rf"|size|value)"
+            rf"(?: only)?(?: (?:in|as) [a-z/²^0-9]+(?: per [a-z]+)?)?\)?$"
+        ),
         rf"(?: ,)? \((?:measured )?in {_UNITS}(?: per [a-z]+)?\)(?: ,)?",
         rf" in {_UNITS}(?: per second(?: squared)?)?$",
         "(?<=first collision) of all(?= |$)|(?<=first impact) of all(?= |$)",
         " (?:like this|in this way|in doing so|in process|as described)(?= |$)",
         r"(?:,? )(?:that follows|that results|that ensues)(?= |$)",
-        "(?: ,)? (?:those with walls? (?:included|counted)|including those with walls?|counting those with walls?(?: too)?)(?: ,)?",
+        (
+            "(?: ,)? (?:those with walls? (?:included|counted)|including those with walls?|counting those with"
+            " walls?(?: too)?)(?: ,)?"
+        ),
     )
 )
 """What is passed over, on text without articles; a whole sentence or clause that only says how to write the answer."""
-_FIRST_INSTANT = re.compile(r"\b(?:at )?(?:very )?first (?:instant|moment|time) (?:at which|when|that|in which|it is that)\b")
+_FIRST_INSTANT = re.compile(
+    r"\b(?:at )?(?:very )?first (?:instant|moment|time) (?:at which|when|that|in which|it is that)\b"
+)
 
 
 _WORK = re.compile(r"how much work (?:has|does|did) friction (?:done|do)(?: on @\d+@)?")

@@ -18,24 +18,40 @@ _LONG = "how (?:much time|long|many (?:seconds|years))"
 _BETWEEN = tuple(
     pattern(told)
     for told in (
-        f"{_LONG} ~(?:pass|passes|elapse|elapses|lie|lies|go by|goes by|there|have passed)? ?between (?P<one>.+) and (?P<other>.+)",
-        "(?:ASK|what) (?:time|interval|time interval|delay)(?: that)? ?~(?:pass|passes|elapse|elapses|lies)? ?between (?P<one>.+) and "
-        "(?P<other>.+)",
+        (
+            f"{_LONG} ~(?:pass|passes|elapse|elapses|lie|lies|go by|goes by|there|have passed)? ?between (?P<one>.+)"
+            f" and (?P<other>.+)"
+        ),
+        (
+            "(?:ASK|what) (?:time|interval|time interval|delay)(?: that)? ?~(?:pass|passes|elapse|elapses|lies)?"
+            " ?between (?P<one>.+) and "
+            "(?P<other>.+)"
+        ),
         f"{_LONG} after (?P<one>.+?) (?:do|does|did|is|are|will|has|until) (?P<other>.+)",
-        f"{_LONG} ~{{s}} ~(?:stay|remain|fly)? ?(?:in air|in flight|airborne|aloft|flying) between (?P<one>.+) and (?P<other>.+)",
+        (
+            f"{_LONG} ~{{s}} ~(?:stay|remain|fly)? ?(?:in air|in flight|airborne|aloft|flying) between (?P<one>.+)"
+            f" and (?P<other>.+)"
+        ),
         f"{_LONG} ~{{s}} (?:take|need|require) (?:to (?:MOTION|get|pass) )?from (?P<one>.+) (?:to|until) (?P<other>.+)",
-        f"{_LONG} ~{{s}} (?:take|need|require) to (?P<verb>MOTION|get|come|return)(?: back)? from (?P<one>.+?) (?:to|until) "
-        "(?P<other>.+)",
+        (
+            f"{_LONG} ~{{s}} (?:take|need|require) to (?P<verb>MOTION|get|come|return)(?: back)? from (?P<one>.+?)"
+            f" (?:to|until) "
+            "(?P<other>.+)"
+        ),
     )
 )
 _NUMBERED = re.compile(pattern("ORDINAL").pattern)
-_FOLLOWING = re.compile(rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?")
+_FOLLOWING = re.compile(
+    rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?"
+)
 COLLISION = "energy lost in a collision"
 _HOMEWARD = re.compile(HOME)
 _AGAIN = re.compile(r"\b(?:again|next|another|second time|third time)\b")
 _LANDING = (
-    "(?:landing|landing point|landing place|bounce|impact|impact point|hit|hits|point of impact|point|place|spot|touchdown)s?"
-    rf"(?: (?:of @0@|where @0@ (?:touches|hits|strikes|lands on|bounces off|meets) (?:{GROUNDS})|where @0@ (?:lands|bounces)"
+    "(?:landing|landing point|landing place|bounce|impact|impact point|hit|hits|point of impact|point|place|spot"
+    "|touchdown)s?"
+    rf"(?: (?:of @0@|where @0@ (?:touches|hits|strikes|lands on|bounces off|meets) (?:{GROUNDS})|where @0@"
+    rf" (?:lands|bounces)"
     rf"|on (?:{GROUNDS})))?"
 )
 _SPAN = tuple(
@@ -45,18 +61,25 @@ _SPAN = tuple(
         f"how far ~(?P<other>ORDINAL) {_LANDING} from (?P<one>ORDINAL)(?: one| {_LANDING})?",
         f"(?:ASK|what) (?:horizontal )?distance between (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
         f"(?:ASK|what) distance between @0@ 's (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
-        f"how far(?: ,? ?(?:measured )?horizontally ,?)? ~@0@ (?:MOTION )?(?:horizontally )?between (?:its )?(?P<one>ORDINAL) and (?:its )?"
-        f"(?P<other>ORDINAL) {_LANDING}",
+        (
+            f"how far(?: ,? ?(?:measured )?horizontally ,?)? ~@0@ (?:MOTION )?(?:horizontally )?between (?:its"
+            f" )?(?P<one>ORDINAL) and (?:its )?"
+            f"(?P<other>ORDINAL) {_LANDING}"
+        ),
     )
 )
 _FROM_START = pattern(
-    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)?(?: away)? from (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
-    f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for (?P<number>ORDINAL) time)?"
+    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)?(?: away)? from"
+    f" (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for"
+    f" (?P<number>ORDINAL) time)?"
     f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
 )
 _PEAK = pattern(
-    "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb|reach|bounce)(?: up)?"
-    "(?: above SURFACE)? between (?:its )?(?P<one>ORDINAL) and (?:its )?(?P<other>ORDINAL) (?:bounce|impact|landing|rebound)s?"
+    "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb"
+    "|reach|bounce)(?: up)?"
+    "(?: above SURFACE)? between (?:its )?(?P<one>ORDINAL) and (?:its )?(?P<other>ORDINAL) (?:bounce|impact"
+    "|landing|rebound)s?"
 )
 _RISE = pattern(
     "how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
@@ -65,7 +88,8 @@ _RISE = pattern(
 _TOP = pattern(
     "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
     "~(?:rise|get|go|fly|climb|reach|come|bounce|rebound|jump)(?: back)?(?: up)?(?: above SURFACE)?"
-    "|(?:ASK|what) GREATEST height(?: above SURFACE)?(?: of {t}| (?:that )?@\\d+@ ~(?:reaches|reach|attains|attain)| reached)?"
+    "|(?:ASK|what) GREATEST height(?: above SURFACE)?(?: of {t}| (?:that )?@\\d+@ ~(?:reaches|reach|attains"
+    "|attain)| reached)?"
 )
 _BOUNCE = pattern(
     "(?:[its |@0@ 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)|BOUNCES (?:for )?{count=ORDINAL} time"
@@ -87,11 +111,12 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
 
-
     found = _FROM_START.fullmatch(heard.text)
     if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
         number = found["number"] or found["other"] or "first"
-        for rank, when in enumerate((f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))):
+        for rank, when in enumerate(
+            (f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))
+        ):
             yield Main("displacement", whole, "horizontal"), When(when, AFTER, rank=rank)
     found = _PEAK.fullmatch(heard.text)
     if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
@@ -103,7 +128,7 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
 
 
 def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:
-    """Yield the time from one moment to another, each told by a clause; *the first and the second bounce* share a noun."""
+    """Yield the time from one moment to another; *the first and the second bounce* share a noun."""
     if _AGAIN.search(other) or _AGAIN.search(one):
         return
     if _HOMEWARD.fullmatch(other):

@@ -9,7 +9,10 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
-_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull|shift|displace|progress|proceed)"
+_GO = (
+    "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull"
+    "|shift|displace|progress|proceed)"
+)
 VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO}
 MOTION = f"(?:{'|'.join(VERBS.values())})"
 _FAST = "how (?:fast|quick|quickly|rapid|rapidly|swiftly)|what speed|how much speed"
@@ -36,7 +39,8 @@ SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
-    "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin|start) its motion",
+    "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
+    "|start) its motion",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
 
@@ -84,7 +88,8 @@ ROWS = (
         "how much potential energy does {s} lose"),
     WantedRow(("{quantity}", f"{_IN_ALL}|combined|joint|together|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
-    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", "gain|increase|rise|grow|pick up|acquire|put on"),
+    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", ("gain|increase"
+    "|rise|grow|pick up|acquire|put on")),
         "how much {quantity} does {s} gain"),
     WantedRow(("{quantity}", "?by how much|how much", "lose|loss|decrease|fall|drop|diminish"),
         "how much {quantity} does {s} lose"),
@@ -102,7 +107,8 @@ ROWS = (
          f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
     WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
-    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"(?:measured )?along (?:{GROUNDS})",
+    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), (f"(?:measured )?along"
+    f" (?:{GROUNDS})"),
          f"?{MOTION}"), "how far {side} is {s}"),
     WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"?{MOTION}"),
         "how far vertically {side} its start is {s}"),
@@ -145,9 +151,10 @@ ROWS = (
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
         "how much mechanical energy does {s} lose"),
-    WantedRow(("heat|thermal energy|internal energy", "generate|produce|develop|create|dissipate|lose|release|arise|appear",
+    WantedRow(("heat|thermal energy|internal energy", ("generate|produce|develop|create|dissipate|lose|release"
+    "|arise|appear"),
          "?between|by|in|through", f"?{_IN_ALL}"), "how much energy is lost to friction"),
-    WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|draw|eat|consume|rob", "?from|away|out", "friction",
+    WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|eat|rob", "?from|away|out", "friction",
          f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
@@ -159,12 +166,15 @@ ROWS = (
         "what impulse does {s} give {t}", 2),
     # forces
     WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
-    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"), "what upward force of ground on {s}"),
-    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})", "?by|from|of|on"),
+    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),
+        "what upward force of ground on {s}"),
+    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})",
+         "?by|from|of|on"),
         "what whole force of ground on {s}"),
     WantedRow((_FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
     WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
-    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", "(?:fixed )?(?:wall|stop|support|peg)", "?by|on|of|from"),
+    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", ("(?:fixed )?(?:wall|stop|support"
+    "|peg)"), "?by|on|of|from"),
         "what is force of {s}"),
     WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
     WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
@@ -188,14 +198,17 @@ ROWS = (
         "what angle {s} is deflected through"),
     WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
         "how much left fuel {s}"),
-    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"), "how much burnt fuel {s}"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"),
+        "how much burnt fuel {s}"),
     WantedRow(("angle", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what is greatest angle of {s} with vertical"),
-    WantedRow(("(?:at )?(?:what|which) angle|how steep|how steeply", "?(?:with|to|from|and|against) (?:the )?(?:horizontal|ground)"),
+    WantedRow(("(?:at )?(?:what|which) angle|how steep|how steeply", ("?(?:with|to|from|and|against) (?:the"
+    " )?(?:horizontal|ground)")),
         "what angle {s} hits at"),
-    WantedRow(("power|rate", "hand", "deliver|supply|do work|provide|develop|expend|work|transfer", "?energy"), "what is power of hand"),
+    WantedRow(("power|rate", "hand", "deliver|supply|do work|provide|develop|expend|work|transfer", "?energy"),
+        "what is power of hand"),
     WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
         "what is greatest angle of {s} with vertical"),
     WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN), "through what angle does {s} turn"),
@@ -209,7 +222,8 @@ ROWS = (
         "what is period of {s} about {t}", 2),
     WantedRow(("(?:at )?(?:what|which) rate|rate at which", _TURN), "how fast does {s} turn"),
     WantedRow(("(?:how many times|how often)",
-         "(?:change|reverse) (?:its )?(?:direction|sense|way|motion)(?: of (?:motion|travel))?|reverse|turn (?:back|round|around)"),
+         ("(?:change|reverse) (?:its )?(?:direction|sense|way|motion)(?: of (?:motion|travel))?|reverse|turn"
+         " (?:back|round|around)")),
         "how many times does {s} reverse"),
     WantedRow(("(?:through )?(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
          "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),

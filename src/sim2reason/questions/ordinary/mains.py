@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from functools import cache
 
+from sim2reason.questions.ordinary import change_readers as change
 from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
@@ -123,16 +124,16 @@ FRAMES: Mapping[str, Reader] = {
     "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": read.quantity,
-    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": read.stored,
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": change.stored,
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
-    "ASK energy stored in {s}": read.stored,
+    "ASK energy stored in {s}": change.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
-    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": read.changed,
+    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": change.changed,
     "how far (?P<side>up|down) is {s}": read.far_off,
     "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
     "what force acts on {s}": read.of_fields,
     "how many times does {s} reverse": of_one("number of reversals", needs=CLAUSED),
-    "how much mechanical energy ~(?:lost|lose)": read.lost_in_impact,
+    "how much mechanical energy ~(?:lost|lose)": change.lost_in_impact,
     "what angle {s} hits at": of_one("angle with the horizontal", needs=LANDING),
     "ASK moment of inertia about [its ]axle": read.all_about_axle,
     "what is power of hand": of_none("power of a hand"),
@@ -141,9 +142,10 @@ FRAMES: Mapping[str, Reader] = {
     "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),
     "what is period of {s} about {t}": read.of_orbit,
     "how many turns does {s} make": of_one("revolutions made", needs=CLAUSED),
-    "(?:ASK|what) {q=QUANTITY} (?:of|in) {s} ,? ?(?:taking|counting|reckoning|with|if) (?P<way>upwards?|right|to right) "
+    "(?:ASK|what) {q=QUANTITY} (?:of|in) {s} ,? ?(?:taking|counting|reckoning|with|if) (?P<way>upwards?|right|to"
+    " right) "
     "(?:direction )?~(?:counted |taken )?as positive": read.signed,
-    "how much mechanical energy ~{s} lose": read.lost_in_impact,
+    "how much mechanical energy ~{s} lose": change.lost_in_impact,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

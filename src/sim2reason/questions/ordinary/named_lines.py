@@ -17,8 +17,13 @@ from sim2reason.questions.words import Words
 Ranked = tuple[int, str, str]
 """How specific a pattern is, the phrase of the text, and the pattern of its names."""
 _THAT = "(?:(?:that|which) )?(?:(?:is|are|it|runs|goes) )?"
-_JOINING = rf"(?:{_THAT}(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties|runs|running|stretched between))"
-_TIED = "(?:attached|tied|fastened|fixed|connected|joined|made fast|leading|running|hooked) (?:on )?to|ending at|ends at"
+_JOINING = (
+    rf"(?:{_THAT}(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties|runs|running"
+    rf"|stretched between))"
+)
+_TIED = (
+    "(?:attached|tied|fastened|fixed|connected|joined|made fast|leading|running|hooked) (?:on )?to|ending at|ends at"
+)
 _CARRYING = (
     "(?:holding|holds|supporting|supports|carrying|carries|bearing|bears|suspending|suspends|lifting|lifts)(?: up)?"
     "|(?:pulling|pulls|dragging|drags|acting|acts|tugging|tugs)(?: on| up| along| at)?"
@@ -27,8 +32,11 @@ _FROM = (
     "(?:from|by|on) which (?:{end}) (?:hangs|is hung|is suspended|is held)"
     "(?: from (?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?pulley(?: [A-Z])?)?"
 )
-_OVER = rf"{_THAT}(?:(?:passing|passes|going|goes|running|runs|led|laid|slung|hung|wound|wrapped) )?(?:over|round|around|across)"
-_PARTS = "(?:part|section|piece|segment|portion|side|stretch|end|length)"
+_OVER = (
+    rf"{_THAT}(?:(?:passing|passes|going|goes|running|runs|led|laid|slung|hung|wound|wrapped) )?(?:over|round"
+    rf"|around|across)"
+)
+_PARTS = "(?:part|section|piece|segment|portion|side)"
 _PART = rf"(?:{_PARTS} of (?:the )?)?"
 _WAYS = {"vertical|hanging|upright": 1.0, "horizontal|level": 0.0}
 _COUNTED = "first", "second", "third", "fourth"
@@ -77,8 +85,8 @@ def named_lines(words: Words) -> Iterable[Ranked]:
     for kind, noun in ((Strings(), "string"), (Springs(), "spring")):
         lines = [_named(name, noun, words) for name in kind.names(words.mechanism)]
         known = words.called(kind)
-        for line in lines:
-            line = line._replace(phrase=known.get(line.name, line.name))
+        for unsaid in lines:
+            line = unsaid._replace(phrase=known.get(unsaid.name, unsaid.name))
             yield from _by_ends(line, lines)
             yield from _by_pulleys(line, lines)
             yield from _by_places(line, lines, words)
@@ -95,7 +103,11 @@ def swinging_lines(words: Words) -> Iterable[Ranked]:
         for part in welded_to(mechanism, name):
             if part.name in words.mentions and inner(heavy, part.at) > 0.0:
                 to = rf"(?:(?:the )?centre (?:of mass )?of )?{_end(words.mentions[part.name])}"
-                yield 2500, phrase, rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)"
+                yield (
+                    2500,
+                    phrase,
+                    rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)",
+                )
 
 
 def _named(name: str, noun: str, words: Words) -> Named:
@@ -111,7 +123,10 @@ def _named(name: str, noun: str, words: Words) -> Named:
     ends = line.through[0], line.through[-1]
     pulled = isinstance(line.law, ConstantTension)
     said = tuple(phrase(site) or ("the hand" if pulled else "") for site in ends)
-    axles = tuple("pulley" in told and not site.endswith((".left", ".right", ".in", ".out")) for told, site in zip(said, ends, strict=True))
+    axles = tuple(
+        "pulley" in told and not site.endswith((".left", ".right", ".in", ".out"))
+        for told, site in zip(said, ends, strict=True)
+    )
     over = dict.fromkeys(filter(None, (phrase(site) for site in line.through[1:-1])))
     over |= {told: None for told, axle in zip(said, axles, strict=True) if "pulley" in told and not axle}
     return Named(name, "", noun, (said[0], said[1]), (axles[0], axles[1]), tuple(over))
@@ -140,12 +155,11 @@ def _by_ends(line: Named, lines: list[Named]) -> Iterable[Ranked]:
         if not axle:
             yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {tied}(?! [A-Z]\b)"
-    loose = [each for each in lines if "" in each.ends]
-    if line.noun == "string" and loose == [line] and len(lines) > 1:
+    alone = [each.name for each in lines if "" in each.ends] == [line.name] and len(lines) > 1
+    if line.noun == "string" and alone:
         hook = "(?:the )?(?:fixed )?(?:hook|support|ceiling|beam|wall|point)"
         yield 1400, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {hook}"
-    walls = [each for each in lines if "" in each.ends]
-    if line.noun == "spring" and walls == [line] and len(lines) > 1:
+    if line.noun == "spring" and alone:
         wall = "(?:the )?(?:fixed )?(?:wall|stop|support)"
         yield 1400, line.phrase, rf"{string} (?:{_THAT}(?:{_TIED}|next to|at|touching) {wall}|at {wall})"
 

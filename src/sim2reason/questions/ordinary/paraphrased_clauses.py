@@ -9,7 +9,8 @@ from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS,
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
 
 WAY = re.compile(
-    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick )(?<!picks )(?<!picked )"
+    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
+    r" )(?<!picks )(?<!picked )"
     r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
     r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
     r"|to left)"
@@ -33,7 +34,9 @@ _LOOSE = frozenset(
     )
 )
 _ON_ITS_WAY = re.compile(r" on (?:its |@\d+@ 's |their )?(?:way|journey|trip) (?:back|home|there|out)\b(?! from)")
-_ON_OTHER_SIDE = re.compile(r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b")
+_ON_OTHER_SIDE = re.compile(
+    r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b"
+)
 _FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever|everything)\b")
 TOGETHER = "they move together"
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
@@ -122,10 +125,8 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
     `text` is the head of the clause, then ``<>``, then the rest of the clause.
     """
     rest = text.partition("<>")[2]
-    if plain == "{s} stops" and _FOR_GOOD.search(rest) is not None:
-        return "{s} finally stops"
-    if plain == "{s} stops" and ways:
-        return "{s} stops going{way}"
+    if plain == "{s} stops":
+        return "{s} finally stops" if _FOR_GOOD.search(rest) is not None else "{s} stops going{way}" if ways else plain
     if plain == "{s} returns" and re.search(r"\borigin\b", text) is not None:
         return "{s} returns to origin"
     if "{t}" not in plain or len(subjects) > 1:

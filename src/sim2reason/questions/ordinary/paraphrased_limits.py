@@ -17,12 +17,14 @@ OUTCOMES: Mapping[str, tuple[str, bool]] = {
         False,
     ),
     rf"(?:keep|prevent|stop|hold) (?={S})(?P<kept>{S}) from (?:move|slide|accelerate|fall|rise|slip)"
-    r"|(?:remain|stay|keep|be|hold|leave)? ?(?:at rest|in equilibrium|in balance|motionless|stationary|balanced)|balance"
+    r"|(?:remain|stay|keep|be|hold|leave)? ?(?:at rest|in equilibrium|in balance|motionless|stationary|balanced)"
+    r"|balance"
     r"|not (?:begin |start )?(?:to )?(?:move|accelerate|slide)|remain where it|stay put": ("rests", True),
     r"(?:(?:begin|start|be able) (?:to )?)?(?:move|slide|go|pull|climb|rise|lift|haul|drag) <up>"
     r"|(?:begin|start) (?:to )?(?:rise|climb|ascend)": ("rises", True),
     r"(?:begin|start) (?:to )?(?:slip|slide|move|skid)|set in motion": ("slides", True),
-    r"(?:over|past|through|reach|beyond|get over) (?:top|highest point)|(?:all way (?:round|around) )?(?:in )?(?:full|complete|whole) (?:turn|circle|revolution|loop)"
+    r"(?:over|past|through|reach|beyond|get over) (?:top|highest point)|(?:all way (?:round|around) )?(?:in"
+    r" )?(?:full|complete|whole) (?:turn|circle|revolution|loop)"
     r"|(?:all way|right) (?:round|around)": ("goes round", True),
     r"(?:stay|remain|keep) taut|not go slack": ("goes slack", False),
     r"(?:go|become|get) slack": ("goes slack", True),
@@ -44,12 +46,16 @@ _SIZES = {
 }
 
 
-_HEAVY = re.compile(r"\bhow (?P<word>heavy|light) (?P<verb>would|must|should|could|may) (?P<who>@\d+@) (?:have to )?be\b")
+_HEAVY = re.compile(
+    r"\bhow (?P<word>heavy|light) (?P<verb>would|must|should|could|may) (?P<who>@\d+@) (?:have to )?be\b"
+)
 _HAS = re.compile(r"\b(?:would|must|should|could|may|does) (?P<who>@\d+@) (?:need to |have to )?have\b")
 _ASIDES = re.compile(
-    rf"\b(?:after|when|on|once|as soon as)(?: (?:its|their|system|everything|it|@\d+@))?(?: (?:is|are|has been))? {START_WORDS}(?:ed|s|d)?\b"
+    rf"\b(?:after|when|on|once|as soon as)(?: (?:its|their|system|everything|it|@\d+@))?(?: (?:is|are|has been))?"
+    rf" {START_WORDS}(?:ed|s|d)?\b"
     r"|,? ?\bat same (?:angle|place|position|height|point)\b ?,?"
-    r"|\b(?:from|in|at) (?:this|that|its|same|its initial|initial|its starting|its own|starting|original) (?:position|place|point)\b"
+    r"|\b(?:from|in|at) (?:this|that|its|same|its initial|initial|its starting|its own|starting|original)"
+    r" (?:position|place|point)\b"
     r"|\b(?:in|on) place\b|\bat all\b|\bjust like this\b|\bby hand\b|(?<=would )hand\b|(?<=must )hand\b"
 )
 """What is passed over: what only says that the motion begins, or that all else is as it was."""

@@ -67,28 +67,34 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if asked.of == EVERYTHING:
-        every = all_of(asked.find, words) if asked.find in SUMMED else ()
-        axles = {turning_axes(words.mechanism, name)[0][0] for name in every if asked.find == AXLE}
-        every = every if len(axles) < 2 else ()
-        return (PLUS.join(every),) if every else ()
+        return _together(asked.find, words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
-    if asked.find in ANGULAR:
-        return ("", *quantity.subjects(words.mechanism)[:MOST]) if quantity is not None else ()
+    return _unsaid(asked, words) or ("",)
+
+
+def _together(find: str, words: Words) -> tuple[str, ...]:
+    """Return all subjects of a quantity as one, whose values add up; none if they do not."""
+    every = all_of(find, words) if find in SUMMED else ()
+    axles = {turning_axes(words.mechanism, name)[0][0] for name in every if find == AXLE}
+    return (PLUS.join(every),) if every and len(axles) < 2 else ()
+
+
+def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    """Return the subjects that may be meant where a sentence names none; none if the scene's only one is."""
+    quantity = QUANTITIES.get(asked.find)
+    if quantity is not None and asked.find in ANGULAR:
+        return ("", *quantity.subjects(words.mechanism)[:MOST])
     if asked.find in PERIODS:
-        return tuple(movers(words)) or ("",)
+        return tuple(movers(words))
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
-        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name)) or ("",)
-    if asked.find == "friction force":
-        quantity = quantities_named(words.mechanism)[asked.find] if words.mechanism.contacts else None
-        named = words.called(quantity.of) if quantity is not None else ()
-        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or (
-            "",
-        )
-    return ("",)
+        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
+    if quantity is not None and asked.find == "friction force" and words.mechanism.contacts:
+        return tuple(name for name in words.called(quantity.of) if quantity.present(words.mechanism, name))
+    return ()
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
@@ -264,12 +270,12 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
 
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which a body, by default each, is not accelerated, without friction."""
+    """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
     rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
     if rubs:
         return  # within a whole range of numbers
-    name = addresses(words).get(of, "")
-    for name in (name,) if name else words.called(Bodies()):
+    alone = addresses(words).get(of)
+    for name in words.called(Bodies()) if alone is None else (alone,):
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"

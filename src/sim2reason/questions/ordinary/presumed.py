@@ -72,7 +72,9 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
     events = (event.time for event in trace.events if event.time > 0.0)
     early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
     then = early if not time else float(np.nextafter(time, 0.0))
-    late = time if time and reading.side == AFTER else then  # what is asked for just after an event moves as it does then
+    late = (
+        time if time and reading.side == AFTER else then
+    )  # what is asked for just after an event moves as it does then
     for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.moving, late)):
         for who, way in ways:
             if way in AXES:

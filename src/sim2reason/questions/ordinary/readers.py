@@ -19,8 +19,8 @@ class Main:
 
     `needs` says whether the clause asks for a value at a moment, which is steady where no moment is named; for a
     quantity over a stretch of the motion, up to a moment or the whole motion; for a quantity *free* of moments; or for
-    a value only beside a clause, or only beside the clause of a landing, or for one of the `CHANGES`. A meaning of a higher `rank` counts only where
-    the scene has none of a lower rank.
+    a value only beside a clause, or only beside the clause of a landing, or for one of the `CHANGES`. A meaning of a
+    higher `rank` counts only where the scene has none of a lower rank.
     """
 
     find: str

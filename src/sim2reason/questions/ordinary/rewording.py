@@ -40,12 +40,14 @@ REWORDINGS: Mapping[str, str] = {
     "(?<= )next (?=cross)": "",
     "^(?P<when>when (?:do|does|will|is) @\\d+@) next ": r"\g<when> ",
     "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
-    "\\b(?:leave|leaves|rebound from|bounce off|come off) SURFACE (?:just |immediately )?after (?:its |their )?(?P<number>ORDINAL) "
+    "\\b(?:leave|leaves|rebound from|bounce off|come off) SURFACE (?:just |immediately )?after (?:its |their"
+    " )?(?P<number>ORDINAL) "
     "(?:bounce|impact|landing|rebound)": r"move just after \g<number> bounce",
     "(?P<s>@0@) (?P<verb>hit|hits|strike|strikes|touch|touches|meet|meets|reach|reaches|land on|lands on) @0@": (
         r"\g<s> \g<verb> ground"
     ),
-    "^how long is (?P<s>@\\d+@) (?:MOTION )?on (?:its )?way (?P<way>up|down)$": r"how long does \g<s> keep moving \g<way>",
+    "^how long is (?P<s>@\\d+@) (?:MOTION )?on (?:its )?way (?P<way>up|down)$": r"how long does \g<s> keep moving"
+    r" \g<way>",
     "^how many years (?=pass|elapse|go by)": "how many seconds ",
     "^how many seconds (?:go by) (?=before|until)": "how many seconds pass ",
     "\\b(?:leave|leaves|rebound from|rebounds from|bounce off|bounces off|fly off|come off) SURFACE after "

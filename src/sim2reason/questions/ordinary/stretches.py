@@ -5,10 +5,21 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    JUMP,
+    STRETCH,
+    Main,
+    Reader,
+    each,
+    implied,
+    of_none,
+    of_one,
+    of_pair,
+)
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
-    ONCE,
     ONLY,
     OVER,
     QUANTITIES,
@@ -118,12 +129,6 @@ def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
         yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
-
-
-def _lost(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the energy lost in collisions up to a moment, presuming a single collision by that moment."""
-    del found, heard
-    yield Main("energy lost in collisions", needs=STRETCH, ways=(("", ONCE),))
 
 
 def _in_collision(*finds: str) -> Reader:

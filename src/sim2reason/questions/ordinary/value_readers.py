@@ -7,13 +7,9 @@ from dataclasses import replace
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import (
-    CHANGE,
     CLAUSED,
     FREE,
-    GAIN,
-    JUMP,
     LANDING,
-    LOSS,
     MOMENT,
     STRETCH,
     Main,
@@ -199,7 +195,12 @@ def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the period of a body, presuming that the body that it goes round draws it."""
-    yield Main("period", heard.subject(found["s"]), needs=FREE, ways=((heard.subject(found["s"]), f"{ROUND}{heard.subject(found['t'])}"),))
+    yield Main(
+        "period",
+        heard.subject(found["s"]),
+        needs=FREE,
+        ways=((heard.subject(found["s"]), f"{ROUND}{heard.subject(found['t'])}"),),
+    )
 
 
 def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -269,27 +270,6 @@ def relatively(name: str) -> Reader:
     return read
 
 
-def stored(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the energy stored in a spring, or in several springs together."""
-    yield Main("spring energy", PLUS.join(each(heard, found["s"])))
-
-
-def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the gain, the loss or the change of a quantity that has no direction."""
-    name, verb = meant(QUANTITIES, found["q"]), found["verb"]
-    needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
-    if name in UNDIRECTED:
-        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
-
-
-def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the kinetic energy that a body loses in an impact, which is all the mechanical energy that it loses there."""
-    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found.groupdict().get("s")))
-
-
-CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
-ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
-UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
