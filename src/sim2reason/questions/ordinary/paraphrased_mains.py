@@ -74,7 +74,7 @@ def _one(found: re.Match[str]) -> str:
 def _side(plain: str, said: str) -> str:
     """Return *up* or *down* for the side of a point, as a way, or *above* or *below*."""
     above = said == "above"
-    return ("up" if above else "down") if plain.endswith("{side}") else ("above" if above else "below")
+    return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
 
 
 def _filled(row: WantedRow, text: str) -> Iterator[str]:

@@ -10,6 +10,7 @@ from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
+from sim2reason.questions.ordinary.afterwards import goes_then
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
@@ -18,6 +19,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ORIGIN,
     ROUND,
     SOLE,
+    THEN_GOES,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -87,6 +89,9 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(ON):
                 face = way.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
+            elif way.startswith(THEN_GOES):
+                goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
+                yield "" if goes else f"{who} does not go that way after that, or it changes then"
             elif way.startswith(ROUND):
                 center = named(way.removeprefix(ROUND), words)
                 pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}

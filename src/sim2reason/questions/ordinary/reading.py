@@ -11,7 +11,7 @@ from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
-from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
+from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.posing import MINUS
 from sim2reason.questions.structured import StructuredQuestion
@@ -166,6 +166,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             who = heard.subject(going["s"]) or main.of
             ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+            for way in (way for _, way in ways if way in ("up", "down")):  # on the way back
+                yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{way}"),))
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
