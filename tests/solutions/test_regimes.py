@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import other_solutions
 from sim2reason.testing.solutions.faults import faults
-from worked import asked
+from worked import asked, solution_text
 
 G = 9.8
 
@@ -100,3 +100,9 @@ def test_a_reverse_problem_says_why_the_other_root_does_not_count() -> None:
     found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, path, stated))
     assert found.answer == pytest.approx(0.09, rel=1e-6)
     assert re.search(r"The other root, \$-\d\.\d+\\ \\text\{m\}\$, would take a negative \$d\$\.", found.text)
+
+
+def test_an_answer_that_is_an_absolute_value_is_not_called_by_the_component() -> None:
+    """The friction that holds a block may be up or down the slope; asked is its magnitude."""
+    text = solution_text("hybrid-medium-symbolic-301928-0")
+    assert r"Answer: $\left|f_A\right| = \boxed{\frac{g \left|2\,m_A \sin\theta - m_B\right|}{2}}$" in text

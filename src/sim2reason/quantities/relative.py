@@ -21,7 +21,7 @@ class OfRider(Quantity):
 
 
 @quantity
-class RelativeDisplacement(OfRider):
+class RiderDisplacement(OfRider):
     """How far a body has gone along what carries it."""
 
     name, unit, symbol = "displacement relative to its carrier", "m", "s"
@@ -34,7 +34,7 @@ class RelativeDisplacement(OfRider):
 
 
 @quantity
-class RelativeVelocity(OfRider):
+class RiderVelocity(OfRider):
     """How fast a body goes along what carries it."""
 
     name, unit, symbol = "speed relative to its carrier", "m/s", "v"

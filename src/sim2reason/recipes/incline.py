@@ -55,7 +55,7 @@ WEIGHTS = {
     "start": 0.5,  # of a lone block no more than its forces
     "threshold": 0.3,
     "extremum": 0.1,
-    "optimum": 0.3,
+    "optimum": 0.1,
     "limit": 0.3,
     "reverse.comparison": 0.3,
 }

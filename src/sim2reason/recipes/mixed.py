@@ -68,9 +68,9 @@ TIERS = {
 WEIGHTS = {
     "start": 0.3,
     "period": 0.2,
-    "sum": 0.5,
+    "sum": 0.25,
     "extremum": 0.6,
-    "comparison": 0.3,
+    "comparison": 0.2,
     "equilibrium": 0.1,
     "threshold": 0.1,
     "limit": 0.1,

@@ -63,6 +63,7 @@ IDEAS = {
         Idea(
             PRISM,
             {"rate?": 1.0, "rate": Range(4.5, 6.0), "angle": Range(6.0, 12.0), "shape": ("octagonal", "decagonal")},
+            0.7,
         ),
     ),
 }

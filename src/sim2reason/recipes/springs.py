@@ -1,12 +1,15 @@
 """A puck on a table, held by springs at angles, and a block on a rough plane at the end of one spring."""
 
 from itertools import permutations
+from math import cos, radians, sin
 
 import numpy as np
 
 from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.mechanism import GRAVITY
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.spring_block import SpringBlock
+from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
@@ -15,8 +18,22 @@ FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": Range(-0.8, 0.8)}  # 
 # one spring from the origin: energy and angular momentum are kept
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
-ROUGH = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0), "friction": Range(0.25, 0.6)}
+ROUGH = {
+    "stiffness": Range(40.0, 160.0),
+    "mass": Range(0.5, 2.0),
+    "friction": Range(0.25, 0.6),
+}
+STRAINED = 0.07  # of its natural length, at least: less hangs on the last digits of both lengths
+DRIVEN = 0.25  # times the block's weight, at least, is what moves it at the start: with less it soon stays
 CLEAR = 0.08  # m, from a spring to the nail of another one
+
+
+def _starts_well(held: SpringMassIncline) -> bool:
+    """Return whether the spring of a block on a rough plane is strained enough to set it moving properly."""
+    strain, angle = held.start - held.spring.length, radians(held.plane.angle)
+    pull = held.spring.stiffness * strain / (GRAVITY * held.block.mass) + sin(angle)  # down the slope
+    moves = abs(pull) - held.plane.friction * cos(angle) >= DRIVEN
+    return moves and abs(strain) >= STRAINED * held.spring.length
 
 
 def _apart(held: SpringBlock) -> bool:
@@ -34,14 +51,14 @@ def _distance(point: complex, end: complex) -> float:
 
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
-        Idea(KIND, CENTRAL, 0.7),
-        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.2, _apart),  # it needs integrating
-        Idea(PLANE, {**ROUGH, "angle": Range(22.0, 38.0)}, 1.5),
+        Idea(KIND, CENTRAL, 1.2),
+        Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.1, _apart),  # it needs integrating
+        Idea(PLANE, {**ROUGH, "angle": Range(26.0, 38.0)}, 1.0, _starts_well),
     ),
     "medium": (
-        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.2, _apart),
-        Idea(KIND, {**EVEN, **CENTRAL}, 0.7),
-        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 45.0)}, 1.5),
+        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.1, _apart),
+        Idea(KIND, {**EVEN, **CENTRAL}, 1.2),
+        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 45.0)}, 1.2, _starts_well),
     ),
     "hard": (  # friction of the springs themselves
         Idea(
@@ -50,7 +67,7 @@ IDEAS = {
             0.3,
             _apart,
         ),
-        Idea(PLANE, {**ROUGH, "angle": Range(20.0, 60.0)}, 1.5),
+        Idea(PLANE, {**ROUGH, "angle": Range(26.0, 60.0)}, 1.5, _starts_well),
     ),
 }
 

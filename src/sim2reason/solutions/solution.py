@@ -176,6 +176,7 @@ class Solution:
     stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
     constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
     formula: str = ""  # the answer to a problem in symbols
+    is_modulus: bool = False  # that formula is the absolute value of the goal, which may be negative
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
     keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
     phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
@@ -200,7 +201,8 @@ class Solution:
         """All steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
         told = [step.text for step in self.steps if step.text]
         if self.answer is not None:
-            told.append(f"Answer: ${self.goal}{self._boxed(self.answer)}$.")
+            goal = rf"\left|{self.goal}\right|" if self.is_modulus else self.goal
+            told.append(f"Answer: ${goal}{self._boxed(self.answer)}$.")
         return "\n\n".join(told)
 
     def _boxed(self, answer: float) -> str:

@@ -19,6 +19,7 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
 from sim2reason.solutions.collisions.placing import SOLVED, in_order
+from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.laws.tension_checks import after_what_they_rest_on
 from sim2reason.solutions.multipart.sequence import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
@@ -154,6 +155,7 @@ def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: t
         keen=book.keen,
         phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
         whole=counted,
+        is_modulus=needs_modulus(setting, book, Symbol(goal), setting.query.subject),
     )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:

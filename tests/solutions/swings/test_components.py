@@ -16,7 +16,7 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
-from worked import derived
+from worked import derived, solution_text
 
 G, ANGLE, RADIUS, HOOP, NEAR, FAR = 9.8, 47.0, 0.17, 9.0, 0.2, 0.4
 PIECE = "arm.pieces.0"
@@ -90,3 +90,20 @@ def test_a_function_and_its_value_have_names_of_their_own() -> None:
     assert "F" not in {name.partition("_")[0] for name in found.values}
     assert r"\varphi" not in found.values
     assert r"\phi_t" in found.values
+
+
+def test_an_angular_acceleration_of_either_sign_is_no_magnitude() -> None:
+    """Of an arm in symbols the centre of mass may be on either side, so that S may be negative."""
+    assert "Apart from its sign, the torque of gravity" in solution_text("rotation-hard-symbolic-301926-1")
+
+
+def test_the_position_without_a_tangential_component_is_named() -> None:
+    """The sentence before is about a turning point, where gravity has one."""
+    text = solution_text("rotation-medium-numeric-301926-0")
+    assert "straight below or above the axis of rotation, gravity has no tangential component" in text
+
+
+def test_the_side_of_the_centre_of_mass_is_checked_once_the_unknown_is_found() -> None:
+    """With d = 0.10008 m, S = m_A d − m_B d_2 = 4.7 · 0.10008 − 3.1 · 0.22 = −0.2116 kg m."""
+    text = solution_text("rotation-hard-reverse-301926-1")
+    assert r"With this, $S = -0.21161\ \text{kg m} < 0$: the centre of mass is on the opposite side" in text

@@ -87,3 +87,17 @@ def test_the_string_of_the_greatest_tension_is_shown_to_stay_taut(speed: str, sa
     found = solve_prompt(prompt)[0]
     assert said in found.text
     assert any(step.kind == "verify" and step.relations[0].role == "exceeds" for step in found.steps)
+
+
+def test_a_pull_accelerates_the_common_centre_of_mass() -> None:
+    """The carriage and what swings on it have accelerations of their own."""
+    text = solution_text("mixed-hard-numeric-301929-0")
+    assert "gives the common centre of mass the acceleration" in text
+    assert "the work of the pull and of the inertial forces" in text
+
+
+def test_a_prism_is_described_without_letters_that_the_problem_uses() -> None:
+    """In this problem a is an acceleration, and no side."""
+    text = solution_text("rolling-hard-reverse-301929-0")
+    assert "the squares of the two sides that meet there" in text
+    assert "sides $a$" not in text

@@ -280,16 +280,11 @@ def multiplied(*parts: Expression) -> Expression:
     """A product with one number in front, and none that changes nothing."""
     number, factors = 1.0, list[Expression]()
     for side in parts:
-        if isinstance(side, Number):
-            number *= side.x
-        elif isinstance(side, Product):
-            for factor in side.factors:
-                if isinstance(factor, Number):
-                    number *= factor.x
-                else:
-                    factors.append(factor)
-        else:
-            factors.append(side)
+        for factor in side.factors if isinstance(side, Product) else (side,):
+            if isinstance(factor, Number):
+                number *= factor.x
+            else:
+                factors.append(factor)
     if number == 0.0 or not factors:
         return Number(number)
     if number != 1.0:

@@ -174,7 +174,7 @@ class _Turning(SwingAngle):
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
-        said = "The torque of gravity divided by the moment of inertia is, in magnitude, the angular acceleration"
+        said = "Apart from its sign, the torque of gravity divided by the moment of inertia is the angular acceleration"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     # ---- quantities

@@ -16,7 +16,9 @@ from sim2reason.questions.regimes.side_of_center_of_mass import SideOfCenterOfMa
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.swings.mass_spread import MassSpread, candidates, mass_spread, tilted
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
@@ -235,8 +237,18 @@ class Arm:
             step.say(f"By assumption, the centre of mass is on {side} side, so ${name.name} {sign}$.")
         elif not self.book.is_hidden(total):
             step.say(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
+        elif not self.book.in_symbols:
+            self.book.afterwards.append(lambda: self._tell_side(name, sign, side))
         step.close()
         return name
+
+    def _tell_side(self, moment: Symbol, sign: str, side: str) -> None:
+        """Write that the centre of mass is on the side that was assumed, once all numbers are known."""
+        step = self.book.open("verify")
+        exceeds(self.book, step, *((moment, ZERO) if sign == "> 0" else (ZERO, moment)))
+        value = with_unit(self.book.value(moment), MOMENT)
+        step.say(f"With this, ${moment.name} = {value} {sign}$: the centre of mass is on {side} side, as was assumed.")
+        step.close()
 
     def noun(self) -> str:
         """What turns, with a capital."""

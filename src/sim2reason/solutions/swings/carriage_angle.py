@@ -118,7 +118,10 @@ class CarriageAngle(SwingAngle):
             return -self.first
         tilt = self.book.fresh(r"\beta")
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
-        said = "In the frame with the common acceleration along the rail, the effective gravity is tilted by the angle"
+        said = (
+            "In the frame that accelerates along the rail with the common centre of mass, "
+            "the effective gravity is tilted by the angle"
+        )
         self.book.told("tilt", said, tilt, formula, DEGREES)
         said, whole = (
             f"About this direction {self.swings} oscillates symmetrically, so it turns back at",

@@ -57,7 +57,7 @@ class CarriageLaws(CarriageAngle):
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
         step.say(*self._named(turns, runs))
-        inertial = " with the work of the inertial forces" if drift != ZERO else ""
+        inertial = " with the work of the pull and of the inertial forces" if drift != ZERO else ""
         step.say(f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {held}. Together")
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
@@ -106,7 +106,7 @@ class CarriageLaws(CarriageAngle):
         if self.driving_force == ZERO:
             return ZERO
         said, name = (
-            "The force along the rail gives the common acceleration",
+            "The force along the rail gives the common centre of mass the acceleration",
             self.book.fresh("a", "0"),
         )
         return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)

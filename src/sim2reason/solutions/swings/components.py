@@ -7,6 +7,7 @@ BOTH = {
     "net force": "By Newton's second law, with centripetal and tangential acceleration,",
 }
 AT_START, TURNING = "Just after release", "At a turning point"
+VERTICAL = "With the centre of mass straight below or above the axis of rotation"
 
 
 def of_components(quantity: str, inward: Expression, along: Expression, *, begins: bool) -> str:
@@ -20,5 +21,5 @@ def of_components(quantity: str, inward: Expression, along: Expression, *, begin
         when = AT_START if begins else TURNING
         why = f"{when} the angular velocity is zero, so the acceleration is only tangential"
     else:
-        why = "Gravity has no tangential component here, so the acceleration is only centripetal"
+        why = f"{VERTICAL}, gravity has no tangential component, so the acceleration is only centripetal"
     return f"{why}:" if quantity == "acceleration" else f"{why}; by Newton's second law,"

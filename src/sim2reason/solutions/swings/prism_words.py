@@ -13,11 +13,11 @@ HALF = Number(0.5)
 
 def shape_words(who: str, sides: int, turn: Expression) -> str:
     """Return the words before the moment of inertia of a regular prism about its axis."""
-    triangle = r"$\tfrac{1}{6} \left(a^{2} + b^{2} + a b \cos\gamma\right)$"
     return (
-        "About one of its corners, where sides $a$ and $b$ meet at the angle $\\gamma$, a uniform triangle has "
-        f"{triangle} times its mass as its moment of inertia. Lines from the axis to the edges divide {who} into "
-        f"{sides} equal triangles, with the angle ${turn.latex()}$ at the axis, so its moment of inertia about that is"
+        "About one of its corners the moment of inertia of a uniform triangle is its mass times one sixth of the sum "
+        "of three terms: the squares of the two sides that meet there, and their product times the cosine of the angle "
+        f"between them. Lines from the axis to the edges divide {who} into {sides} equal triangles, with the angle "
+        f"${turn.latex()}$ at the axis, so its moment of inertia about that is"
     )
 
 
@@ -40,9 +40,9 @@ def landing_words(speed: Expression, turn: Expression, law: str) -> str:
 def angle_words(half: Expression, angle: Expression) -> str:
     """Return the sentence that says at which angle to the vertical the line from the edge to the axis is."""
     return (
-        "Just after a landing, as at the start, the line from the lower edge to the axis is turned uphill by "
-        f"${half.latex()}$ from the perpendicular to the plane. At the moment its angle with the vertical is "
-        f"${angle.latex()}$, positive downhill."
+        "At the start, and whenever an edge lands, the line from the lower edge to the axis is turned uphill by "
+        f"${half.latex()}$ from the perpendicular to the plane. At the moment asked about, its angle with the "
+        f"vertical is ${angle.latex()}$, positive downhill."
     )
 
 
