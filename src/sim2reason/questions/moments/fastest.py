@@ -26,7 +26,7 @@ class Fastest(Passage):
     drawn_by_recipes = False
     of = Bodies()
     hangs_on = "velocity"
-    verb = Verb("is fastest", "be fastest")
+    verb = Verb("reaches its greatest speed", "reach its greatest speed")
 
     def excess(self, state: State) -> Array:
         """Return −v·a, by how much half the squared speed falls per second, in m²/s³, (n,)."""

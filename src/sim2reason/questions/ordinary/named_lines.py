@@ -43,7 +43,7 @@ _COUNTED = "first", "second", "third", "fourth"
 UPRIGHT = 1e-6
 
 
-class Named(NamedTuple):
+class NamedLine(NamedTuple):
     """A line: its name, the text's phrase, its noun, phrases of its ends, whether each is an axle, its pulleys."""
 
     name: str
@@ -110,7 +110,7 @@ def swinging_lines(words: Words) -> Iterable[Ranked]:
                 )
 
 
-def _named(name: str, noun: str, words: Words) -> Named:
+def _named(name: str, noun: str, words: Words) -> NamedLine:
     mechanism = words.mechanism
     line = mechanism.line[name]
     carriers = {body: words.mentions[address] for body, address in pulleys(mechanism, words.mentions).items()}
@@ -129,10 +129,10 @@ def _named(name: str, noun: str, words: Words) -> Named:
     )
     over = dict.fromkeys(filter(None, (phrase(site) for site in line.through[1:-1])))
     over |= {told: None for told, axle in zip(said, axles, strict=True) if "pulley" in told and not axle}
-    return Named(name, "", noun, (said[0], said[1]), (axles[0], axles[1]), tuple(over))
+    return NamedLine(name, "", noun, (said[0], said[1]), (axles[0], axles[1]), tuple(over))
 
 
-def _by_ends(line: Named, lines: list[Named]) -> Iterable[Ranked]:
+def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     """Yield patterns by the ends of a line; by one end alone only if no other line ends there."""
     string = rf"\b(?:[Tt]he )?{_PART}(?:{alike(line.noun)})"
     one, other = line.ends
@@ -164,7 +164,7 @@ def _by_ends(line: Named, lines: list[Named]) -> Iterable[Ranked]:
         yield 1400, line.phrase, rf"{string} (?:{_THAT}(?:{_TIED}|next to|at|touching) {wall}|at {wall})"
 
 
-def _by_pulleys(line: Named, lines: list[Named]) -> Iterable[Ranked]:
+def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     """Yield patterns by a pulley over which no other line passes."""
     for pulley in line.over:
         if sum(pulley in each.over for each in lines) == 1:
@@ -172,7 +172,7 @@ def _by_pulleys(line: Named, lines: list[Named]) -> Iterable[Ranked]:
             yield 1450, line.phrase, told
 
 
-def _by_places(line: Named, lines: list[Named], words: Words) -> Iterable[Ranked]:
+def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterable[Ranked]:
     """Yield patterns by the direction of a part of a string, by the body beside a part, and by a number in order."""
     counted = re.fullmatch(rf"the {line.noun} (\d)|{line.noun} (\d)", line.phrase)
     if counted is not None and 0 < int(counted[1] or counted[2]) <= len(_COUNTED):
@@ -194,7 +194,7 @@ def _by_places(line: Named, lines: list[Named], words: Words) -> Iterable[Ranked
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_PARTS} of (?:the )?{strings} {beside}(?! [A-Z]\b)"
 
 
-def _tilt(line: Named, words: Words) -> float | None:
+def _tilt(line: NamedLine, words: Words) -> float | None:
     """Return the vertical part of the direction in which the body at a part's end moves; None if it is not known."""
     said: Mapping[str, str] = {phrase: name for name, phrase in words.mentions.items() if name in words.mechanism.body}
     bodies = [said[end] for end in line.ends if end in said and "pulley" not in end]
