@@ -102,9 +102,10 @@ ROWS = (
     WantedRow((f"{_FAR}|displacement", HOME, "{greatest}|farthest|furthest", f"?{MOTION}", "?away"),
         "how far does {s} get from its starting point at most"),
     WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}|move|shift|advance|slide|recoil"), "how far does {s} {verb}{way}"),
-    WantedRow((f"{_FAST}|speed",
-         "apart|together|(?:toward|towards|away from|relative to|from) (?:each other|one another)",
-         f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
+    WantedRow((f"{_FAST}|speed", "relative to (?:each other|one another)", f"?{MOTION}"),
+        "how fast do {s} and {t} move relative to each other", 2),
+    WantedRow((f"{_FAST}|speed", "apart|together|(?:toward|towards|away from|from) (?:each other|one another)",
+         f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} near or part", 2),
     WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
     WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), (f"(?:measured )?along"

@@ -107,6 +107,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK [SIZE ]height of {s}[ above SURFACE]": read.high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": read.fast,
     "how fast ~{s}[ and {t}] ~MOTION relative to each other": of_pair("relative speed"),
+    "how fast ~{s}[ and {t}] near or part": read.nears,
     "how far ~{s}[ and {t}] apart": of_pair("distance"),
     "how far apart ~(?:centres of )?{s}[ and {t}]": of_pair("distance"),
     "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": read.far,

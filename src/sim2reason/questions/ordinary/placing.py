@@ -198,7 +198,8 @@ def _component(told: str, words: Words) -> str:
         return f"{found['find']} of {found['of']} along {axis_named(found['axis'], asked, words)} = {found['value']}"
     names = [name for name, said in words.called(Bodies()).items() if found["of"] in (name, said)]
     senses = [sense for name in names for sense in Bodies().senses(words.mechanism, name)]
-    line = senses[0].positive if len(senses) == 1 else found["axis"]
+    straight = all(center_path(words.mechanism, name).straight for name in names)
+    line = senses[0].positive if len(senses) == 1 and straight else found["axis"]
     return f"{found['find']} of {found['of']} along {line} = {found['value']}"
 
 

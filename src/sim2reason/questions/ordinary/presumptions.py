@@ -29,6 +29,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     LASTS,
     LEVEL,
     ONCE,
+    ONE_LINE,
     ONE_WAY,
     ONLY,
     OVER,
@@ -238,6 +239,12 @@ def _fields_alone(case: Case) -> bool:
     return bool(name) and not _falls(mechanism, name) and not mechanism.lines and not mechanism.contacts
 
 
+def _one_line(case: Case) -> bool:
+    """Return whether a body can move along one straight line only."""
+    name = named(case.who, case.words)
+    return bool(name) and center_path(case.words.mechanism, name).straight
+
+
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; without a body named, true."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
@@ -285,6 +292,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     GAINED: ("it is the other way round", _gained),
     SMOOTH: ("there is friction, too", _smooth),
     FIELDS_ALONE: ("there are other forces", _fields_alone),
+    ONE_LINE: ("{who} does not move along a line", _one_line),
     LEVEL: ("{who} does not move on a level face", _level),
     ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),

@@ -15,6 +15,7 @@ from sim2reason.questions.ordinary.readers import (
     Main,
     Reader,
     each,
+    of_pair,
 )
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
@@ -26,6 +27,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     LASTS,
     MOTIONS,
     ON,
+    ONE_LINE,
     ONE_WAY,
     ORIGIN,
     QUANTITIES,
@@ -174,6 +176,13 @@ def all_about_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the moment of inertia of everything that turns about the only axle."""
     del found, heard
     yield Main("moment of inertia about the axle", EVERYTHING)
+
+
+def nears(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the relative speed of two bodies, presuming that each moves along a line."""
+    both = [said for key in "st" for said in each(heard, found[key]) if said]
+    for main in of_pair("relative speed")(found, heard):
+        yield replace(main, ways=tuple((who, ONE_LINE) for who in both))
 
 
 def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -98,7 +98,7 @@ SMALL = "small"  # oscillations, so that the period does not depend on how far t
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
-LEVEL, SMOOTH, FIELDS_ALONE = "level", "smooth", "fields alone"
+LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE = "level", "smooth", "fields alone", "one line"
 THEN_GOES = "then goes "  # a way, after the moment
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
