@@ -24,12 +24,14 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.entered_region import EnteredRegion
 from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.fastest import Fastest
 from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.left_face import LeftFace
 from sim2reason.questions.moments.left_region import LeftRegion
+from sim2reason.questions.moments.lifted_off import LiftedOff
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
@@ -123,6 +125,8 @@ TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.orbit, Orbited("sky.planet & sky.star", 180), 0.5),
     (motions.orbit, Orbited("sky.planet & sky.star", 360), 1.0),
     (motions.rocket, BurnedOut("pad.rocket"), 6.0),
+    (motions.heavy_rocket, LiftedOff("pad.rocket"), (10.0 - 0.5 * 160.0 / G) / 0.5),
+    (motions.spring_block, Fastest("bench.block"), pi / (2.0 * OMEGA)),
     (motions.thrown_ball, HighestPoint("field.ball"), RISE / G),
     (motions.rod_pendulum, Stopped("swing.rod", 2), 4.0 * swing(ROD_RATE, radians(60.0), 0.0)),
     (motions.spring_block, Returned("bench.block"), 2.0 * pi / OMEGA),

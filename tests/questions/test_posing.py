@@ -68,6 +68,8 @@ def found(scene: Scene, **parts: str) -> Followed:
         (SLIDING, {"find": "displacement", "when": "velocity = 3 m/s"}, 16.0 / (0.1 * G)),
         (SLIDING, {"find": "energy dissipated by friction", "when": "velocity = 3 m/s"}, 16.0),
         (SLIDING, {"find": "acceleration", "when": "stopped before"}, 0.05 * G),
+        (SLIDING, {"find": "time", "when": "stopped minus velocity = 2 m/s"}, 2.0 / (0.05 * G)),
+        (SLIDING, {"find": "kinetic energy", "when": "at start minus velocity = 3 m/s"}, 16.0),
     ],
 )
 def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str], answer: float) -> None:
@@ -86,6 +88,8 @@ def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str],
         ({"find": "velocity", "when": "moved far"}, "is no number"),
         ({"find": "velocity", "along": "x"}, "has no components here"),
         ({"find": "ramp.speed"}, "name a moment"),
+        ({"find": "time", "when": "stopped minus 1 s", "change": "ramp.speed × 2"}, "ask for each of the two moments"),
+        ({"find": "time", "when": "stopped minus soon"}, "names no moment"),
         ({"find": "ramp.sped", "given": "velocity = 2 m/s"}, "did you mean: ramp.speed"),
         ({"find": "ramp.speed", "given": "fast"}, "is no equation"),
         ({"find": "velocity", "when": "2 s", "change": "ramp.sped = 2 m/s"}, "did you mean: ramp.speed"),

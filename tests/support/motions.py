@@ -120,6 +120,18 @@ def rocket() -> Motion:
     return Motion(builder.finish(), {"pad.rocket": "the rocket"}, 8.0)
 
 
+def heavy_rocket() -> Motion:
+    """A rocket of 10 kg that stands on a prop and burns 0.5 kg/s at an exhaust speed of 160 m/s: for 3.7 s in vain."""
+    builder = Builder()
+    room = builder.room("pad")
+    room.site("ground", at=(0.0, 0.0, -1.0))
+    body = room.body("rocket", 10.0).slide(Z, name="rise")
+    body.site("tail", at=(0.0, 0.0, -0.5))
+    body.burn(0.5, 160.0, 12.0)
+    room.prop("stand", "pad.ground", "pad.tail")
+    return Motion(builder.finish(), {"pad.rocket": "the rocket"}, 10.0)
+
+
 def thrown_ball(restitution: float | None = 0.8) -> Motion:
     """A ball of 0.2 kg thrown at 5 m/s and 40° from a height of 1 m; it bounces, or its flight ends on the ground."""
     builder = Builder()

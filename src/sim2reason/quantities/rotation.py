@@ -118,6 +118,26 @@ class AngleRolled(Angle):
         return _turned(state, subject)
 
 
+@quantity
+class Revolutions(Angle):
+    """The number of turns from the start, whole or not, of a body that turns about one axis."""
+
+    name, unit, symbol = "revolutions made", "", "N"
+    drawn_by_recipes = False
+    floor, least = 0.1, 1e-3
+    from_start = True
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Whatever turns."""
+        del mechanism, name
+        return True
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """The angle turned, by that of a whole turn, (n,)."""
+        return _turned(state, subject) / (2.0 * np.pi)
+
+
 def _about_one_axis(mechanism: Mechanism, name: str) -> bool:
     axes = [axis for _, axis in turning_axes(mechanism, name)]
     return all(parallel(axis, axes[0]) for axis in axes)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.following import Followed, FollowedMotion, follow
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
@@ -23,7 +24,9 @@ EXTREMES = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
-SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass")
+MINUS = " minus "  # between two moments, for the value at the first one less the value at the second one
+AXLE = "moment of inertia about the axle"
+SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass", AXLE)
 """Quantities whose values of several subjects add up to that of all."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
@@ -32,13 +35,15 @@ SYMBOL = "x"  # of a number that is looked for and has no other symbol
 class PosedQuestion:
     """A query; if the question asks for a number of the scene, also that number and the query's required answer.
 
-    If the question asks for a sum over several subjects, `others` has the queries for all but the first.
+    If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks for
+    a difference between two moments, `less` is the question for the second one.
     """
 
     query: Query
     unknown: Unknown | None = None
     given: float = 0.0
     others: tuple[Query, ...] = ()
+    less: "PosedQuestion | None" = None
 
     def unit(self, words: Words) -> str:
         """Return the unit of the answer."""
@@ -52,6 +57,8 @@ class PosedQuestion:
 
     def followed(self, motion: FollowedMotion) -> Followed:
         """Return the answer with the motion that leads to the answer, or the reason why there is none."""
+        if self.less is not None:
+            return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
         if self.unknown is None:
             found = [follow(query, motion) for query in (self.query, *self.others)]
             missing = next((each for each in found if each.answer is None), None)
@@ -64,7 +71,7 @@ class PosedQuestion:
         """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
-        if self.unknown is not None or self.others or (target is not None and noun is None):
+        if self.unknown is not None or self.others or self.less or (target is not None and noun is None):
             return ""
         shapes = KINDS[self.query.kind].shapes(self.query, words, noun)
         return sentence(shapes[0]) if shapes else ""
@@ -81,6 +88,8 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
     if asked.given:
         return _reversed(asked, motion, words)
     find = one_of("find", asked.find, findable(words))
+    if MINUS in asked.when:
+        return _between(asked, motion, words)
     if PLUS in asked.of:
         return _summed(asked, motion, words)
     if asked.change:
@@ -92,6 +101,24 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
         raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
     return PosedQuestion(query)
+
+
+def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+    """Return the question for a difference between two moments, such as *second bounced minus bounced*."""
+    if asked.change:
+        raise TextError("when", "a difference between two moments is not compared", "ask for each of the two moments")
+    first, second = (posed(replace(asked, when=when), motion, words) for when in asked.when.rsplit(MINUS, 1))
+    target = first.query.target
+    if target is not None and target.sense is None and QUANTITIES[target.quantity].vector and asked.find != "speed":
+        raise TextError("along", f"{asked.find} may change its direction", "name a direction, by along")
+    return replace(first, less=second)
+
+
+def _difference(first: Followed, second: Followed) -> Followed:
+    """Return the difference of two answers; the one that is missing, if one is."""
+    if first.answer is None or second.answer is None:
+        return first if first.answer is None else second
+    return first._replace(answer=first.answer - second.answer)
 
 
 def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:

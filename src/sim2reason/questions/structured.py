@@ -33,7 +33,8 @@ class StructuredQuestion:
     greatest. With `change`, such as *ramp.speed = 5 m/s*, it asks how the answer changes: `compare` is the *ratio* of
     the new value to the original one, or their *difference*. With *ramp.angle = greatest* it asks for the answer's
     greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches. `of` may name
-    several subjects of an energy or a mass, as *block A + block B*, for the sum.
+    several subjects of an energy or a mass, as *block A + block B*, for the sum; `when` may name two moments, as
+    *second bounced minus bounced*, for the value at the first less that at the second.
     """
 
     find: str

@@ -14,7 +14,9 @@ REGULAR = re.split(
     "decelerate slow remain stay store contain deliver impart receive exchange happen occur deflect ignite "
     "start finish end deform reverse change detach cross touch relax contract expand start brake pull drag lift "
     "lower raise join tie attach connect carry hang cease possess reduce increase decrease transform stay "
-    "impinge jump hop skip tension loosen traverse experience feel circle encounter contact intersect",
+    "pick remove drain withdraw rob deviate stray shift settle smash bump slam project depart haul progress"
+    " proceed displace double triple halve switch emerge escape impinge jump hop skip tension loosen traverse"
+    " experience feel circle encounter contact intersect",
 )
 IRREGULAR = {
     "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",
@@ -39,7 +41,8 @@ AUXILIARIES = frozenset(
 EMPTY = frozenset(
     re.split(
         " ",
-        "exactly precisely just momentarily instantaneously briefly actually then now freely already been being "
+        "uselessly vainly exactly precisely just momentarily instantaneously briefly actually then now freely"
+        " already been being "
         "still ever currently simply indeed itself themselves itself there",
     )
 )

@@ -11,11 +11,10 @@ BEYOND: Mapping[str, str] = {
     "that lie in no string, rod, spring or contact only the net one is a quantity here",
     r"average|mean (?:speed|velocity|force|power)": "averages are no quantities here: ask for what the motion adds up "
     "to, and for the time",
-    r"\bpower\b|at what rate does .*(?:work|energy)": "power is no quantity here: ask for a work, or for a force",
+    r"\bpower\b|at what rate does .*(?:work|energy)": "of powers only that of a hand is asked in sentences: ask for "
+    "others in parts, such as --find 'power of gravity'",
     r"(?:what|which|find the|the) direction|angle (?:above|below|to|with) the horizontal": "of directions only the "
     "angle of a projectile's velocity with the horizontal is a quantity here: ask for the components",
-    r"(?:how many|number of) (?:full |complete )?(?:revolutions|turns|rotations)": "turns are not counted: ask for "
-    "the angle",
     r"\d\s?(?:s|seconds?|yr|years?) (?:after|before) (?!t\b|the start|release|launch)|\d\s?s later|next \d|last "
     r"(?:\d|second)": "a time is counted from the start: ask when that happens first, then at a time",
     r"altogether|combined|total (?:momentum|mass) of the \w+s\b|centre of mass of the|of the system": (

@@ -6,15 +6,21 @@ N, S = r"#\d+#", r"@\d+@"
 _MOST = "(?:most|maximum|maximal|maximally|greatest|largest|biggest|highest|fully|completely|strongest|longest|peak)"
 _MOVE = (
     "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|pull|drag|traverse|push|complete|pass|be"
-    "|carry|shift|run)"
+    "|carry|shift|run|progress|proceed|displace|haul|draw|drift)"
 )
-FALL, RISE = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)"
+FALL, RISE = (
+    "(?:fall|drop|descend|sink|lower|lose height(?: of)?)",
+    "(?:rise|climb|ascend|lift|raise|gain height(?: of)?)",
+)
 _ROLL, _TURN = "roll", "(?:turn|rotate|spin|swing|revolve)"
 _DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total of) )?(?P<n>{N})"
+_DROP = "(?:(?:by|through|down|up|over) )*vertical (?:distance|height|drop|depth) (?:of )?"
 _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
-    "|(?:release|launch|throw|throwing|launching|starting|kick) point|(?:point|place|position|location) of"
-    " (?:release|launch|departure)"
+    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) point|(?:point|place|position|location) of"
+    " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch"
+    "|thrower|launch point"
+    "|release)|foot of (?:cliff|tower)"
     "|(?:original|initial) (?:point|position|place|location)"
     "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
     "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
@@ -23,8 +29,10 @@ _HOME = (
 )
 HOME = rf"(?:{_HOME})"
 START_WORDS = (
-    "(?:start|release|launch|blow|kick|beginning|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
-    "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set in motion|leave origin)"
+    "(?:start(?! point| position| place| location)|release(?! point)|launch(?! point)|blow|kick|beginning"
+    "|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
+    "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set (?:in motion|move|going|go|free)"
+    "|leave (?:origin|HOME)|throw off|project|projection|departure|leave (?:thrower 's )?hand|free)"
 )
 _SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
 
@@ -43,12 +51,15 @@ HEADS: Mapping[str, str] = {
     "|equal to )?zero|have no (?:speed|velocity)": "{s} stops",
     "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)": "{s} finally stops",
     # impacts
-    "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter)"
+    "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter|smash"
+    "|bump|run|slam)"
     "(?: back)?(?: down)?(?: to| on| onto| with| at| into| against| upon)? GROUNDS(?: again)?"
     "|(?:land|touch down|touchdown|impact|come (?:back )?down)(?: GROUNDS)?": "{s} lands{count}",
     "(?:bounce|rebound|impact|hop|landing|hit|strike|touch|collision)"
-    "(?: (?:off|from|against|on|with|at|into)?(?: GROUNDS| wall| fixed wall))?": "{s} bounces{count}",
-    "(?:collide|meet|crash|touch|hit|strike|bump|impact|collision|contact|encounter)"
+    "(?: (?:off|from|against|on|with|at|into)?(?: GROUNDS| (?:fixed )?wall))?"
+    "|(?:run|bump|crash|smash|slam|collide|meet|reach|get to)(?: (?:into|with|against|to))? (?:fixed"
+    " )?wall": "{s} bounces{count}",
+    "(?:collide|meet|crash|touch|hit|strike|bump|run|smash|slam|catch up|impact|collision|contact|encounter)"
     "(?: (?:into|with|each other|one another|against|up))*(?: (?:take place|happen|occur))?"
     "|come (?:into|in) contact|make contact": "{s} and {t} collide{count}",
     "(?:all|every one of) (?:of )?(?:the )?(?:collision|impact)s?(?: (?:over|take place|happen))?|last collision": (
@@ -64,9 +75,11 @@ HEADS: Mapping[str, str] = {
     "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
     "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
     "(?:down|downward|downwards)": "{s} passes through vertical",
-    "(?:closest|nearest)(?: approach| point| distance| position)?|perihelion|periapsis|pericentre|perigee|periastron"
+    "(?:closest|nearest)(?: approach| point| distance| position)?(?: to)?|perihelion|periapsis|pericentre|perigee"
+    "|periastron"
     "|minimum distance|least distance|smallest distance": "{s} closest to {t}",
-    "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?|aphelion|apoapsis|apocentre|apogee"
+    "(?:farthest|furthest|most distant)(?: point| distance| away| out| position)?(?: from)?|aphelion|apoapsis"
+    "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
     "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
@@ -129,13 +142,46 @@ HEADS: Mapping[str, str] = {
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
-    r"|(?:from|after|of|since|following|past)(?: [a-z]+)? (?:START|motion)))?": "t = {n}",
+    r"|(?:from|after|of|since|following|past)(?: (?:[a-z]+|@\d+@))?(?: both| all)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
+    "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic"
+    " energy) (?:be |become "
+    "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as"
+    " (?:great|large) as (?:at start"
+    "|initially)|(?:its |that at )?(?:initial|original|start|starting)(?: value| one| speed| velocity)?|what it"
+    " be (?:at start|initially))"
+    "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic"
+    " energy)": "{q} of {s} {times} times at first",
+    "(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial"
+    "|original|start|starting|launch"
+    "|same|own|release) (?:height|level)|(?:height|level) (?:from|at|of) (?:which|where) (?:it|@\\d+@) (?:start"
+    "|throw|release|launch"
+    "|leave)|(?:height|level) of (?:throw|launch|release|projection)|launch height)(?: again)?": "{s} back at its"
+    " height",
+    f"(?:start(?! point| position| place)|begin|set out|set off|start off|start out)(?: to)?(?: {_MOVE})?(?: off|"
+    f" out)?": "{s} sets off",
+    rf"(?P<n>{N}) (?:above|over|off|from|clear of) GROUNDS|(?:at |reach )?(?:height|altitude) of (?P<m>{N})(?:"
+    rf" (?:above|over)"
+    rf" GROUNDS)?|(?P<k>{N}) high": "{s} at height of {n}",
+    rf"{FALL} {_DROP}(?P<n>{N})(?: vertically)?|(?:vertical )?(?:drop|descent|fall) of (?P<m>{N})": (
+        "{s} falls {n} vertically"
+    ),
+    rf"{_MOVE} {_DROP}(?P<n>{N})": "{s} moves {n} vertically{way}",
+    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})": "{s} rises {n} vertically",
+    "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"
+    " {axis} axis",
+    "(?:move|go|travel|slide|run|swing|spin|turn|roll|rotate)(?: at)? (?:its )?(?:fast(?:est)?|(?:greatest"
+    "|maximum|highest|top|peak"
+    "|largest) (?:speed|velocity))|(?:fastest|(?:reach|attain|have|at|acquire|gain) (?:its )?(?:greatest|maximum"
+    "|highest|top|peak"
+    "|largest) (?:speed|velocity)|(?:speed|velocity)(?: of @\\d+@)? (?:greatest|maximum|highest|largest|at its"
+    " (?:maximum|greatest"
+    "|peak)))": "{s} fastest",
     "(?:go|become|get|turn) slack|slack": "{s} goes slack",
     "(?:go|become|get|pull) (?:taut|tight)(?: again)?|taut|tight": "{s} becomes taut",
-    "(?:leave|lose contact with|lift off|detach from|lose touch with|separate from|come off) (?:@\\d+@|GROUNDS)": (
-        "{s} leaves surface"
-    ),
+    "(?:leave|lose contact with|lift off|detach from|lose touch with|separate from|come off|take off from|rise"
+    " from|lift from)"
+    " (?:@\\d+@|GROUNDS)|lift off|take off|lift-off|liftoff|takeoff|take-off": "{s} leaves surface",
     "(?:enter|come into|get into|reach) (?:electric |magnetic )?(?:field|region)(?: region)?": "{s} enters field",
     "(?:leave|exit|come out of|emerge from|get out of) (?:electric |magnetic )?(?:field|region)": "{s} leaves field",
     "(?:begin|start) (?:to )?(?:slip|slide|skid)": "{s} begins to slip",

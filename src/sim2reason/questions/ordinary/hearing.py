@@ -6,7 +6,9 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.strings import Strings
+from sim2reason.questions.ordinary.addresses import EVERYTHING
+from sim2reason.questions.ordinary.asides import without_asides
+from sim2reason.questions.ordinary.named_lines import between, group, named_lines, swinging_lines
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
@@ -27,19 +29,11 @@ _UNITS = {
 _UNIT = re.compile(
     r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
 )
-_JOINING = (
-    r"(?:(?:that |which )?(?:is |runs )?(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties))"
-)
-_HOLDING = (
-    "(?:that |which )?(?:is )?"
-    "(?:attached to|tied to|fastened to|fixed to|holding|holds|supporting|supports|carrying|carries)"
-)
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _OWN_ADJECTIVES = re.compile(
     r"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
     rf"(?=(?:{'|'.join(sorted({'arm', 'hemisphere', 'pulley'}.union(*NOUNS)))})\b)"
 )
-_PART = "(?:(?:part|section|piece) of (?:the )?)?"
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
@@ -52,6 +46,7 @@ _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
+_WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
@@ -101,7 +96,8 @@ def hear(sentence: str, words: Words) -> Heard:
     if words.released:
         text = _FROM_REST.sub("", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
-    return Heard(reworded(" ".join(_without_pronouns(text, subjects).split())), tuple(subjects), numbers)
+    text = without_asides(" ".join(_without_pronouns(text, subjects).split()))
+    return Heard(reworded(text), tuple(subjects), numbers)
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
@@ -143,18 +139,18 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     """Return each phrase of the text with a pattern for its names in a question, the most specific pattern first."""
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
-    found: list[tuple[int, str, str]] = list(_at_end(words))
+    found: list[tuple[int, str, str]] = [*named_lines(words), *swinging_lines(words)]
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
-        found += _between(phrase)
+        found += between(phrase)
         if not letter:
             others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
             names = {phrase.removeprefix("the ")} | others
             found += [(len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names]
             continue
-        alike = {noun} | _group(noun) | ANYTHING | {"mass"}
-        group = "|".join(_ignoring_case(name) for name in sorted(alike))
-        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{group})(?:e?s)? {letter}\b"))
+        alike = {noun} | group(noun) | ANYTHING | {"mass"}
+        names = "|".join(_ignoring_case(name) for name in sorted(alike))
+        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()
@@ -162,7 +158,9 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         found += [
             (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
         ]
-    for said, plural in _plurals(nouns):
+    found.append((2, EVERYTHING, rf"(?<=\bof )(?:the )?(?:(?:whole|entire|complete) )?{_WHOLE}\b"))
+    found.append((2, EVERYTHING, rf"\b(?:[Tt]he )?(?:(?:whole|entire|complete) )?{_WHOLE}(?='s\b| have\b| possess\b)"))
+    for said, plural in _plurals(nouns, words):
         found.append(
             (
                 2,
@@ -173,77 +171,6 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
         found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
-
-
-def _between(phrase: str) -> Iterable[tuple[int, str, str]]:
-    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order."""
-    parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
-    if parts is None:
-        return
-    group = _alike(parts[1])
-    ends = [_end(parts[2]), _end(parts[3])]
-    nouns = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
-    if len(nouns) == 1:
-        both = rf"(?:the )?(?:two )?(?:{_alike(*nouns, *ANYTHING)})e?s"
-        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {both}\b(?! [A-Z]\b)"
-    for one, other in (ends, reversed(ends)):
-        told = rf"\b(?:[Tt]he )?{_PART}(?:{group}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
-        yield 2000, phrase, told
-
-
-def _at_end(words: Words) -> Iterable[tuple[int, str, str]]:
-    """Yield ranked patterns that name a string by a body at one end, if no other string ends at that body."""
-    yield from _unnamed(words)
-    strings = words.called(Strings()).values()
-    if len(strings) < len(Strings().names(words.mechanism)):
-        return
-    ends = [(phrase, end) for phrase in strings for end in re.split(" (?:between|and) ", phrase)[1:]]
-    for phrase, end in ends:
-        if "pulley" not in end and [other for _, other in ends].count(end) == 1:
-            yield 1500, phrase, rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)"
-
-
-def _unnamed(words: Words) -> Iterable[tuple[int, str, str]]:
-    """Yield ranked patterns that name a string, by its address, by the only body at one of its ends."""
-    mechanism, called = words.mechanism, words.called(Strings())
-    through = {name: mechanism.line[name].through for name in Strings().names(mechanism)}
-    ends = {
-        name: [words.mentions.get(mechanism.site[site].body or "", "") for site in (sites[0], sites[-1])]
-        for name, sites in through.items()
-    }
-    everywhere = [end for pair in ends.values() for end in pair]
-    for name, pair in ends.items():
-        if all(pair):
-            one, other = (_end(end) for end in pair)
-            string = rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_JOINING}"
-            yield (
-                1900,
-                called.get(name, name),
-                rf"{string} (?:{one} (?:and|to|with) {other}|{other} (?:and|to|with) {one})(?! [A-Z]\b)",
-            )
-        for end in (end for end in pair if end and everywhere.count(end) == 1):
-            yield (
-                1400,
-                called.get(name, name),
-                rf"\b(?:[Tt]he )?(?:{_alike('string')}) {_HOLDING} {_end(end)}(?! [A-Z]\b)",
-            )
-
-
-def _alike(noun: str, *others: str) -> str:
-    return "|".join(sorted({noun, *others} | _group(noun)))
-
-
-def _end(said: str) -> str:
-    """Return a pattern for an end of a string: a letter with or without a noun, a pulley with or without its axle."""
-    bare = said.removeprefix("the ").removeprefix("axle of ")
-    noun, _, letter = bare.partition(" ")
-    if len(letter) == 1:
-        return rf"(?:the )?(?:axle of )?(?:(?:{_alike(noun, *ANYTHING)})(?:e?s)? )?{letter}"
-    return rf"(?:the )?(?:axle of )?(?:the )?{re.escape(bare)}"
-
-
-def _group(noun: str) -> frozenset[str]:
-    return next((group for group in NOUNS if noun in group), frozenset[str]())
 
 
 def _movers(words: Words) -> list[str]:
@@ -264,21 +191,23 @@ def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
     taken = {
         said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase
     }
-    groups = [group for group in NOUNS if noun in group]
-    other = {name for group in groups for name in group if not any({name, t} <= g for t in taken for g in NOUNS)}
+    groups = [nouns for nouns in NOUNS if noun in nouns]
+    other = {name for nouns in groups for name in nouns if not any({name, t} <= g for t in taken for g in NOUNS)}
     return (other - taken) | {noun} | (set(ANYTHING) if len(nouns) == 1 else set())
 
 
-def _plurals(nouns: Mapping[str, list[str]]) -> Iterable[tuple[str, str]]:
+def _plurals(nouns: Mapping[str, list[str]], words: Words) -> Iterable[tuple[str, str]]:
     """Yield a joint phrase for all subjects that share a noun and differ by letter, with a pattern for the plural."""
     alike: dict[str, list[str]] = {}
+    if len(movers := _movers(words)) > 1:
+        yield f"{ALL} {' & '.join(movers)}", "(?:bodies|objects)"
     for phrase, said in nouns.items():
         if len(said) == 2:
             alike.setdefault(said[0].lower(), []).append(phrase)
     for noun, phrases in alike.items():
         if len(phrases) > 1:
-            group = {noun} | _group(noun) | ANYTHING
-            plural = "|".join("bodies" if name == "body" else f"{name}e?s" for name in sorted(group))
+            names = {noun} | group(noun)
+            plural = "|".join(f"{name}e?s" for name in sorted(names))
             yield f"{ALL} {' & '.join(phrases)}", f"(?:{plural})"
 
 

@@ -9,12 +9,15 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
-_GO = "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull)"
+_GO = (
+    "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull"
+    "|shift|displace|progress|proceed)"
+)
 VERBS = {"fall": _FALL, "rise": _RISE, "roll": _ROLL, "turn": _TURN, "move": _GO}
 MOTION = f"(?:{'|'.join(VERBS.values())})"
 _FAST = "how (?:fast|quick|quickly|rapid|rapidly|swiftly)|what speed|how much speed"
 _FAR = (
-    "how far|(?:what|how much|how large a|how great a|total|whole|length of) (?:total |whole )?(?:distance|path)"
+    "how far|(?:what|how much|how large a|how great a|length of) (?:distance|path)"
     "|distance|how many (?:metres|meters|m)"
 )
 _HIGH = "how high|(?:what|which) (?:height|altitude)|height|altitude"
@@ -31,11 +34,13 @@ _ONCE = (
     f" (?:around|round)|year"
 )
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
-_IN_ALL = "total|altogether|in total|in all|all together|overall|all in all|as a whole"
+_IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
-    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)",
+    "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
+    "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
+    "|start) its motion",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
 
@@ -83,6 +88,12 @@ ROWS = (
         "how much potential energy does {s} lose"),
     WantedRow(("{quantity}", f"{_IN_ALL}|combined|joint|together|taken together"),
         "what is total {quantity} of {s} and {t}", 2),
+    WantedRow(("{quantity}", "?by how much|how much|(?:what|how large|how great) change|change", ("gain|increase"
+    "|rise|grow|pick up|acquire|put on")),
+        "how much {quantity} does {s} gain"),
+    WantedRow(("{quantity}", "?by how much|how much", "lose|loss|decrease|fall|drop|diminish"),
+        "how much {quantity} does {s} lose"),
+    WantedRow(("{quantity}", "?by how much|how much", "change"), "how much {quantity} does {s} change"),
     # distances
     WantedRow((_FAR, HOME, f"?{MOTION}", "?away"), "how far is {s} from its starting point"),
     WantedRow((_FAR, f"(?:from|of) {HOME}", MOTION, "(?P<toward><(?:up|down|to right|to left)>)"),
@@ -90,17 +101,25 @@ ROWS = (
     WantedRow((_FAR, _LEVEL, f"(?:from|of) {HOME}", f"?{MOTION}"), "how far horizontally does {s} move"),
     WantedRow((f"{_FAR}|displacement", HOME, "{greatest}|farthest|furthest", f"?{MOTION}", "?away"),
         "how far does {s} get from its starting point at most"),
-    WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}"), "how far does {s} {verb}{way}"),
-    WantedRow((f"{_FAST}|speed",
-         "apart|together|(?:toward|towards|away from|relative to|from) (?:each other|one another)",
-         f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} move relative to each other", 2),
-    WantedRow((_FAR, MOTION, f"?{_IN_ALL}"), "how far does {s} {verb}{way}"),
+    WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}|move|shift|advance|slide|recoil"), "how far does {s} {verb}{way}"),
+    WantedRow((f"{_FAST}|speed", "relative to (?:each other|one another)", f"?{MOTION}"),
+        "how fast do {s} and {t} move relative to each other", 2),
+    WantedRow((f"{_FAST}|speed", "apart|together|(?:toward|towards|away from|from) (?:each other|one another)",
+         f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} near or part", 2),
+    WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
+    WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
+    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), (f"(?:measured )?along"
+    f" (?:{GROUNDS})"),
+         f"?{MOTION}"), "how far {side} is {s}"),
+    WantedRow((_FAR, "(?P<side>below|beneath|under|above) HOME".replace("HOME", HOME), f"?{MOTION}"),
+        "how far vertically {side} its start is {s}"),
     WantedRow((_FAR, f"{_LEVEL}", MOTION), "how far horizontally does {s} move"),
     WantedRow((_FAR, _LEVEL, f"(?:from|of) {HOME}", "land|hit|strike|impact"),
         "how far horizontally does {s} land"),
     WantedRow((_FAR, "apart|between|from each other|from one another", "?(?:centre|center)s?(?: of)?", f"?{MOTION}"),
         "how far apart are {s} and {t}", 2),
     WantedRow((_FAR, "from", "?away", f"?{MOTION}"), "how far is {s} from {t}", 2),
+    WantedRow((_FAR, "from", "?away", "get|go|come|stray|recede"), "what is greatest distance between {s} and {t}", 2),
     WantedRow((_FAR, "from|between", "{greatest}|farthest|furthest", "?away", f"?{MOTION}"),
         "what is greatest distance between {s} and {t}", 2),
     WantedRow(("distance|how far", "to|from|between|of", "{least}|closest|nearest", f"?{MOTION}|approach"),
@@ -124,12 +143,20 @@ ROWS = (
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
     WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
+    WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
     WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
     WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring"),
         "how much energy is stored in {s}"),
     # energies and impulses
     WantedRow((_HEAT, _LOST, f"(?:by|to|through|against|due to|because of|in|between|into|of)? ?{_RUBS}",
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
+    WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
+        "how much mechanical energy does {s} lose"),
+    WantedRow(("heat|thermal energy|internal energy", ("generate|produce|develop|create|dissipate|lose|release"
+    "|arise|appear"),
+         "?between|by|in|through", f"?{_IN_ALL}"), "how much energy is lost to friction"),
+    WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|eat|rob", "?from|away|out", "friction",
+         f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     WantedRow(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),
@@ -139,7 +166,17 @@ ROWS = (
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
     # forces
+    WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
+    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),
+        "what upward force of ground on {s}"),
+    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})",
+         "?by|from|of|on"),
+        "what whole force of ground on {s}"),
+    WantedRow((_FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
     WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
+    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", ("(?:fixed )?(?:wall|stop|support"
+    "|peg)"), "?by|on|of|from"),
+        "what is force of {s}"),
     WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
     WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
     WantedRow(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
@@ -160,12 +197,20 @@ ROWS = (
          "deflect|deviate|deflection|scatter",
          "?direction of motion|velocity|path|from its (?:initial|original) direction"),
         "what angle {s} is deflected through"),
-    WantedRow(("how much|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
         "how much left fuel {s}"),
-    WantedRow(("how much|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"), "how much burnt fuel {s}"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"),
+        "how much burnt fuel {s}"),
     WantedRow(("angle", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
+        "what is greatest angle of {s} with vertical"),
+    WantedRow(("(?:at )?(?:what|which) angle|how steep|how steeply", ("?(?:with|to|from|and|against) (?:the"
+    " )?(?:horizontal|ground)")),
+        "what angle {s} hits at"),
+    WantedRow(("power|rate", "hand", "deliver|supply|do work|provide|develop|expend|work|transfer", "?energy"),
+        "what is power of hand"),
+    WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
         "what is greatest angle of {s} with vertical"),
     WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN), "through what angle does {s} turn"),
     WantedRow(("period(?: of revolution| of oscillation| of rotation)?", f"?{'{motion}'}", "?of"),
@@ -173,6 +218,16 @@ ROWS = (
     WantedRow(("(?:how long|how much time|time|how many (?:seconds|years))",
          "?(?:(?:need|take|require|last|complete|make|go|go through|perform|execute|travel|move)(?: to)? ?)+", _ONCE),
         "what is period of {s}"),
+    WantedRow(("(?:how long|how much time|how many (?:seconds|years))", "need|take|require", f"(?:to )?{_GO}",
+         "round|around", "once|(?:one|single) time"),
+        "what is period of {s} about {t}", 2),
+    WantedRow(("(?:at )?(?:what|which) rate|rate at which", _TURN), "how fast does {s} turn"),
+    WantedRow(("(?:how many times|how often)",
+         ("(?:change|reverse) (?:its )?(?:direction|sense|way|motion)(?: of (?:motion|travel))?|reverse|turn"
+         " (?:back|round|around)")),
+        "how many times does {s} reverse"),
+    WantedRow(("(?:through )?(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
+         "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),

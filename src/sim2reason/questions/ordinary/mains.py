@@ -3,13 +3,14 @@
 from collections.abc import Iterator, Mapping
 from functools import cache
 
+from sim2reason.questions.ordinary import change_readers as change
 from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
 
 def mains(question: str, heard: Heard) -> Iterator[Main]:
@@ -40,7 +41,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK [SIZE ]{s} 's [total ]{q=QUANTITY}": read.quantity,
     "(?:ASK|what|with what|at what) [SIZE ]{q=QUANTITY} [that ]~{s}[ ~HAVE| ~moving| ~{motion=MOTION}]"
     "[ {way=WAY}]": read.quantity,
-    "ASK (?P<axis>horizontal|vertical|x|y)[ component of|-component of] [velocity|displacement]": read.quantity,
+    "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY}": read.quantity,
     "what (?P<axis>horizontal|vertical) {q=QUANTITY} ~{s}[ ~HAVE]": read.quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {s} 's {q=QUANTITY}": read.quantity,
     "ASK (?P<axis>horizontal|vertical|x|y)(?: component of|-component of|) {q=QUANTITY} of {s}": read.quantity,
@@ -106,6 +107,7 @@ FRAMES: Mapping[str, Reader] = {
     "ASK [SIZE ]height of {s}[ above SURFACE]": read.high,
     "how fast ~{s}[ ~{motion=MOTION}][ {way=WAY}| ALONG_IT]": read.fast,
     "how fast ~{s}[ and {t}] ~MOTION relative to each other": of_pair("relative speed"),
+    "how fast ~{s}[ and {t}] near or part": read.nears,
     "how far ~{s}[ and {t}] apart": of_pair("distance"),
     "how far apart ~(?:centres of )?{s}[ and {t}]": of_pair("distance"),
     "how far ~{s} ~(?:{motion=MOTION}|get|gets|got)[ {way=WAY}| ALONG_IT]": read.far,
@@ -123,10 +125,28 @@ FRAMES: Mapping[str, Reader] = {
     "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": read.quantity,
-    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": of_one("spring energy"),
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": change.stored,
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
-    "ASK energy stored in {s}": of_one("spring energy"),
+    "ASK energy stored in {s}": change.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
+    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": change.changed,
+    "how far (?P<side>up|down) is {s}": read.far_off,
+    "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
+    "what force acts on {s}": read.of_fields,
+    "how many times does {s} reverse": of_one("number of reversals", needs=CLAUSED),
+    "how much mechanical energy ~(?:lost|lose)": change.lost_in_impact,
+    "what angle {s} hits at": of_one("angle with the horizontal", needs=LANDING),
+    "ASK moment of inertia about [its ]axle": read.all_about_axle,
+    "what is power of hand": of_none("power of a hand"),
+    "how far altogether ~{s} move[ {way=WAY}]": read.far_in_all,
+    "how far vertically (?P<side>below|above) its start is {s}": read.far_vertically,
+    "what upward force of ground on {s}": read.of_ground("normal force", LEVEL),
+    "what is period of {s} about {t}": read.of_orbit,
+    "how many turns does {s} make": of_one("revolutions made", needs=CLAUSED),
+    "(?:ASK|what) {q=QUANTITY} (?:of|in) {s} ,? ?(?:taking|counting|reckoning|with|if) (?P<way>upwards?|right|to"
+    " right) "
+    "(?:direction )?~(?:counted |taken )?as positive": read.signed,
+    "how much mechanical energy ~{s} lose": change.lost_in_impact,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

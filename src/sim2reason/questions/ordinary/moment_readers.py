@@ -7,18 +7,19 @@ from dataclasses import replace
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
-    COMPRESSED,
     ON,
     ORIGIN,
     QUANTITIES,
-    RELAXED,
     RESTS,
+    SETS_OFF,
     STRAIGHT,
-    STRETCHED,
+    WAYS,
     meant,
 )
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
+LINES = "horizontal", "vertical", "x", "y"
+LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")
 UP_WAY, DOWN_WAY = "up", "down"
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
@@ -98,6 +99,12 @@ def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterat
         yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
+def meet_again(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    """Yield a numbered collision of two named bodies."""
+    for when in meet(found, heard, subject, asked):
+        yield replace(when, told=f"{found['number']} {when.told}")
+
+
 def met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
     """Yield the collision of the question's subject with a named body."""
     if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
@@ -133,9 +140,13 @@ def rather(reader: Reader) -> Reader:
 def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
     who, number = subject_of(found, heard, subject), heard.number(found["n"])
-    ways = ways_of(found, who)
+    axis = meant(WAYS, found.groupdict().get("way") or "")
+    ways = tuple((said, way) for said, way in ways_of(found, who) if way != axis or axis not in LINES)
     if is_time(number):
         yield When(f"at {number}", side, ways)
+    elif axis in LINES:
+        sign = "-" if axis == "vertical" and (who, DOWN_WAY) in ways else ""
+        yield When(f"displacement of {who} along {axis} = {sign}{number}", side, ways if axis == "vertical" else ())
     else:
         yield When(f"{who} moved {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
@@ -154,6 +165,7 @@ def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     """Yield the moment when a body on a straight line is back where it started."""
     who = subject_of(found, heard, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
+    yield When(f"{who} returned", side)
 
 
 def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -192,11 +204,11 @@ def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield a stated time."""
-    del subject
+    """Yield a stated time; one that is counted from a lift-off only where the body lifts off at once."""
     number = heard.number(found["n"])
+    ways = ((subject, SETS_OFF),) if LIFT_OFF.search(heard.text) is not None else ()
     if is_time(number):
-        yield When(f"at {number}", THEN if side == AFTER else side)
+        yield When(f"at {number}", THEN if side == AFTER else side, ways)
 
 
 def second(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -220,45 +232,6 @@ def turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     yield When(f"{subject_of(found, heard, subject)} turned through {heard.number(found['n'])}", side)
 
 
-def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a line is horizontal."""
-    yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
-
-
-def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start."""
-    del found, heard, subject
-    if side != BEFORE:
-        yield When("at start")
-
-
-def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when two bodies are a given distance apart."""
-    del subject
-    if not is_time(heard.number(found["n"])):
-        yield When(f"distance = {heard.number(found['n'])}", side)
-
-
-def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
-    del subject
-    number = found.groupdict().get("n")
-    told = f"extension = {heard.number(number)}" if number else "natural length"
-    yield When(told, side, (("", RELAXED),))
-
-
-def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a spring is stretched or compressed by a given length."""
-    who = subject_of(found, heard, subject)
-    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
-    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
-
-
-def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a spring has a given length."""
-    yield When(f"spring length of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
-
-
 def apsis(name: str) -> Reader:
     """Return a reader for the moment when two bodies are farthest apart or closest together.
 
@@ -277,8 +250,3 @@ def apsis(name: str) -> Reader:
 def is_time(number: str) -> bool:
     """Return whether a number is a time."""
     return number.partition(" ")[2] in ("s", "yr")
-
-
-def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a spring has its natural length."""
-    yield When(f"{subject_of(found, heard, subject)} natural length", side)

@@ -9,7 +9,8 @@ from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS,
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
 
 WAY = re.compile(
-    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick )(?<!picks )"
+    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
+    r" )(?<!picks )(?<!picked )"
     r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
     r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
     r"|to left)"
@@ -32,7 +33,11 @@ _LOOSE = frozenset(
         "permanently ever",
     )
 )
-_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever)\b")
+_ON_ITS_WAY = re.compile(r" on (?:its |@\d+@ 's |their )?(?:way|journey|trip) (?:back|home|there|out)\b(?! from)")
+_ON_OTHER_SIDE = re.compile(
+    r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b"
+)
+_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever|everything)\b")
 TOGETHER = "they move together"
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
 _PASSING = frozenset(
@@ -63,6 +68,7 @@ def paraphrased(clause: str) -> Iterator[str]:
         re.search(r"without (?:slip|slid|skid)|(?:shorter|longer) than", clause)
     ):
         return
+    clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
     text = based(text)
     ways = " ".join(re.findall("<.+?>", text))
@@ -70,7 +76,8 @@ def paraphrased(clause: str) -> Iterator[str]:
     for told, plain in HEADS.items():
         said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
         for found in _head(told).finditer(said):
-            yield from _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}")
+            for plainly in _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}"):
+                yield f"{plainly} on other side" if across else plainly
 
 
 def way_of(said: str) -> str:
@@ -85,6 +92,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
     subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
     plain = _for_these(plain, subjects, ways, f"{found[0]} <> {rest}")
     count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
+    rest = re.sub(r"\beverything\b", " ", rest) if "stops" in plain else rest
     left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
     if any(place in plain for place in _PASSED):
         left -= _PASSING
@@ -104,7 +112,8 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         count=f" for {count[0]} time" if count else "",
         axis=groups.get("axis", ""),
         sign="-" if groups.get("sign") else "",
-        q=groups.get("q", ""),
+        q=next((groups[key] for key in "qro" if groups.get(key)), ""),
+        times=next((groups[key] for key in ("times", "fold", "tripled") if groups.get(key)), ""),
         sense=_sense(groups),
     )
     yield re.sub(r" of equals", " equals", " ".join(told.split()))
@@ -116,10 +125,10 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
     `text` is the head of the clause, then ``<>``, then the rest of the clause.
     """
     rest = text.partition("<>")[2]
-    if plain == "{s} stops" and _FOR_GOOD.search(rest) is not None:
-        return "{s} finally stops"
-    if plain == "{s} stops" and ways:
-        return "{s} stops going{way}"
+    if plain == "{s} stops":
+        return "{s} finally stops" if _FOR_GOOD.search(rest) is not None else "{s} stops going{way}" if ways else plain
+    if plain == "{s} returns" and re.search(r"\borigin\b", text) is not None:
+        return "{s} returns to origin"
     if "{t}" not in plain or len(subjects) > 1:
         return plain
     numbers = _ORDINAL.findall(rest)

@@ -71,6 +71,12 @@ def _one(found: re.Match[str]) -> str:
     return found[1].replace("velocitie", "velocity")
 
 
+def _side(plain: str, said: str) -> str:
+    """Return *up* or *down* for the side of a point, as a way, or *above* or *below*."""
+    above = said == "above"
+    return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
+
+
 def _filled(row: WantedRow, text: str) -> Iterator[str]:
     """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
     rest, groups = text, dict[str, str]()
@@ -105,6 +111,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         axis=groups.get("axis", ""),
         quantity=groups.get("quantity", ""),
         toward=groups.get("toward", "").strip("<>"),
+        side=_side(row.plain, groups.get("side", "")),
         speed="angular speed" if verb == "turn" else "speed",
     )
     yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))

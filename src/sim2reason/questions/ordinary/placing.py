@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
@@ -10,16 +11,19 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
-from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
+from sim2reason.questions.posing import AXLE, MINUS, PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -35,6 +39,7 @@ _COLLISION = re.compile(
     rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
 )
 _ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
+ANGULAR, MOST = ("angular velocity", "angular acceleration"), 6
 PERIODS = ("period", "frequency", "angular frequency")
 
 
@@ -52,32 +57,44 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
             if not _of_its_kind(asked, words):
                 continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
-            for when in _hung(asked.when, words):
-                told = _met(_collided(_component(when, words), words, events), words) or (
-                    START if reading.steady else ""
-                )
+            for whens in product(*(list(_hung(part, words)) for part in asked.when.split(MINUS))):
+                parts = (_met(_collided(_component(when, words), words, events), words) for when in whens)
+                told = MINUS.join(parts) or (START if reading.steady else "")
                 asked = replace(asked, of=_pair(asked, told, words))
                 yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
+    if asked.of == EVERYTHING:
+        return _together(asked.find, words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
+    return _unsaid(asked, words) or ("",)
+
+
+def _together(find: str, words: Words) -> tuple[str, ...]:
+    """Return all subjects of a quantity as one, whose values add up; none if they do not."""
+    every = all_of(find, words) if find in SUMMED else ()
+    axles = {turning_axes(words.mechanism, name)[0][0] for name in every if find == AXLE}
+    return (PLUS.join(every),) if every and len(axles) < 2 else ()
+
+
+def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    """Return the subjects that may be meant where a sentence names none; none if the scene's only one is."""
+    quantity = QUANTITIES.get(asked.find)
+    if quantity is not None and asked.find in ANGULAR:
+        return ("", *quantity.subjects(words.mechanism)[:MOST])
     if asked.find in PERIODS:
-        return tuple(movers(words)) or ("",)
+        return tuple(movers(words))
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
-        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name)) or ("",)
-    if asked.find == "friction force":
-        quantity = quantities_named(words.mechanism)[asked.find] if words.mechanism.contacts else None
-        named = words.called(quantity.of) if quantity is not None else ()
-        return tuple(name for name in named if quantity is not None and quantity.present(words.mechanism, name)) or (
-            "",
-        )
-    return ("",)
+        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
+    if quantity is not None and asked.find == "friction force" and words.mechanism.contacts:
+        return tuple(name for name in words.called(quantity.of) if quantity.present(words.mechanism, name))
+    return ()
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
@@ -113,7 +130,9 @@ def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
     quantity = quantities_named(words.mechanism).get(asked.find)
     if quantity is None or asked.of not in words.mentions.values() or quantity.of.name == TurningBodies.name:
         return True  # a light rod turns as what hangs on it
-    return asked.of in words.called(quantity.of).values()
+    return asked.of in words.called(quantity.of).values() or addresses(words).get(asked.of) in quantity.subjects(
+        words.mechanism
+    )
 
 
 def _fits(reading: Reading, words: Words) -> bool:
@@ -173,12 +192,27 @@ def _component(told: str, words: Words) -> str:
     if found is None:
         return told
     asked = StructuredQuestion(found["find"], found["of"])
+    if found["axis"] == "vertical" and (line := _on_slope(asked, found["value"], words)):
+        return line
     if found["axis"] != ONLY_LINE:
         return f"{found['find']} of {found['of']} along {axis_named(found['axis'], asked, words)} = {found['value']}"
     names = [name for name, said in words.called(Bodies()).items() if found["of"] in (name, said)]
     senses = [sense for name in names for sense in Bodies().senses(words.mechanism, name)]
-    line = senses[0].positive if len(senses) == 1 else found["axis"]
+    straight = all(center_path(words.mechanism, name).straight for name in names)
+    line = senses[0].positive if len(senses) == 1 and straight else found["axis"]
     return f"{found['find']} of {found['of']} along {line} = {found['value']}"
+
+
+def _on_slope(asked: StructuredQuestion, value: str, words: Words) -> str:
+    """Return a vertical displacement of a body that moves along one sloping line as that along the line; else empty."""
+    found = addresses(words).get(asked.of, asked.of)
+    if asked.find != "displacement" or found not in words.mechanism.body:
+        return ""
+    senses, (number, _, unit) = Bodies().senses(words.mechanism, found), value.partition(" ")
+    path = center_path(words.mechanism, found)
+    if not path.straight or len(senses) != 1 or not EVEN < abs(senses[0].vector[2]) < 1.0 - EVEN:
+        return ""
+    return f"displacement of {asked.of} along {senses[0].positive} = {float(number) / senses[0].vector[2]:.15g} {unit}"
 
 
 def _carries(of: str, words: Words) -> bool:
@@ -230,17 +264,19 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
                 asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
                 yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
         elif found.given == AT_REST:
-            yield from _balanced(path, words)
+            yield from _balanced(path, found.of, words)
         else:
             asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
             yield Reading(asked, found.when.side, rank=found.when.rank)
 
 
-def _balanced(path: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which no body is accelerated, in a scene without friction."""
-    if any(face.friction > 0.0 for face in words.mechanism.faces):
+def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
+    """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
+    rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
+    if rubs:
         return  # within a whole range of numbers
-    for name in words.called(Bodies()):
+    alone = addresses(words).get(of)
+    for name in words.called(Bodies()) if alone is None else (alone,):
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"

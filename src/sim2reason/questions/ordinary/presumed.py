@@ -10,13 +10,16 @@ from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
+from sim2reason.questions.ordinary.afterwards import goes_then
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     FIXED_FACE,
     ON,
     ORIGIN,
+    ROUND,
     SOLE,
+    THEN_GOES,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -71,10 +74,13 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
     events = (event.time for event in trace.events if event.time > 0.0)
     early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
     then = early if not time else float(np.nextafter(time, 0.0))
-    for kind, ways in ((Displacement, reading.gone), (Velocity, reading.moving)):
+    late = (
+        time if time and reading.side == AFTER else then
+    )  # what is asked for just after an event moves as it does then
+    for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.moving, late)):
         for who, way in ways:
             if way in AXES:
-                yield "" if _goes(kind, who, way, trace.at(then), words) else f"{who} does not go {way}"
+                yield "" if _goes(kind, who, way, trace.at(instant), words) else f"{who} does not go {way}"
             elif way.startswith(ORIGIN):
                 yield "" if _from_origin(who, way[-1], followed.study, words) else f"{who} does not start at the origin"
             elif way.startswith(SOLE):
@@ -83,6 +89,13 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(ON):
                 face = way.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
+            elif way.startswith(THEN_GOES):
+                goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
+                yield "" if goes else f"{who} does not go that way after that, or it changes then"
+            elif way.startswith(ROUND):
+                center = named(way.removeprefix(ROUND), words)
+                pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
+                yield "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
             else:
                 told, holds = OTHERS[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)

@@ -18,12 +18,18 @@ from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
+from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.vocabulary import (
+    ACROSS,
     ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
+    FIELDS_ALONE,
+    GAINED,
     LASTS,
+    LEVEL,
     ONCE,
+    ONE_LINE,
     ONE_WAY,
     ONLY,
     OVER,
@@ -31,10 +37,13 @@ from sim2reason.questions.ordinary.vocabulary import (
     RESTS,
     RISING,
     ROLLING,
+    SETS_OFF,
     SLOWER,
     SMALL,
+    SMOOTH,
     STRAIGHT,
     STRETCHED,
+    UNMOVED,
 )
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import ends_at_rest
@@ -45,6 +54,7 @@ from sim2reason.simulation.rest.equilibrium import equilibrium
 STEADY, EVEN = 1e-6, 1e-9  # relative
 EARLY = 0.5  # of a stretch: then it goes the way that it goes
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
+OF_PLACES = "spring energy", "extension", "spring length", "height above the ground", "distance", "mass", "fuel left"
 LATER = 1.05  # times the end of what is over: so long at least it must have been
 
 
@@ -63,7 +73,7 @@ def named(who: str, words: Words) -> str:
     try:
         return resolved("of", who, words.called(Bodies()))
     except TextError:
-        return ""
+        return addresses(words).get(who, "")
 
 
 def _falls(mechanism: Mechanism, name: str) -> bool:
@@ -206,6 +216,61 @@ def _one_way(case: Case) -> bool:
     return any(abs(float(velocity @ np.array(line))) >= (1.0 - EVEN) * speed for line in lines)
 
 
+def _gained(case: Case) -> bool:
+    """Return whether the answer, a difference, is greater than zero."""
+    return (case.followed.answer or 0.0) > 0.0
+
+
+def _level(case: Case) -> bool:
+    """Return whether a body can move horizontally only."""
+    name = named(case.who, case.words)
+    return bool(name) and not center_path(case.words.mechanism, name).rises
+
+
+def _smooth(case: Case) -> bool:
+    """Return whether the face on which a body lies exerts no friction on it."""
+    contact = case.words.mechanism.contacts.get(named(case.who, case.words))
+    return contact is not None and contact.friction == 0.0
+
+
+def _fields_alone(case: Case) -> bool:
+    """Return whether nothing but fields and gravitation acts on the bodies of a scene."""
+    mechanism, name = case.words.mechanism, named(case.who, case.words)
+    return bool(name) and not _falls(mechanism, name) and not mechanism.lines and not mechanism.contacts
+
+
+def _one_line(case: Case) -> bool:
+    """Return whether a body can move along one straight line only."""
+    name = named(case.who, case.words)
+    return bool(name) and center_path(case.words.mechanism, name).straight
+
+
+def _sets_off(case: Case) -> bool:
+    """Return whether a body begins to move at once; without a body named, true."""
+    name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
+    moves = (float(np.linalg.norm(found.evaluate(start, name))) for found in (Velocity, Acceleration) if name)
+    return not name or any(size > EVEN for size in moves)
+
+
+def _unmoved(case: Case) -> bool:
+    """Return whether what is asked for depends on places alone, so that it is the same before and after a release."""
+    return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
+
+
+def _across(case: Case) -> bool:
+    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
+
+    What oscillates on a level line has been faster on its way than at both ends of it.
+    """
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    if not name:
+        return False
+    scan = trace.scan
+    depth = -Displacement.evaluate(scan, name)[:, 2][scan.times <= case.then]
+    passed = depth if float(np.ptp(depth)) > EVEN else np.linalg.norm(Velocity.evaluate(scan, name), axis=1)
+    return float(passed.max(initial=0.0)) > max(float(passed[0]), float(passed[len(depth) - 1])) + EVEN
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
     ALOFT: ("{who} is on the ground then", _aloft),
@@ -222,6 +287,14 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     LASTS: ("it changes after that", _lasts),
     RISING: ("nothing rises above where it starts", _rising),
     ROLLING: ("{who} slips", _rolling),
+    SETS_OFF: ("{who} does not move at first", _sets_off),
+    UNMOVED: ("nothing is told of the time before the start", _unmoved),
+    GAINED: ("it is the other way round", _gained),
+    SMOOTH: ("there is friction, too", _smooth),
+    FIELDS_ALONE: ("there are other forces", _fields_alone),
+    ONE_LINE: ("{who} does not move along a line", _one_line),
+    LEVEL: ("{who} does not move on a level face", _level),
+    ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.whens import When
 
+GAIN, LOSS, JUMP, CHANGE = CHANGES = "gain", "loss", "loss in an impact", "change"
+"""What a clause beside a main clause ends: a quantity's change since the start, or over what happens then."""
 FREE, STRETCH, MOMENT, CLAUSED, LANDING = "free", "stretch", "moment", "claused", "landing"
 """What a clause beside a main clause tells, for which see `Main`."""
 
@@ -17,8 +19,8 @@ class Main:
 
     `needs` says whether the clause asks for a value at a moment, which is steady where no moment is named; for a
     quantity over a stretch of the motion, up to a moment or the whole motion; for a quantity *free* of moments; or for
-    a value only beside a clause, or only beside the clause of a landing. A meaning of a higher `rank` counts only where
-    the scene has none of a lower rank.
+    a value only beside a clause, or only beside the clause of a landing, or for one of the `CHANGES`. A meaning of a
+    higher `rank` counts only where the scene has none of a lower rank.
     """
 
     find: str

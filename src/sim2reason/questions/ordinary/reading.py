@@ -5,13 +5,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.changes import after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
-from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, pattern
+from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
+from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
+from sim2reason.questions.posing import MINUS
 from sim2reason.questions.structured import StructuredQuestion
 
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
@@ -21,6 +23,9 @@ _AT_EVENT = (
     rf"|high){_PLACE}?))"
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
+_REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
+_IMPACT = pattern("(?:its |their |@0@ 's )?(?:ORDINAL )?(?:bounce|impact|collision|rebound)")  # in which nothing falls
+_VALUES = "with what", "at what", "how fast", "what"
 _TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
@@ -42,6 +47,7 @@ _BEGINS = pattern(
 )
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+INCLINATION = "angle with the horizontal"  # of a velocity
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
@@ -70,7 +76,8 @@ class Reading:
 def readings(heard: Heard) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
     for told in (heard, _together(heard)):
-        found = (reading for parts in _parts(told.text) for reading in _of_parts(*parts, told))
+        between = [_with(main, when) for main, when in differences(told)]
+        found = between or [reading for parts in _parts(told.text) for reading in _of_parts(*parts, told)]
         if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading) if _tells(each))):
             return distinct
     return ()
@@ -116,7 +123,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     at_event = re.fullmatch(_AT_EVENT, text)
     if at_event is not None:
         question = f"{at_event[1].removesuffix(' away')} {at_event[2] if '@' in at_event[2] else ''}".strip()
-        yield question, f"{at_event[2]} {at_event[3]}", THEN
+        rebounds = question.startswith(_VALUES) and _REBOUNDS.match(at_event[3]) is not None
+        yield question, f"{at_event[2]} {at_event[3]}", AFTER if rebounds else THEN
     takes = re.fullmatch(_TAKES, text)
     if takes is not None:
         yield "when", f"{takes[1]} {takes[2]}", THEN
@@ -137,6 +145,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+    yield from (_with(main, when) for main, when in after_bounce(question, clause, side, heard))
     for main in mains(question, heard):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
@@ -144,7 +153,12 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
-                if main.needs != LANDING or _LANDED.search(when.told):
+                if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
+                    continue
+                if main.needs in CHANGES:
+                    both = changed(main, when, side)
+                    yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))
+                elif main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)
         yield from _on_the_way(main, clause, side, heard)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
@@ -152,6 +166,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             who = heard.subject(going["s"]) or main.of
             ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+            for way in (way for _, way in ways if way in ("up", "down")):  # on the way back
+                yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{way}"),))
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
@@ -197,7 +213,7 @@ def _alone(main: Main) -> Iterator[Reading]:
         yield _with(main, main.when)
     elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
         yield from _whole(main)
-    elif main.find != "time" and main.needs not in (CLAUSED, LANDING):
+    elif main.find != "time" and main.needs not in (CLAUSED, LANDING, *CHANGES):
         yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
         if main.needs == STRETCH:
             yield from _to_its_end(main)
@@ -205,12 +221,15 @@ def _alone(main: Main) -> Iterator[Reading]:
 
 def _with(main: Main, when: When) -> Reading:
     side = AFTER if main.needs == STRETCH else when.side
+    if MINUS in when.told:
+        return Reading(_asked(main, when.told), AFTER, (*main.ways, *when.ways), rank=main.rank + when.rank)
     told = when.told.removesuffix(" before") if main.find == "time" else when.told
     if main.needs == STRETCH and main.find != "time":
         told = told.removesuffix(" before")
     elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
         told = f"{told} before"
-    gone, moving = ((), main.ways) if main.needs == MOMENT else (main.ways, ())
+    moves = main.needs == MOMENT or main.find == INCLINATION
+    gone, moving = ((), main.ways) if moves else (main.ways, ())
     return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 

@@ -18,7 +18,8 @@ REWORDINGS: Mapping[str, str] = {
         r"what is \g<of>"
     ),
     "(?<=\\bhow )(?:quickly|rapidly|swiftly)\\b": "fast",
-    "(?<=\\bhow )(?:soon|long) after (?:START|it) (?=is |are |do |does |will |has )": "long until ",
+    "(?<=\\bhow )(?:soon|long|much time|many (?:seconds|years)) after (?:@0@ 's |its |their )?(?:START|it) "
+    "(?=is |are |do |does |will |has |have |did )": "long until ",
     "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
     "\\bupon ": "on ",
     "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
@@ -36,6 +37,23 @@ REWORDINGS: Mapping[str, str] = {
         r"what is final \g<q> of \g<s>"
     ),
     "\\bby end of (?=first #)": "after ",
+    "(?<= )next (?=cross)": "",
+    "^(?P<when>when (?:do|does|will|is) @\\d+@) next ": r"\g<when> ",
+    "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
+    "\\b(?:leave|leaves|rebound from|bounce off|come off) SURFACE (?:just |immediately )?after (?:its |their"
+    " )?(?P<number>ORDINAL) "
+    "(?:bounce|impact|landing|rebound)": r"move just after \g<number> bounce",
+    "(?P<s>@0@) (?P<verb>hit|hits|strike|strikes|touch|touches|meet|meets|reach|reaches|land on|lands on) @0@": (
+        r"\g<s> \g<verb> ground"
+    ),
+    "^how long is (?P<s>@\\d+@) (?:MOTION )?on (?:its )?way (?P<way>up|down)$": r"how long does \g<s> keep moving"
+    r" \g<way>",
+    "^how many years (?=pass|elapse|go by)": "how many seconds ",
+    "^how many seconds (?:go by) (?=before|until)": "how many seconds pass ",
+    "\\b(?:leave|leaves|rebound from|rebounds from|bounce off|bounces off|fly off|come off) SURFACE after "
+    "(?:hitting|striking|touching|landing on|bouncing off) (?:@0@|it|SURFACE) for (?P<number>ORDINAL) time": (
+        r"move just after \g<number> bounce"
+    ),
     "\\b(?:at end of|throughout|within|during) (?=first #)": "in ",
 }
 """By what a part of a question is like, on text without articles: what says the same."""

@@ -5,10 +5,21 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import FREE, STRETCH, Main, Reader, each, implied, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    JUMP,
+    STRETCH,
+    Main,
+    Reader,
+    each,
+    implied,
+    of_none,
+    of_one,
+    of_pair,
+)
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
-    ONCE,
     ONLY,
     OVER,
     QUANTITIES,
@@ -75,9 +86,9 @@ def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
-    for of in each(heard, found["s"]):
-        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed"))
-        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced"), rank=1)
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed".strip()))
+        yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced".strip()), rank=1)
 
 
 def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -114,14 +125,10 @@ def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
     del found, heard
     yield Main("energy dissipated by friction", needs=STRETCH)
+    yield Main("energy lost in a collision", needs=JUMP)
+    yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
         yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
-
-
-def _lost(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the energy lost in collisions up to a moment, presuming a single collision by that moment."""
-    del found, heard
-    yield Main("energy lost in collisions", needs=STRETCH, ways=(("", ONCE),))
 
 
 def _in_collision(*finds: str) -> Reader:
@@ -148,6 +155,12 @@ def _most(name: str) -> Reader:
             yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
 
     return read
+
+
+def _count(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the number of all collisions, or of those up to a moment."""
+    yield from implied("number of collisions", "last collision")(found, heard)
+    yield Main("number of collisions", needs=CLAUSED)
 
 
 def _at_once(*finds: str) -> Reader:
@@ -214,7 +227,6 @@ STRETCHES: Mapping[str, Reader] = {
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
     "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
-    "how much kinetic energy ~{s} lose": _lost,
     "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
         "impulse of a collision"
     ),
@@ -228,9 +240,7 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": implied(
-        "number of collisions", "last collision"
-    ),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": _count,
     "how much ~{s} compressed at most": _most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
@@ -253,6 +263,7 @@ STRETCHES: Mapping[str, Reader] = {
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
+    "ASK [horizontal ]range[ of (?:throw|flight|shot|projectile|motion|trajectory)]": _range,
     "how far[ horizontally] from [BASE ](?:thrower|cliff|tower|building|wall|table) ~{s} LANDS": _range,
     "how far horizontally[ from HOME] ~{s} LANDS": _range,
     "how far from BASE HOME ~{s} LANDS": _range,

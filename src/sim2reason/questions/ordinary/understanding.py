@@ -7,7 +7,9 @@ from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.multiples import in_numbers
 from sim2reason.questions.ordinary.placing import numbers_wanted, placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
@@ -56,9 +58,8 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
     found: list[Understood] = []
     refused = ""
     for reading in questions:
-        try:
-            question = posed(reading.asked, motion, words)
-        except TextError:
+        question = _posed(reading.asked, motion, words)
+        if question is None:
             continue
         followed = question.followed(motion)
         if reading.asked.find == SPEED and followed.answer is not None:  # along an axis, it is no velocity
@@ -68,6 +69,16 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         if not reason:
             found.append(Understood(reading.asked, question, followed))
     return found, refused
+
+
+def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion | None:
+    """Return the posed question, by addresses where the text's phrases name nothing; None if it has no meaning."""
+    for told in dict.fromkeys((asked, addressed(asked, words), seen_from(asked, words))):
+        try:
+            return posed(in_numbers(told, motion, words), motion, words)
+        except TextError:
+            continue
+    return None
 
 
 def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
@@ -14,20 +15,26 @@ from sim2reason.questions.ordinary.readers import (
     Main,
     Reader,
     each,
+    of_pair,
 )
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     COMPRESSED,
     DOWN,
+    FIELDS_ALONE,
     FIXED_FACE,
+    GROUNDS,
     LASTS,
     MOTIONS,
     ON,
+    ONE_LINE,
     ONE_WAY,
     ORIGIN,
     QUANTITIES,
     RESTS,
+    ROUND,
     SLOWER,
+    SMOOTH,
     SOLE,
     UP,
     WAYS,
@@ -49,6 +56,8 @@ def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main(name, PLUS.join(each(heard, groups.get("s"))))
         return
     for of in each(heard, groups.get("s")):
+        if name == "force" and re.search(rf"\b{GROUNDS} (?:exert|act)", found[0]) is not None:
+            yield Main("normal force", of, ways=((of, f"{ON}{FIXED_FACE}"), (of, SMOOTH)))
         ways = ways_of(found, of) if not along else ()
         yield from named(name, of, along, ways)
 
@@ -152,6 +161,57 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
 
 
+def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the distance that a body travels, there and back."""
+    for of in each(heard, found["s"]):
+        yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
+
+
+def of_fields(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the net force on a body, presuming that nothing but fields acts on it."""
+    yield from (Main("net force", of, ways=((of, FIELDS_ALONE),)) for of in each(heard, found["s"]))
+
+
+def all_about_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the moment of inertia of everything that turns about the only axle."""
+    del found, heard
+    yield Main("moment of inertia about the axle", EVERYTHING)
+
+
+def nears(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the relative speed of two bodies, presuming that each moves along a line."""
+    both = [said for key in "st" for said in each(heard, found[key]) if said]
+    for main in of_pair("relative speed")(found, heard):
+        yield replace(main, ways=tuple((who, ONE_LINE) for who in both))
+
+
+def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the displacement of a body, presuming that it is above its start, or below it."""
+    yield from (Main("displacement", of, needs=STRETCH, ways=((of, found["side"]),)) for of in each(heard, found["s"]))
+
+
+def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, "vertical", STRETCH, ((of, "down" if found["side"] == "below" else "up"),))
+
+
+def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the component of a quantity along the way that a sentence counts as positive."""
+    along = "up" if found["way"].startswith("up") else "right"
+    yield from (Main(meant(QUANTITIES, found["q"]), of, along) for of in each(heard, found["s"]))
+
+
+def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the period of a body, presuming that the body that it goes round draws it."""
+    yield Main(
+        "period",
+        heard.subject(found["s"]),
+        needs=FREE,
+        ways=((heard.subject(found["s"]), f"{ROUND}{heard.subject(found['t'])}"),),
+    )
+
+
 def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield a time."""
     del found, heard
@@ -198,11 +258,12 @@ def fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main(f"fuel {found['fuel']}", heard.subject(found["s"]))
 
 
-def of_ground(find: str) -> Reader:
+def of_ground(find: str, *ways: str) -> Reader:
     """Return a reader for a force of the fixed surface on a body, even on one that carries others."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        yield from (Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"),)) for of in each(heard, found["s"]))
+        for of in each(heard, found["s"]):
+            yield Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"), *((of, way) for way in ways)))
 
     return read
 

@@ -52,7 +52,7 @@ QUANTITIES: Mapping[str, str] = {
     "acceleration": "acceleration",
     "deceleration": "deceleration|retardation",
     "momentum": "momentum",
-    "extension": "extension|elongation",
+    "extension": "extension|elongation|stretch",
     "compression": "compression",
     "height": "height|altitude",
     "distance": "distance|separation",
@@ -97,6 +97,10 @@ ALOFT = "aloft"  # higher than the ground
 SMALL = "small"  # oscillations, so that the period does not depend on how far they go
 SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
+SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
+LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE = "level", "smooth", "fields alone", "one line"
+THEN_GOES = "then goes "  # a way, after the moment
+ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
 WORDS: Mapping[str, str] = {
@@ -123,7 +127,9 @@ PHRASES: Mapping[str, str] = {
     "|how much time passes between START and|how much time elapses between START and"
     "|how much time elapses before|how much time elapses until|how much time passes before"
     "|how many seconds elapse before|how many seconds elapse until|how many seconds pass before"
-    "|how soon|how long before"
+    "|how soon|how long before|how much time goes by before|how much time goes by until|how many years pass before"
+    "|how many years pass until|how many years does it take|after how many years|how much time will pass before"
+    "|how much time will pass until|how much time does it take until|how much time does it take for"
     "|after what time|after how much time|after how long",
     "STOPS": "stop|stops|stopped|stopping|comes to rest|come to rest|coming to rest|comes to halt|come to halt"
     "|is at rest|at rest|momentarily at rest|stationary|standing still|stops moving|stop moving|halts"

@@ -1,0 +1,35 @@
+"""Readers of main clauses that ask how much a quantity changes, or how much energy is stored or lost."""
+
+import re
+from collections.abc import Iterator
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, Main, each
+from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant
+from sim2reason.questions.posing import PLUS
+
+CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
+
+
+ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
+
+
+UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
+
+
+def stored(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the energy stored in a spring, or in several springs together."""
+    yield Main("spring energy", PLUS.join(each(heard, found["s"])))
+
+
+def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the gain, the loss or the change of a quantity that has no direction."""
+    name, verb = meant(QUANTITIES, found["q"]), found["verb"]
+    needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
+    if name in UNDIRECTED:
+        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
+
+
+def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
+    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found.groupdict().get("s")))

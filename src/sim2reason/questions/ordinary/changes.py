@@ -1,0 +1,172 @@
+"""Questions about what lies between two moments: times, changes of a quantity, and what comes after a bounce."""
+
+import re
+from collections.abc import Iterator
+from itertools import product
+
+from sim2reason.questions.ordinary.clause_heads import HOME
+from sim2reason.questions.ordinary.clauses import whens
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
+from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, pattern
+from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
+from sim2reason.questions.posing import MINUS
+from sim2reason.questions.spoken import ORDINALS
+from sim2reason.questions.structured import START
+
+_LONG = "how (?:much time|long|many (?:seconds|years))"
+_BETWEEN = tuple(
+    pattern(told)
+    for told in (
+        (
+            f"{_LONG} ~(?:pass|passes|elapse|elapses|lie|lies|go by|goes by|there|have passed)? ?between (?P<one>.+)"
+            f" and (?P<other>.+)"
+        ),
+        (
+            "(?:ASK|what) (?:time|interval|time interval|delay)(?: that)? ?~(?:pass|passes|elapse|elapses|lies)?"
+            " ?between (?P<one>.+) and "
+            "(?P<other>.+)"
+        ),
+        f"{_LONG} after (?P<one>.+?) (?:do|does|did|is|are|will|has|until) (?P<other>.+)",
+        (
+            f"{_LONG} ~{{s}} ~(?:stay|remain|fly)? ?(?:in air|in flight|airborne|aloft|flying) between (?P<one>.+)"
+            f" and (?P<other>.+)"
+        ),
+        f"{_LONG} ~{{s}} (?:take|need|require) (?:to (?:MOTION|get|pass) )?from (?P<one>.+) (?:to|until) (?P<other>.+)",
+        (
+            f"{_LONG} ~{{s}} (?:take|need|require) to (?P<verb>MOTION|get|come|return)(?: back)? from (?P<one>.+?)"
+            f" (?:to|until) "
+            "(?P<other>.+)"
+        ),
+    )
+)
+_NUMBERED = re.compile(pattern("ORDINAL").pattern)
+_FOLLOWING = re.compile(
+    rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?"
+)
+COLLISION = "energy lost in a collision"
+_HOMEWARD = re.compile(HOME)
+_AGAIN = re.compile(r"\b(?:again|next|another|second time|third time)\b")
+_LANDING = (
+    "(?:landing|landing point|landing place|bounce|impact|impact point|hit|hits|point of impact|point|place|spot"
+    "|touchdown)s?"
+    rf"(?: (?:of @0@|where @0@ (?:touches|hits|strikes|lands on|bounces off|meets) (?:{GROUNDS})|where @0@"
+    rf" (?:lands|bounces)"
+    rf"|on (?:{GROUNDS})))?"
+)
+_SPAN = tuple(
+    pattern(told)
+    for told in (
+        f"how far apart ~(?:points of )?(?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
+        f"how far ~(?P<other>ORDINAL) {_LANDING} from (?P<one>ORDINAL)(?: one| {_LANDING})?",
+        f"(?:ASK|what) (?:horizontal )?distance between (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
+        f"(?:ASK|what) distance between @0@ 's (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
+        (
+            f"how far(?: ,? ?(?:measured )?horizontally ,?)? ~@0@ (?:MOTION )?(?:horizontally )?between (?:its"
+            f" )?(?P<one>ORDINAL) and (?:its )?"
+            f"(?P<other>ORDINAL) {_LANDING}"
+        ),
+    )
+)
+_FROM_START = pattern(
+    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)?(?: away)? from"
+    f" (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for"
+    f" (?P<number>ORDINAL) time)?"
+    f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
+)
+_PEAK = pattern(
+    "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb"
+    "|reach|bounce)(?: up)?"
+    "(?: above SURFACE)? between (?:its )?(?P<one>ORDINAL) and (?:its )?(?P<other>ORDINAL) (?:bounce|impact"
+    "|landing|rebound)s?"
+)
+_RISE = pattern(
+    "how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
+)
+_TOP = pattern(
+    "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
+    "~(?:rise|get|go|fly|climb|reach|come|bounce|rebound|jump)(?: back)?(?: up)?(?: above SURFACE)?"
+    "|(?:ASK|what) GREATEST height(?: above SURFACE)?(?: of {t}| (?:that )?@\\d+@ ~(?:reaches|reach|attains"
+    "|attain)| reached)?"
+)
+_BOUNCE = pattern(
+    "(?:[its |@0@ 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)|BOUNCES (?:for )?{count=ORDINAL} time"
+    "|[@0@ ]~(?:bounced|bouncing|BOUNCES|LANDS)(?: for {time=ORDINAL} time| once)?)"
+)
+
+
+def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
+    """Yield what a sentence may ask for that lies between two moments, as a main clause and its moment."""
+    whole = heard.subject("@0@") if heard.subjects else ""
+    for told in _BETWEEN:
+        found = told.fullmatch(heard.text)
+        if found is not None:
+            yield from _times(found["one"], found["other"], heard, heard.subject(found.groupdict().get("s")) or whole)
+    for told in _SPAN:
+        found = told.fullmatch(heard.text)
+        if found is not None:
+            who = whole
+            when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
+            yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
+
+    found = _FROM_START.fullmatch(heard.text)
+    if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
+        number = found["number"] or found["other"] or "first"
+        for rank, when in enumerate(
+            (f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))
+        ):
+            yield Main("displacement", whole, "horizontal"), When(when, AFTER, rank=rank)
+    found = _PEAK.fullmatch(heard.text)
+    if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
+        yield Main("height above the ground", whole), When(f"{found['one']} {whole} top after bounce")
+    if _RISE.fullmatch(heard.text) is not None:
+        for rank, top in enumerate(("highest point", "stopped")):
+            when = f"{whole} {top}{MINUS}{whole} lowest point"
+            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),), rank)
+
+
+def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:
+    """Yield the time from one moment to another; *the first and the second bounce* share a noun."""
+    if _AGAIN.search(other) or _AGAIN.search(one):
+        return
+    if _HOMEWARD.fullmatch(other):
+        other = "returns"
+    following, noun = _FOLLOWING.fullmatch(other), _NUMBERED.sub("", one, count=1)
+    if following is not None:
+        other = f"{following['number']}{noun}"
+    first = _NUMBERED.match(other)
+    if _NUMBERED.fullmatch(one) and first is not None:
+        one = f"{one}{other[first.end() :]}"
+    earlier = [*whens(one, heard, who, AFTER), *((When("", AFTER),) if pattern("START").fullmatch(one) else ())]
+    for early, late in product(earlier, whens(other, heard, who, AFTER)):
+        if not late.told or late.told.startswith("at ") or early.told == late.told or not early.told:
+            continue
+        told = MINUS.join(when.told.removesuffix(" before") for when in (late, early))
+        yield Main("time"), When(told, AFTER, (("", GAINED), *late.ways), early.rank + late.rank)
+
+
+def after_bounce(question: str, clause: str, side: str, heard: Heard) -> Iterator[tuple[Main, When]]:
+    """Yield the height above the ground of the highest point after a bounce."""
+    found, bounced = _TOP.fullmatch(question), _BOUNCE.fullmatch(clause)
+    if side != AFTER or found is None or bounced is None or not heard.subjects:
+        return
+    who = heard.subject(found["s"] or found["t"]) or heard.subject("@0@")
+    number = next(filter(None, (bounced[key] for key in ("number", "count", "time"))), "first")
+    if not who.startswith(ALL):
+        yield Main("height above the ground", who), When(f"{number} {who} top after bounce")
+
+
+def changed(main: Main, when: When, side: str) -> When | None:
+    """Return the moment, less an earlier one, of a gain, a loss or a change: over an event, or else since the start."""
+    told = when.told.removesuffix(" before")
+    jumps = told.endswith(("bounced", "collided")) and side in (THEN, DURING)
+    if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):
+        return When(told, AFTER, when.ways, when.rank) if jumps and main.find == COLLISION else None
+    if main.find == COLLISION:
+        return None
+    later, earlier = (told, f"{told} before") if jumps else (when.told, START)
+    both = MINUS.join((earlier, later) if main.needs in (LOSS, JUMP) else (later, earlier))
+    ways = (*when.ways, *(() if main.needs == CHANGE else (("", GAINED),)))
+    return When(both, AFTER, ways, when.rank)

@@ -1,0 +1,30 @@
+"""Values told as multiples of the initial one, as *its speed has doubled*, with the number in place of the multiple."""
+
+import re
+from dataclasses import replace
+
+from sim2reason.errors import TextError
+from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.posing import posed
+from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.words import Words
+
+TIMES = " times that at start"
+_MULTIPLE = re.compile(rf"(?P<find>[a-z ]+) of (?P<of>.+) = (?P<factor>\d+){TIMES}")
+
+
+def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
+    """Return a question with the number, with its unit, that its moment tells as a multiple; others unchanged.
+
+    Raises:
+        TextError: there is no such quantity, or it is zero at the start.
+    """
+    found = _MULTIPLE.fullmatch(asked.when)
+    if found is None:
+        return asked
+    initial = posed(StructuredQuestion(found["find"], found["of"], START), motion, words)
+    value = initial.followed(motion).answer
+    if not value:
+        raise TextError("when", f"the {found['find']} is zero at the start", "give a value")
+    told = f"{found['find']} of {found['of']} = {float(found['factor']) * value:.15g} {initial.unit(words)}"
+    return replace(asked, when=told)

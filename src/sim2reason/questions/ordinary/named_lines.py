@@ -1,0 +1,211 @@
+"""Names of strings, springs and rods in a question: by their ends, by what they do, by the pulleys that they pass."""
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from sim2reason.dsl.mechanism import ConstantTension
+from sim2reason.dsl.vectors import inner
+from sim2reason.quantities.subjects.lines import pulleys
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.strings import Strings
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines, load_center, welded_to
+from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS
+from sim2reason.questions.words import Words
+
+Ranked = tuple[int, str, str]
+"""How specific a pattern is, the phrase of the text, and the pattern of its names."""
+_THAT = "(?:(?:that|which) )?(?:(?:is|are|it|runs|goes) )?"
+_JOINING = (
+    rf"(?:{_THAT}(?:between|joining|joins|connecting|connects|linking|links|from|tying|ties|runs|running"
+    rf"|stretched between))"
+)
+_TIED = (
+    "(?:attached|tied|fastened|fixed|connected|joined|made fast|leading|running|hooked) (?:on )?to|ending at|ends at"
+)
+_CARRYING = (
+    "(?:holding|holds|supporting|supports|carrying|carries|bearing|bears|suspending|suspends|lifting|lifts)(?: up)?"
+    "|(?:pulling|pulls|dragging|drags|acting|acts|tugging|tugs)(?: on| up| along| at)?"
+)
+_FROM = (
+    "(?:from|by|on) which (?:{end}) (?:hangs|is hung|is suspended|is held)"
+    "(?: from (?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?pulley(?: [A-Z])?)?"
+)
+_OVER = (
+    rf"{_THAT}(?:(?:passing|passes|going|goes|running|runs|led|laid|slung|hung|wound|wrapped) )?(?:over|round"
+    rf"|around|across)"
+)
+_PARTS = "(?:part|section|piece|segment|portion|side)"
+_PART = rf"(?:{_PARTS} of (?:the )?)?"
+_WAYS = {"vertical|hanging|upright": 1.0, "horizontal|level": 0.0}
+_COUNTED = "first", "second", "third", "fourth"
+UPRIGHT = 1e-6
+
+
+class NamedLine(NamedTuple):
+    """A line: its name, the text's phrase, its noun, phrases of its ends, whether each is an axle, its pulleys."""
+
+    name: str
+    phrase: str
+    noun: str
+    ends: tuple[str, str]
+    axles: tuple[bool, bool]
+    over: tuple[str, ...]
+
+
+def alike(noun: str, *others: str) -> str:
+    """Return a pattern's alternatives for a noun, those that may stand for it and others."""
+    return "|".join(sorted({noun, *others} | group(noun)))
+
+
+def group(noun: str) -> frozenset[str]:
+    """Return all nouns that may stand for one."""
+    return next((nouns for nouns in NOUNS if noun in nouns), frozenset[str]())
+
+
+def between(phrase: str) -> Iterable[Ranked]:
+    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order."""
+    parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
+    if parts is None:
+        return
+    nouns = alike(parts[1])
+    ends = [_end(parts[2]), _end(parts[3])]
+    kinds = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
+    if len(kinds) == 1:
+        both = rf"(?:the )?(?:two )?(?:{alike(*kinds, *ANYTHING)})e?s"
+        yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {both}\b(?! [A-Z]\b)"
+    for one, other in (ends, reversed(ends)):
+        told = rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
+        yield 2000, phrase, told
+
+
+def named_lines(words: Words) -> Iterable[Ranked]:
+    """Yield ranked patterns of all names of strings and springs that mean one alone."""
+    for kind, noun in ((Strings(), "string"), (Springs(), "spring")):
+        lines = [_named(name, noun, words) for name in kind.names(words.mechanism)]
+        known = words.called(kind)
+        for unsaid in lines:
+            line = unsaid._replace(phrase=known.get(unsaid.name, unsaid.name))
+            yield from _by_ends(line, lines)
+            yield from _by_pulleys(line, lines)
+            yield from _by_places(line, lines, words)
+
+
+def swinging_lines(words: Words) -> Iterable[Ranked]:
+    """Yield ranked patterns of the line from an axle to a body that is on the side of an arm's centre of mass."""
+    mechanism = words.mechanism
+    for name, phrase in words.called(SwingingLines()).items():
+        body = mechanism.body.get(name)
+        if body is None or not phrase.startswith("the line from"):
+            continue
+        heavy = load_center(mechanism, body)
+        for part in welded_to(mechanism, name):
+            if part.name in words.mentions and inner(heavy, part.at) > 0.0:
+                to = rf"(?:(?:the )?centre (?:of mass )?of )?{_end(words.mentions[part.name])}"
+                yield (
+                    2500,
+                    phrase,
+                    rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)",
+                )
+
+
+def _named(name: str, noun: str, words: Words) -> NamedLine:
+    mechanism = words.mechanism
+    line = mechanism.line[name]
+    carriers = {body: words.mentions[address] for body, address in pulleys(mechanism, words.mentions).items()}
+
+    def phrase(site: str) -> str:
+        body = mechanism.site[site].body or ""
+        owner = words.mentions.get(site.rpartition(".")[0], "")
+        return owner if "pulley" in owner else words.mentions.get(body, carriers.get(body, ""))
+
+    ends = line.through[0], line.through[-1]
+    pulled = isinstance(line.law, ConstantTension)
+    said = tuple(phrase(site) or ("the hand" if pulled else "") for site in ends)
+    axles = tuple(
+        "pulley" in told and not site.endswith((".left", ".right", ".in", ".out"))
+        for told, site in zip(said, ends, strict=True)
+    )
+    over = dict.fromkeys(filter(None, (phrase(site) for site in line.through[1:-1])))
+    over |= {told: None for told, axle in zip(said, axles, strict=True) if "pulley" in told and not axle}
+    return NamedLine(name, "", noun, (said[0], said[1]), (axles[0], axles[1]), tuple(over))
+
+
+def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
+    """Yield patterns by the ends of a line; by one end alone only if no other line ends there."""
+    string = rf"\b(?:[Tt]he )?{_PART}(?:{alike(line.noun)})"
+    one, other = line.ends
+    if one and other and [{*each.ends} for each in lines].count({one, other}) == 1:
+        first, second = _end(one), _end(other)
+        pair = rf"(?:{first} (?:and|to|with) {second}|{second} (?:and|to|with) {first})"
+        yield 1900, line.phrase, rf"{string} {_JOINING} {pair}(?! [A-Z]\b)"
+    everywhere = [end for each in lines for end in each.ends]
+    for end, axle in zip(line.ends, line.axles, strict=True):
+        if not end or everywhere.count(end) != 1 or ("pulley" in end and not axle):
+            continue
+        told = _end(end)
+        if end == "the hand":
+            holds = r"(?:(?:that|which) )?(?:(?:the )?hand (?:pulls|holds)(?: on)?|held by (?:the )?hand)"
+            yield 1450, line.phrase, rf"{string} {holds}"
+            continue
+        yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {told}(?! [A-Z]\b)"
+        yield 1450, line.phrase, rf"{string} {_FROM.format(end=told)}"
+        tied = told if not axle else rf"(?:the )?axle of {told}"
+        if not axle:
+            yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"
+        yield 1450, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {tied}(?! [A-Z]\b)"
+    alone = [each.name for each in lines if "" in each.ends] == [line.name] and len(lines) > 1
+    if line.noun == "string" and alone:
+        hook = "(?:the )?(?:fixed )?(?:hook|support|ceiling|beam|wall|point)"
+        yield 1400, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {hook}"
+    if line.noun == "spring" and alone:
+        wall = "(?:the )?(?:fixed )?(?:wall|stop|support)"
+        yield 1400, line.phrase, rf"{string} (?:{_THAT}(?:{_TIED}|next to|at|touching) {wall}|at {wall})"
+
+
+def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
+    """Yield patterns by a pulley over which no other line passes."""
+    for pulley in line.over:
+        if sum(pulley in each.over for each in lines) == 1:
+            told = rf"\b(?:[Tt]he )?(?:{alike(line.noun)}) {_OVER} {_end(pulley)}(?! [A-Z]\b)"
+            yield 1450, line.phrase, told
+
+
+def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterable[Ranked]:
+    """Yield patterns by the direction of a part of a string, by the body beside a part, and by a number in order."""
+    counted = re.fullmatch(rf"the {line.noun} (\d)|{line.noun} (\d)", line.phrase)
+    if counted is not None and 0 < int(counted[1] or counted[2]) <= len(_COUNTED):
+        yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_COUNTED[int(counted[1] or counted[2]) - 1]} {line.noun}\b"
+    strings = rf"(?:{alike(line.noun)})"
+    if len(lines) == 1 and line.noun == "string" and "between" not in line.phrase:
+        adjectives = "|".join((*_WAYS, "sloping", "inclined"))
+        yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjectives}) {_PARTS} of (?:the )?{strings}\b"
+    if not line.phrase.startswith("the part of"):
+        return
+    tilts = {each.name: _tilt(each, words) for each in lines}
+    for adjective, tilt in _WAYS.items():
+        alone = [name for name, found in tilts.items() if found is not None and abs(found - tilt) < UPRIGHT]
+        if alone == [line.name]:
+            yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjective}) {_PARTS} of (?:the )?{strings}\b"
+    for end in line.ends:
+        if end and "pulley" not in end and [e for each in lines for e in each.ends].count(end) == 1:
+            beside = rf"(?:on (?:the side of )?|beside |next to |above |near |at |towards ){_end(end)}(?:'s side)?"
+            yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_PARTS} of (?:the )?{strings} {beside}(?! [A-Z]\b)"
+
+
+def _tilt(line: NamedLine, words: Words) -> float | None:
+    """Return the vertical part of the direction in which the body at a part's end moves; None if it is not known."""
+    said: Mapping[str, str] = {phrase: name for name, phrase in words.mentions.items() if name in words.mechanism.body}
+    bodies = [said[end] for end in line.ends if end in said and "pulley" not in end]
+    path = center_path(words.mechanism, bodies[0]) if len(bodies) == 1 else None
+    return abs(path.ways[0][2]) if path is not None and path.straight else None
+
+
+def _end(said: str) -> str:
+    """Return a pattern for an end of a line: a letter with or without a noun, a pulley with or without its axle."""
+    bare = said.removeprefix("the ").removeprefix("axle of ")
+    noun, _, letter = bare.partition(" ")
+    if len(letter) == 1:
+        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:{alike(noun, *ANYTHING)})(?:e?s)? )?{letter}"
+    return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"

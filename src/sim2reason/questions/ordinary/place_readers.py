@@ -1,0 +1,127 @@
+"""Readers of clauses that name a moment by a place, by a state of a spring, by the start, or by a multiple."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
+from sim2reason.questions.ordinary.multiples import TIMES
+from sim2reason.questions.ordinary.vocabulary import (
+    ACROSS,
+    COMPRESSED,
+    ORIGIN,
+    QUANTITIES,
+    RELAXED,
+    SETS_OFF,
+    STRETCHED,
+    UNMOVED,
+    meant,
+)
+from sim2reason.questions.ordinary.whens import BEFORE, When
+
+FACTORS = {"double": 2, "twice": 2, "treble": 3, "triple": 3, "three": 3, "quadruple": 4, "four": 4, "ten": 10}
+
+
+def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a line is horizontal."""
+    yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
+
+
+def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the start, presuming that a body starts to move at once; before it, of what does not depend on motion."""
+    way = UNMOVED if side == BEFORE else SETS_OFF
+    yield When("at start", ways=((subject_of(found, heard, subject), way),))
+
+
+def at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is at a height above the ground."""
+    yield When(f"height above the ground of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is a given height above, or below, its starting point."""
+    who, down = subject_of(found, heard, subject), (found["way"] or "").startswith("down")
+    told = f"displacement of {who} along vertical = {'-' if down else ''}{heard.number(found['n'])}"
+    yield When(told, side)
+
+
+def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment after the start when a body that starts at the origin is on an axis."""
+    who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
+    yield When(f"displacement of {who} along {other} = 0 m", side, ((who, f"{ORIGIN} {other}"),))
+
+
+def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment at which a body is fastest."""
+    yield When(f"{subject_of(found, heard, subject)} fastest", side)
+
+
+def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
+    who = subject_of(found, heard, subject)
+    yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
+
+
+def back_at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is as high again as it was at the start."""
+    yield When(f"displacement of {subject_of(found, heard, subject)} along vertical = 0 m", side)
+
+
+def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body that starts at the origin is back there."""
+    who = subject_of(found, heard, subject)
+    for when in returned(found, heard, subject, side):
+        yield replace(when, ways=((who, f"{ORIGIN} x"),))
+
+
+def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a quantity is a multiple of what it is at the start."""
+    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
+
+
+def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
+    who = subject_of(found, heard, subject)
+    yield When(f"{who} stopped", side, ((who, ACROSS),))
+
+
+def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the start; a lift-off only where the body lifts off at once."""
+    if LIFT_OFF.search(found[0]) is not None or LIFT_OFF.search(heard.text) is not None:
+        yield When("at start", ways=((subject, SETS_OFF),))
+    else:
+        yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
+
+
+def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are a given distance apart."""
+    del subject
+    if not is_time(heard.number(found["n"])):
+        yield When(f"distance = {heard.number(found['n'])}", side)
+
+
+def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
+    del subject
+    number = found.groupdict().get("n")
+    told = f"extension = {heard.number(number)}" if number else "natural length"
+    yield When(told, side, (("", RELAXED),))
+
+
+def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring is stretched or compressed by a given length."""
+    who = subject_of(found, heard, subject)
+    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
+    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
+
+
+def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring has a given length."""
+    yield When(f"spring length of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a spring has its natural length."""
+    yield When(f"{subject_of(found, heard, subject)} natural length", side)
