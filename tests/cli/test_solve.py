@@ -19,7 +19,7 @@ def call(*args: object) -> Result:
 def scene(tmp_path: Path) -> Path:
     """A scene in a file."""
     path = tmp_path / "scene.yaml"
-    path.write_text(item("incline", "easy", seed=2, index=0).scene)
+    path.write_text(item("incline", "easy", seed=3, index=0).scene)
     return path
 
 
