@@ -42,6 +42,11 @@ class Memo:
             found = self._known[name] = make()
         return cast("T", found)
 
+    def keep(self, name: Hashable, value: T) -> T:
+        """Keep a result under a name, in place of any that was kept before, and return it."""
+        self._known[name] = value
+        return value
+
     def knows(self, name: Hashable) -> bool:
         """Return whether `once` has kept a result under a name."""
         return name in self._known

@@ -11,6 +11,7 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.filters import FILTERS
 from sim2reason.questions import MODES
 from sim2reason.questions.need import EVERY, Need
+from sim2reason.solutions import Solution
 from sim2reason.solutions.shortest import shortest
 
 SIMPLE = frozenset(need for need in Need if need <= Need.INVERSE_FUNCTION)
@@ -65,3 +66,22 @@ def test_a_limit_does_not_hide_what_is_within_it(swing: QuestionSearch) -> None:
             assert limited.answer == pytest.approx(free.answer, rel=1e-9)
         else:
             assert limited.answer is None
+
+
+def test_a_solution_that_can_not_be_shown_is_replaced_before_a_question_is_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Filters look at solutions that nothing has recomputed yet; a question that passes has one that was."""
+    free = QuestionSearch(sample("pulley", "medium", seed=2), 0, unfiltered=True)
+    found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "state")
+    assert found is not None
+    candidate = replace(found.candidate, prompt="")
+    before = candidate.solution
+    assert before is not None
+    assert candidate.checked is candidate
+    monkeypatch.setattr("sim2reason.solutions.shortest.verified", lambda *_: Solution("", reason="not shown"))
+    other = candidate.checked
+    assert other is not candidate
+    assert other.solution is not None
+    assert other.solution is not before
+    assert other.solution.answer == pytest.approx(before.answer, rel=1e-9)

@@ -170,13 +170,16 @@ class QuestionSearch:
             if completed is not question:
                 told = self._told(completed, mode, rng)
                 verdict = self._sift(told.candidate, witnessed=False)
+        candidate = told.candidate.checked if verdict.keep else told.candidate
+        if candidate is not told.candidate:  # it needs other means
+            verdict = self._sift(candidate, witnessed=False)
         if not verdict.keep:
             return verdict
-        study, certificate = self._certified(question.query, told.candidate.study)
-        verdict = self._sift(replace(told.candidate, certificate=certificate), witnessed=True)
+        study, certificate = self._certified(question.query, candidate.study)
+        verdict = self._sift(replace(candidate, certificate=certificate), witnessed=True)
         if not verdict.keep:
             return verdict
-        return CertifiedQuestion(told.candidate, study, certificate, told.description, told.shape)
+        return CertifiedQuestion(candidate, study, certificate, told.description, told.shape)
 
     def described(self, questions: Sequence[Question]) -> Description:
         """The text for several questions about the scene: it leaves out only what matters to none of them."""

@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import inf, isfinite
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import QUANTITIES
@@ -18,7 +18,7 @@ from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
 from sim2reason.solutions.derivation import derivation, is_derived
 from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
-from sim2reason.solutions.shortest import is_solved, shortest
+from sim2reason.solutions.shortest import is_solved, shortest, shortest_checked
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,16 @@ class Candidate:
         if question.formula is not None:
             return derivation(question.query, self.study, self.words)
         return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
+
+    @property
+    def checked(self) -> Self:
+        """The candidate itself if what its solution states leads to the answer, else one with another solution."""
+        question, found = self.question, self.solution
+        if self.words is None or question.formula is not None or found is None or found.answer is None:
+            return self
+        asked = question.query, self.study, self.words, question.unknown, question.given, max(self.needs)
+        other = shortest_checked(*asked)
+        return self if other is found else replace(self)
 
     @property
     def is_solved(self) -> bool:

@@ -7,10 +7,12 @@ from collections.abc import Hashable
 
 from sim2reason.questions import Query, StatedResult, Study, Words
 from sim2reason.questions.need import Need
+from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve
 from sim2reason.solutions.strategies import closed
+from sim2reason.solutions.verification import verified
 
 FOUND, SHORTEST = "shortest solution", "shortest"
 
@@ -26,14 +28,31 @@ def shortest(
     """Return the solution of a query, or of the question for the `unknown` that has the `stated` result.
 
     One that needs more than `most` is none. It is worked out once for a study. `unknown` is the address of a number of
-    the scene.
+    the scene. That it leads to the answer is left to `shortest_checked`: most questions are refused before.
     """
-    most = min(most, Need.SPECIAL_FUNCTION)
-    setting = Setting(study.scene, words, words.symbols, study, query, unknown, stated, most=most)
-    found = study.once(_key(query, unknown, stated, most), lambda: solve(setting))
+    setting = _setting(query, study, words, unknown, stated, most)
+    found = study.once(_key(query, unknown, stated, setting.most), lambda: solve(setting, checked=False))
     if found.answer is not None and not unknown and stated is None:
         study.once((FOUND, query), lambda: found)
     return found
+
+
+def shortest_checked(
+    query: Query, study: Study, words: Words, unknown: str, stated: StatedResult | None, most: Need
+) -> Solution:
+    """Return the same if its answer follows from what it states, else the shortest one of which that is true."""
+    found = shortest(query, study, words, unknown, stated, most)
+    setting = _setting(query, study, words, unknown, stated, most)
+    if found.answer is None or verified(found, forward(setting)).answer is not None:
+        return found
+    return study.keep(_key(query, unknown, stated, setting.most), solve(setting))
+
+
+def _setting(
+    query: Query, study: Study, words: Words, unknown: str, stated: StatedResult | None, most: Need
+) -> Setting:
+    most = min(most, Need.SPECIAL_FUNCTION)
+    return Setting(study.scene, words, words.symbols, study, query, unknown, stated, most=most)
 
 
 def is_solved(query: Query, study: Study, unknown: str, stated: StatedResult | None, most: Need) -> bool:

@@ -34,12 +34,12 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 
-def solve(setting: Setting, *, derived: bool = False) -> Solution:
+def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> Solution:
     """Return the worked solution that needs least of those that can be shown; without an answer it says why.
 
     That is the first by cost with elementary needs, if there is one. A solution can be shown if its answer was
     recomputed from what it states. With `derived`, only strategies that lead to formulas are tried; those are not
-    shown as they are, and are compared with motions instead.
+    shown as they are, and are compared with motions instead. Without `checked`, nothing is recomputed.
     """
     reasons: list[str] = []
     best: Solution | None = None
@@ -58,7 +58,7 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
         found = _kept(strategy, setting, derived=derived)
         if found.answer is not None and best is not None and found.needs >= best.needs:
             continue
-        found = found if derived else verified(found, setting)
+        found = verified(found, setting) if checked and not derived else found
         if found.answer is None:
             reasons += [f"{strategy.name}: {found.reason}"] if found.applies else []
         elif found.needs <= ELEMENTARY:
