@@ -69,8 +69,6 @@ class RelativeVelocity(Quantity):
 
     name, unit, symbol = "relative velocity", "m/s", "u"
     of, vector = RelativeBodies(), True
-    magnitude = "the speed of {relative}"
-    signed = "the {component}velocity of {relative}"
     given = True
     drawn_by_recipes = False
     floor, least = 0.1, 1e-2

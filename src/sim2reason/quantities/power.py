@@ -93,7 +93,6 @@ class HandPower(PowerOfForce):
 
     name = "power of a hand"
     of = Strings()
-    magnitude = "the power with which the hand draws in {string}"
     order = 23
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Prop
+from sim2reason.dsl.mechanism import Mechanism, Prop
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
@@ -27,15 +27,21 @@ class LiftedOff(Occurrence):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """What burns fuel and stands on a prop."""
-        mechanism = words.mechanism
-        held = {
-            mechanism.site[site].body for line in mechanism.lines if isinstance(line.law, Prop) for site in line.through
-        }
-        burns = {burn.body for burn in mechanism.burns}
-        return {name: said for name, said in words.called(cls.of).items() if name in held & burns}
+        burns = {burn.body for burn in words.mechanism.burns}
+        called = words.called(cls.of).items()
+        return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
+
+    @classmethod
+    def seen_as(cls, name: str, words: Words) -> set[str]:
+        """The props on which a body stands, since events are told of these."""
+        return _props(words.mechanism, name)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Whether the prop of this body is pressed no more."""
-        mechanism = trace.mechanism
-        line = mechanism.line.get(event.subjects[0]) if event.kind in self.kinds and event.subjects else None
-        return line is not None and self.name in {mechanism.site[site].body for site in line.through}
+        return event.kind in self.kinds and not _props(trace.mechanism, self.name).isdisjoint(event.subjects)
+
+
+def _props(mechanism: Mechanism, name: str) -> set[str]:
+    """Return the names of the props that lead to a body."""
+    props = (line for line in mechanism.lines if isinstance(line.law, Prop))
+    return {line.name for line in props if name in {mechanism.site[site].body for site in line.through}}
