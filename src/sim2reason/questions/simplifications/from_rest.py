@@ -15,6 +15,7 @@ class FromRest(ChangedMechanism):
     """What moves at the start is taken to be at rest."""
 
     name = "from rest"
+    common = True
     reason = "the velocity at the start is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

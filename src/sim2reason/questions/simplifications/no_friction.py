@@ -14,6 +14,7 @@ class NoFriction(ChangedMechanism):
     """All faces are taken as smooth, so that what rolls slides without turning."""
 
     name = "no friction"
+    common = True
     reason = "friction is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

@@ -15,6 +15,7 @@ class OwnInertia(ChangedMechanism):
     """The moment of inertia of one body about its own centre of mass is left out, but that of others is kept."""
 
     name = "own inertia left out"
+    common = True
     reason = "the moment of inertia of {subject} about its own centre of mass is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

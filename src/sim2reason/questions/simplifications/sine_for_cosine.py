@@ -12,6 +12,7 @@ class SineForCosine(Simplification):
     """An acute angle is taken from the other leg: its complement stands wherever it should."""
 
     name = "sine for cosine"
+    common = True
     reason = "sine and cosine of an angle are confused"
     sound_if_same = True  # then both enter alike, as in the range of a throw
 

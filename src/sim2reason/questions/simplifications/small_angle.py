@@ -22,6 +22,7 @@ class SmallAngle(OtherReading):
     """A swing is taken to be harmonic about its equilibrium, however wide it is."""
 
     name = "small angle"
+    common = True
     reason = "the angle is taken as small"
     sound_if_same = True  # then it is small
 
