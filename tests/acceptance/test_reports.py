@@ -64,6 +64,6 @@ def test_every_page_on_trl_says_how_long_a_completion_may_be() -> None:
 
 
 def test_a_description_is_printed_as_its_text() -> None:
-    """Not as the fields of an object."""
+    """`str` of a description is its text, not the fields of an object."""
     described = sim2reason.describe(ramp())
     assert str(described) == described.text

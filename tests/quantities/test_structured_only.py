@@ -30,13 +30,13 @@ def found(name: str, find: str, of: str, when: str) -> float:
 
 
 def landing() -> float:
-    """The angle at which a ball thrown from 3.5 m at 4.5 m/s, 69° above the horizontal, comes down, in degrees."""
+    """Return the angle, in degrees, at which a ball comes down that is thrown from 3.5 m at 4.5 m/s, 69° upwards."""
     across, up = 4.5 * cos(radians(69.0)), 4.5 * sin(radians(69.0))
     return degrees(atan2(sqrt(up**2 + 2.0 * G * 3.5), across))
 
 
 def eccentricity() -> float:
-    """That of planet A, by its energy and angular momentum."""
+    """Return the eccentricity of planet A's orbit, from its energy and angular momentum."""
     x, y, vx, vy, strength = 0.34, -0.03, 0.51, 11.7, 1.2 * YEAR
     energy, turning = 0.5 * (vx**2 + vy**2) - strength / sqrt(x**2 + y**2), x * vy - y * vx
     return sqrt(1.0 + 2.0 * energy * turning**2 / strength**2)
@@ -65,11 +65,11 @@ def eccentricity() -> float:
     ],
 )
 def test_quantities_have_their_closed_forms(name: str, find: str, of: str, when: str, value: float) -> None:
-    """At one instant of a motion."""
+    """The values at one instant agree with closed forms."""
     assert found(name, find, of, when) == pytest.approx(value, rel=1e-6)
 
 
 def test_bodies_that_do_not_attract_have_a_distance_where_both_move_freely_in_a_plane() -> None:
-    """As two planets have."""
+    """Two such bodies have a distance, as two planets do."""
     at_start = found("two_planets", "distance", "system.planets.0 & system.planets.1", "at start")
     assert at_start == pytest.approx(sqrt(0.37**2 + 0.58**2), rel=1e-9)

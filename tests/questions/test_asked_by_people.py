@@ -94,7 +94,7 @@ def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts:
 
 
 def test_recipes_ask_none_of_it() -> None:
-    """What only people ask is never picked for a question of a dataset."""
+    """Recipes never draw moments and quantities that are marked as not drawn."""
     words = words_of(describe(ramp(2.0, 30.0)))
     spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
     assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -46,9 +47,11 @@ def flight(place: StartingPlace, rate: float, moment: object, quantity: str = "d
     return found
 
 
-@pytest.mark.parametrize("place", [DeepSpace(), LevelGround()])
-@pytest.mark.parametrize("rate", [HEAVY, LIGHT])
-@pytest.mark.parametrize("moment", [BurnedOut, AtTime(46.0)])
+FLIGHTS = product((DeepSpace(), LevelGround()), (HEAVY, LIGHT), (BurnedOut, AtTime(46.0)))
+each_flight = pytest.mark.parametrize(("place", "rate", "moment"), list(FLIGHTS))
+
+
+@each_flight
 def test_a_distance_is_the_integral_of_the_velocity_that_is_written(
     place: StartingPlace, rate: float, moment: object
 ) -> None:
@@ -64,9 +67,7 @@ def test_a_distance_is_the_integral_of_the_velocity_that_is_written(
     assert 0.5 * end * float(weights @ speeds) == pytest.approx(found.values[name], rel=1e-9)
 
 
-@pytest.mark.parametrize("place", [DeepSpace(), LevelGround()])
-@pytest.mark.parametrize("rate", [HEAVY, LIGHT])
-@pytest.mark.parametrize("moment", [BurnedOut, AtTime(46.0)])
+@each_flight
 def test_the_integral_over_the_mass_is_displayed_with_its_antiderivative(
     place: StartingPlace, rate: float, moment: object
 ) -> None:

@@ -35,5 +35,5 @@ class SteppedPulley(Body):
 
     @property
     def look(self) -> Axial:
-        """A cylinder with a step, which appears from its end as two concentric circles."""
+        """Return the outline of a cylinder with a step: two concentric circles, as seen from its end."""
         return Axial(self.outer, step=self.inner)

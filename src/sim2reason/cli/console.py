@@ -150,7 +150,7 @@ class Lines:
         self._thread.join()
 
     def advance(self, steps: int = 1) -> None:
-        """Count `steps` more steps as done."""
+        """Advance the progress count by `steps`."""
         self._done += steps
 
     def _tell(self, every: float) -> None:

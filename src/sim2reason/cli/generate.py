@@ -142,7 +142,7 @@ def _tell_attempt(attempt: Attempt) -> None:
 
 
 def _given(order: Order) -> Order:
-    """Return the options of an order that are given on the command line, without the defaults."""
+    """Return only those options that the user set on the command line, not those with default values."""
     context = click.get_current_context()
     given = {n: held for n, held in order.items() if context.get_parameter_source(n) is not ParameterSource.DEFAULT}
     return cast("Order", given)

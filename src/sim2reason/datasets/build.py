@@ -91,12 +91,12 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
 
 
 def unseen(done: int) -> None:
-    """Ignore the number of finished positions, as the default of `advance`."""
+    """Do nothing as positions are finished; the default of `advance`."""
     del done
 
 
 def unwatched(attempt: Attempt) -> None:
-    """Ignore an attempt, as the default of `watch`."""
+    """Do nothing after an attempt to make an item; the default of `watch`."""
     del attempt
 
 

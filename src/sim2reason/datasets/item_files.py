@@ -1,4 +1,4 @@
-"""Sequence of the items in some files of a dataset."""
+"""Lazy sequence of the items that are stored in the files of a dataset."""
 
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
@@ -14,7 +14,7 @@ __all__ = ["ItemFiles"]
 
 
 class ItemFiles(Sequence[Item]):
-    """Sequence of the items of a dataset or of one of its splits, in their order in the dataset.
+    """Lazy sequence of the items of a dataset or of one of its splits, in their order in the dataset.
 
     The files are read one at a time, and the items of the last file are kept. A damaged file raises a DatasetError
     that names it.

@@ -129,7 +129,7 @@ def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> Solv
 
 
 def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: Followed) -> SolvedProblem:
-    """Return a problem with its answer, and with its worked solution if a strategy solves the problem."""
+    """Return a question's answer from the motion, with a worked solution if there is one."""
     unit = question.unit(search.words)
     if found.answer is None:
         return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)

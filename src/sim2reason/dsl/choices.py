@@ -13,7 +13,7 @@ SPECIAL = 0.2  # the chance of a value that a word tells, such as smooth or hori
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
-    """Choices for one draw of a class and of all that it may hold."""
+    """Return random choices for one draw of a class and of all that it may hold."""
     found = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
@@ -24,7 +24,7 @@ def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
 
 
 def chances(cls: type[Model]) -> dict[str, Choice]:
-    """The chance of everything that a class, or what it may hold, can do without."""
+    """Return the chance of each optional field of a class and of all that it may hold."""
     return {
         f"{model.__name__}.{name}?": OPTIONAL
         for model in reachable(cls)
@@ -34,7 +34,7 @@ def chances(cls: type[Model]) -> dict[str, Choice]:
 
 
 def specials(model: type[Model], name: str) -> list[float]:
-    """The values of a number that have a word of their own."""
+    """Return the values of a number that the text states by a word, such as 0 for *smooth*."""
     words = model.words.values() if issubclass(model, Body | Part) else ()
     return sorted(
         {value for word in words if word.parameter == name for value in word.special if isinstance(value, float)}
@@ -42,7 +42,7 @@ def specials(model: type[Model], name: str) -> list[float]:
 
 
 def reachable(cls: type[Model]) -> list[type[Model]]:
-    """A class and all that it may hold, each once."""
+    """Return a class and all classes that it may hold, each once."""
     found: list[type[Model]] = []
     waiting = [cls]
     while waiting:

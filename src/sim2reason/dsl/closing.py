@@ -28,12 +28,12 @@ class Option:
 
     @property
     def partners(self) -> tuple[type[Entity], ...]:
-        """The classes of the other entities."""
+        """Return the classes of the other entities."""
         return tuple(cls for cls, _ in (*self.before, *self.behind))
 
 
 def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
-    """A scene of an entity and of what closes its ports: all that must be used, and half of the others.
+    """Return a scene of an entity with all ports closed that must be, and each other port with a chance of one half.
 
     `widely`: by any entity at all.
 
@@ -75,7 +75,7 @@ class _Scene:
 
 
 def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
-    """All ways to close a port; to entities without bodies if there are such, or to those with, for one without.
+    """Return all ways to close a port: if possible by entities with bodies if this one has none, else without.
 
     `widely`: to any entity.
     """
@@ -87,7 +87,7 @@ def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Opti
 
 
 def _ended(port: Port) -> Iterator[Option]:
-    """From this port to another, or the other way round where only that is admitted."""
+    """Yield the connections from this port to another one, or from there to it if only that is allowed."""
     for kind in CONNECTIONS.values():
         for partner, other in _ends():
             if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):
@@ -97,7 +97,7 @@ def _ended(port: Port) -> Iterator[Option]:
 
 
 def _passed(port: Port) -> Iterator[Option]:
-    """Through this port, from one end to another."""
+    """Yield the connections from one end to another that pass through this port."""
     for kind in CONNECTIONS.values():
         if kind.admits(port, 1, 2):
             first = [end for end in _ends() if kind.admits(outer_ports(end[0])[end[1]], 0, 2)]
@@ -106,7 +106,7 @@ def _passed(port: Port) -> Iterator[Option]:
 
 
 def _ends() -> Iterator[tuple[type[Entity], str]]:
-    """Ports at which a connection can end, of entities that need no other connection."""
+    """Yield the ports at which a connection can end, of entities that need no other connection."""
     for cls in ENTITIES.values():
         ports = outer_ports(cls)
         for name, port in ports.items():

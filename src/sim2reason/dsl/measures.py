@@ -87,7 +87,7 @@ class Hidden:
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """The symbol and name of a number if an optional field beside it is given, such as µ_k for µ beside µ_s."""
+    """Symbol and name of a number for scenes that also give an optional one: µ_k instead of µ where µ_s is given."""
 
     field: str
     symbol: str

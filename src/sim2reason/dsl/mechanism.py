@@ -69,7 +69,7 @@ class Face:
 
     @property
     def static_friction(self) -> float:
-        """The coefficient of static friction, which bounds the friction while a body does not slip."""
+        """Return the coefficient of static friction, which bounds the friction while a body does not slip."""
         return self.friction * self.static_ratio
 
 

@@ -20,7 +20,7 @@ class Related(Protocol):
 
     @property
     def above(self) -> str:
-        """The field whose number must be less than this field's number; empty if there is none."""
+        """Return the field whose number must be less than this field's number; empty if there is none."""
         ...
 
     @property

@@ -168,7 +168,7 @@ class Scene(Model):
 
     @property
     def horizon(self) -> float:
-        """The default duration for which the motion of the scene is followed, in the units of its text."""
+        """Return the default duration for which the motion of the scene is followed, in the units of its text."""
         found = horizon((named.entity for named in self.entities), self.world.gravity)
         return within_oscillations(found, self.mechanism)
 

@@ -97,7 +97,7 @@ class EmEntity(Entity):
 
     @property
     def _speeding_up(self) -> float:
-        """The default duration, s, or less if the particle would become too fast for Newton's laws."""
+        """Return the default duration, s, or less if the particle would become too fast for Newton's laws."""
         pushes = [field.law(self.particle.signed_charge).force(ZERO, ZERO, 0.0, math) for field in self.fields.values()]
         most = sum(math.hypot(*map(float, push)) for push in pushes) / self.particle.mass
         return min(USUAL, FASTEST / most) if most else USUAL

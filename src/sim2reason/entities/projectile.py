@@ -109,7 +109,7 @@ class Projectile(Entity):
 
     @property
     def _velocity(self) -> tuple[float, float]:
-        """The horizontal and vertical velocity at the start, m/s."""
+        """Return the horizontal and vertical velocity at the start, m/s."""
         speed, angle = self.speed or 0.0, radians(self.angle or 0.0)
         ahead = cos(angle) if self.angle != STRAIGHT else 0.0  # which rounding would leave a little of
         return speed * ahead, speed * sin(angle) * (1.0 if self.side == "above" else -1.0)

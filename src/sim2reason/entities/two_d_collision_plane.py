@@ -169,7 +169,7 @@ class TwoDCollisionPlane(Entity):
 
     @property
     def _walls(self) -> list[tuple[str, float, float]]:
-        """The walls, each with its axis, its side of the table (−1 or 1) and its position, m."""
+        """Return the walls, each with its axis, its side of the table (−1 or 1) and its position, m."""
         found = (
             ("x", -1.0, self.left),
             ("x", 1.0, self.right),

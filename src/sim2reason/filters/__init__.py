@@ -60,7 +60,7 @@ class Candidate:
 
     @property
     def checked(self) -> Self:
-        """The candidate itself if what its solution states leads to the answer, else one with another solution."""
+        """Return the candidate itself if its solution was verified, otherwise one with a solution that was."""
         question, found = self.question, self.solution
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self

@@ -90,12 +90,12 @@ class _Readings:
 
     @property
     def unsaid(self) -> list[str]:
-        """The closings that alone are missing in some reading."""
+        """Return the names of closings whose absence is all that some reading lacks."""
         return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
 
     @property
     def stuck(self) -> int | None:
-        """The index of the first sentence that no reading got through; None if some got through all."""
+        """Return the index of the first sentence that no reading understands; None if some reading understands all."""
         reach = self.matcher.reach
         return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
 
@@ -112,7 +112,7 @@ class _Readings:
 
 
 def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
-    """The scene of a text whose sentences say the same as some of the library; None if there is none."""
+    """Return the scene of a text whose sentences say the same as sentences of the library; None if there is none."""
     for first in recast(said):
         waiting = [first]
         for told in waiting:  # grows as it is walked through
@@ -128,7 +128,7 @@ def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> Par
 def _readings(
     said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
 ) -> _Readings:
-    """All readings of a text in the library's own sentences."""
+    """Return all readings of a text in the library's own sentences."""
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
@@ -164,13 +164,13 @@ def _sent_on(text: str, error: TextError) -> TextError:
 
 
 def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
-    """That a sentence is none of the library's, or not where it stands, with the one that comes nearest."""
+    """Return the error for a sentence that is not understood, with the nearest sentence of the library."""
     remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
     return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
 
 
 def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
-    """Why a text is no scene: the first sentence from one on that says what none of the library does."""
+    """Return the error for a text that is no scene; it names the first unknown sentence at or after number `stuck`."""
     unlike = first_unlike(said[stuck:])
     told = next(recast(said), None) if unlike is None else None
     if told is not None:

@@ -1,15 +1,16 @@
-"""What an engine does that ejects mass: used in structured questions only, and never drawn."""
+"""Quantities of rocket engines; used in structured questions only, never drawn by recipes."""
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Burn, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 
 
 class OfEngine(Quantity):
-    """A quantity of a body that burns fuel."""
+    """Base class of quantities of a body that burns fuel."""
 
     of = Bodies()
     drawn_by_recipes = False
@@ -35,16 +36,22 @@ class Thrust(OfEngine):
 
 
 @quantity
-class FuelLeft(OfEngine):
-    """The mass of the fuel that is left."""
+class ThrustPower(OfEngine):
+    """The power of the thrust: the thrust times the component of the velocity along it."""
 
-    name, unit, symbol = "fuel left", "kg", "m"
+    name, unit, symbol = "power of the thrust", "W", "P"
+    magnitude = "the magnitude of the power of the thrust on {body}"
+    heavy, order = True, 22
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body burns fuel."""
+        return name in self.subjects(mechanism)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Rate times the time until burnout, (n,)."""
-        burn = _burn(state.mechanism, subject)
-        return burn.rate * np.maximum(burn.until - state.times, 0.0)
+        """In W, (n,); zero after burnout."""
+        along = Velocity.evaluate(state, subject) @ np.array(_burn(state.mechanism, subject).direction)
+        return Thrust.evaluate(state, subject) * along
 
 
 @quantity
@@ -58,6 +65,19 @@ class FuelBurnt(OfEngine):
         """Rate times the time so far, (n,)."""
         burn = _burn(state.mechanism, subject)
         return burn.rate * np.minimum(state.times, burn.until)
+
+
+@quantity
+class FuelLeft(OfEngine):
+    """The mass of the fuel that is left."""
+
+    name, unit, symbol = "fuel left", "kg", "m"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """All of the fuel less what has been burnt, (n,)."""
+        burn = _burn(state.mechanism, subject)
+        return burn.rate * burn.until - FuelBurnt.evaluate(state, subject)
 
 
 def _burn(mechanism: Mechanism, name: str) -> Burn:

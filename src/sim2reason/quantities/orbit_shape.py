@@ -11,7 +11,7 @@ from sim2reason.quantities.subjects.pairs import AND, Pairs
 
 
 class OrbitShape(Quantity):
-    """What tells the shape of an ellipse that a body describes about a fixed one, by an attraction of 1/r² alone."""
+    """Base class of quantities of a Kepler orbit of a body about a fixed one."""
 
     of = Pairs()
     drawn_by_recipes = False

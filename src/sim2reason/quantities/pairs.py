@@ -9,7 +9,7 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import AXES, moves
+from sim2reason.quantities.subjects.bodies import moves, moves_in_plane
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.quantities.subjects.relative import RelativeBodies
 
@@ -29,7 +29,7 @@ class DistanceBetween(Quantity):
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names of the pairs, and of any other two bodies that move freely in a plane, in either order."""
-        free = [body.name for body in mechanism.bodies if sum(c.label in AXES for c in body.coordinates) > 1]
+        free = [body.name for body in mechanism.bodies if moves_in_plane(mechanism, body.name)]
         return tuple(dict.fromkeys((*self.of.names(mechanism), *(AND.join(two) for two in permutations(free, 2)))))
 
     @staticmethod

@@ -14,7 +14,7 @@ from sim2reason.quantities.tension import StringLengthRate
 
 
 class PowerOfForce(Quantity):
-    """What the power of every force on a body shares."""
+    """Base class of quantities that are the power of a force on a body, in W."""
 
     unit, symbol = "W", "P"
     of = Bodies()
@@ -58,33 +58,6 @@ class GravityPower(PowerOfForce):
     def evaluate(state: State, subject: str) -> Array:
         """M g·v, (n,), in W."""
         return state.mass(subject) * (Velocity.evaluate(state, subject) @ np.array(state.mechanism.gravity))
-
-
-@quantity
-class ThrustPower(PowerOfForce):
-    """The power of the thrust on a rocket: thrust times speed, while the engine burns."""
-
-    name = "power of the thrust"
-    magnitude = "the magnitude of the power of the thrust on {body}"
-    order = 22
-
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that burn fuel."""
-        return tuple(dict.fromkeys(burn.body for burn in mechanism.burns))
-
-    def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body burns fuel."""
-        return name in self.subjects(mechanism)
-
-    @staticmethod
-    def evaluate(state: State, subject: str) -> Array:
-        """Rate × exhaust speed × speed along the thrust, (n,), in W; 0 once the fuel is used up."""
-        velocity, total = Velocity.evaluate(state, subject), np.zeros(len(state.times))
-        for burn in state.mechanism.burns:
-            if burn.body == subject:
-                thrust = np.where(state.times <= burn.until, burn.rate * burn.exhaust, 0.0)
-                total = total + thrust * (velocity @ np.array(burn.direction))
-        return total
 
 
 @quantity

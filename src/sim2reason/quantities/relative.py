@@ -30,8 +30,7 @@ class RiderDisplacement(OfRider):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """q, which is zero at the start, (n,)."""
-        number = state.mechanism.number[state.mechanism.body[subject].coordinates[0].name]
-        return np.asarray(state.q[:, number])
+        return np.asarray(state.q[:, _number(state.mechanism, subject)])
 
 
 @quantity
@@ -43,8 +42,11 @@ class RiderVelocity(OfRider):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """q̇, (n,)."""
-        number = state.mechanism.number[state.mechanism.body[subject].coordinates[0].name]
-        return np.asarray(state.v[:, number])
+        return np.asarray(state.v[:, _number(state.mechanism, subject)])
+
+
+def _number(mechanism: Mechanism, name: str) -> int:
+    return mechanism.number[mechanism.body[name].coordinates[0].name]
 
 
 def _slides(mechanism: Mechanism, name: str) -> bool:

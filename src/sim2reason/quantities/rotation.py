@@ -128,7 +128,7 @@ class Revolutions(Angle):
     from_start = True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Whatever turns."""
+        """Return True: the number of turns is defined for everything that turns."""
         del mechanism, name
         return True
 

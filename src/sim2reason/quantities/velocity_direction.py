@@ -9,19 +9,38 @@ from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.vectors import unit
 from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.subjects.bodies import AXES, Bodies
+from sim2reason.quantities.kinematics import CurvatureRadius, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies, moves_in_plane
 from sim2reason.quantities.subjects.paths import center_path
 
 
+class OfFreeBody(Quantity):
+    """Base class of quantities of the path of a body that moves freely in a plane."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies that have the quantity."""
+        free = (name for name in self.of.names(mechanism) if moves_in_plane(mechanism, name))
+        return tuple(name for name in free if self.fits(mechanism, name))
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether a body that moves freely in a plane has the quantity; by default True."""
+        del mechanism, name
+        return True
+
+
 @quantity
-class SlopeOfVelocity(Quantity):
+class SlopeOfVelocity(OfFreeBody):
     """The angle of a projectile's velocity with the horizontal."""
 
     name, unit, symbol = "angle with the horizontal", "deg", "β"
-    of = Bodies()
-    drawn_by_recipes = False
     floor = 1.0
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the plane is vertical, in a uniform field."""
+        return mechanism.gravity != ZERO and _upright(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -32,18 +51,12 @@ class SlopeOfVelocity(Quantity):
         across = np.linalg.norm(velocity - rising[:, None] * up, axis=1)
         return degrees(1.0) * np.arctan2(np.abs(rising), across)
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that move freely in a vertical plane."""
-        return tuple(name for name in _free(self, mechanism) if mechanism.gravity != ZERO and _upright(mechanism, name))
-
 
 @quantity
-class TurnOfVelocity(Quantity):
-    """The angle between the velocity of a body that moves freely in a plane and its initial velocity."""
+class TurnOfVelocity(OfFreeBody):
+    """The angle between the velocity of a body and its initial velocity."""
 
     name, unit, symbol = "angle of deflection", "deg", "δ"
-    of = Bodies()
-    drawn_by_recipes = False
     floor = 1.0
 
     @staticmethod
@@ -55,29 +68,22 @@ class TurnOfVelocity(Quantity):
         across = np.linalg.norm(np.cross(began, velocity), axis=1)
         return degrees(1.0) * np.arctan2(across, velocity @ began)
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that move freely in a plane."""
-        return _free(self, mechanism)
-
 
 @quantity
-class RadiusOfPath(Quantity):
+class RadiusOfPath(OfFreeBody):
     """The radius of the circle on which a magnetic field alone keeps a body."""
 
     name, unit, symbol = "radius of the path", "m", "r"
-    of = Bodies()
-    drawn_by_recipes = False
     floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether uniform magnetic fields alone act on a body."""
+        return _circles(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """v² / a, (n,)."""
-        speed, bend = (np.linalg.norm(found.evaluate(state, subject), axis=1) for found in (Velocity, Acceleration))
-        return speed**2 / bend
-
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies on which uniform magnetic fields alone act, in a plane."""
-        return tuple(name for name in _free(self, mechanism) if _circles(mechanism, name))
+        """The radius of curvature, (n,), which is the same everywhere on a circle."""
+        return CurvatureRadius.evaluate(state, subject)
 
 
 def _circles(mechanism: Mechanism, name: str) -> bool:
@@ -88,12 +94,6 @@ def _circles(mechanism: Mechanism, name: str) -> bool:
         force.region is None and isinstance(force.law, Magnetic) and force.law.profile.uniform for force in acting
     )
     return bool(acting) and all(uniform) and not falls and not pulled
-
-
-def _free(quantity: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the names of bodies that slide along two axes of the text."""
-    names = quantity.of.names(mechanism)
-    return tuple(name for name in names if sum(c.label in AXES for c in mechanism.body[name].coordinates) > 1)
 
 
 def _upright(mechanism: Mechanism, name: str) -> bool:

@@ -41,7 +41,7 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
 
 
 def confined(moment: Moment | None, trace: Trace) -> bool:
-    """Return whether a motion of one coordinate can never reach a place, having turned back on both sides of its start.
+    """Return whether a motion along one coordinate has turned back on both sides and so never reaches a place.
 
     A force that depends on that coordinate alone has a potential, and all other forces take energy away. At a turning
     point the energy equals the potential there, so that the motion never passes a turning point again.

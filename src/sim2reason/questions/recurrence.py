@@ -50,7 +50,7 @@ def first_return(trace: Trace) -> float | None:
 
 
 def drift_return(trace: Trace) -> float | None:
-    """The time, s, at which all but the place is first what it was at the start, in scenes where no place is special.
+    """Return the time, s, at which everything but the place has its initial value again; None if places matter.
 
     Then everything repeats itself elsewhere: all velocities, accelerations, angles and lengths. None if they do not
     return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
@@ -65,7 +65,7 @@ def drift_return(trace: Trace) -> float | None:
     same = max(SAME, ERRS * trace.tolerance)
 
     def excess(state: State) -> Array:
-        """How much faster it goes the way in which it is accelerated at first."""
+        """Return the gain of velocity times the initial acceleration, (n,)."""
         return (state.v - start.v[0]) @ start.a[0]
 
     def alike(here: State) -> bool:

@@ -151,7 +151,7 @@ def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
 
 
 class _Share(NamedTuple):
-    """Of pieces: their part in the motion of an arm."""
+    """Contribution of pieces to the moment and to the inertia of an arm."""
 
     moment: float  # m x, kg·m
     own: float  # moment of inertia about their own centres, kg·m²
@@ -169,7 +169,7 @@ def _total(shares: Iterable[_Share]) -> _Share:
 
 
 def _responses(others: _Share, piece: WeldedPiece) -> tuple[float]:
-    """What the motion of an arm hangs on: the sum of m x over the moment of inertia about the axle, 1/m."""
+    """Return the number that determines an arm's motion: Σ m x over the moment of inertia about the axle, 1/m."""
     found = _total((others, _share(piece)))
     return (found.moment / (found.own + found.moved),)
 

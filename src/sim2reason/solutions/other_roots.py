@@ -53,11 +53,14 @@ class OtherRoots:
         book = self.book
         if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
             return
-        number = self._number(name, others[0])
         if name == self.unknown:
-            step.say(f"The other root, {number}, is negative, but ${name}$ is positive.")
+            self._say_negative(step, others[0])
         elif self._would_be_negative(name, others[0]):
-            step.say(f"The other root, {number}, would take a negative ${self.unknown}$.")
+            step.say(f"The other root, {self._number(name, others[0])}, would take a negative ${self.unknown}$.")
+
+    def _say_negative(self, step: Writing, value: float) -> None:
+        number = self._number(self.unknown, value)
+        step.say(f"The other root, {number}, is negative, but ${self.unknown}$ is positive.")
 
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
@@ -155,7 +158,7 @@ class OtherRoots:
             return
         number = self._number(name, other)
         if other < 0.0 < known and name == self.unknown:
-            step.say(f"The other root, {number}, is negative, but ${name}$ is positive.")
+            self._say_negative(step, other)
         elif any(isinstance(part, Root) and name in part.symbols() for side in plain for part in _parts(side)):
             size = SAME * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
             try:

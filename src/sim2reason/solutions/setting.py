@@ -212,7 +212,7 @@ class Setting:
         return f"{'up' if z > 0.0 else 'down'} the {surface}"
 
     def _slides_along(self, body: str, way: Vector) -> bool:
-        """Whether a body, or what carries it, itself slides along a direction, as a plank on a slope does."""
+        """Return whether a body, or its carrier, slides along a direction, as a plank on a slope does."""
         axes = [held.axis for held in self.mechanism.body[body].coordinates]
         parent = self.mechanism.body[body].parent
         along = any(abs(abs(sum(a * b for a, b in zip(axis, way, strict=True))) - 1.0) < LEVEL for axis in axes)

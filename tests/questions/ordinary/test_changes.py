@@ -17,7 +17,7 @@ DATA = Path(__file__).parents[2] / "data"
 
 
 def answer(name: str, question: str) -> float | None:
-    """The answer to a question that is understood."""
+    """Return the answer to a question in ordinary English."""
     path = next(DATA.glob(f"*_scenes/{name}.yaml"))
     motion, words = motion_of(load(path)), words_of(describe(load(path)))
     found = understood(question, motion, words)
@@ -51,12 +51,12 @@ def test_differences_are_those_of_two_moments(name: str, question: str, value: f
     ],
 )
 def test_more_than_one_state_or_body_is_looked_at(name: str, question: str, value: float) -> None:
-    """Each against a closed form."""
+    """The answers agree with closed forms."""
     assert answer(name, question) == pytest.approx(value, rel=1e-6)
 
 
 def test_a_loss_that_is_a_gain_is_refused() -> None:
-    """The question takes for granted what is not so."""
+    """A question is refused if it presumes something false."""
     with pytest.raises(TextError, match="the other way round"):
         answer("bounce", "By how much does the kinetic energy of the ball decrease in the first 0.5 s?")
 
@@ -72,7 +72,7 @@ def test_a_loss_that_is_a_gain_is_refused() -> None:
     ],
 )
 def test_asides_are_passed_over(told: str, plain: str) -> None:
-    """Each adds nothing to what is asked."""
+    """Phrases that do not change what is asked are removed from a question."""
     assert without_asides(told) == plain
 
 
@@ -81,5 +81,5 @@ def test_asides_are_passed_over(told: str, plain: str) -> None:
     ["how fast is @0@ as seen from @1@", "how fast is @0@ relative to @1@", "how fast is @0@ after first collision"],
 )
 def test_what_matters_is_no_aside(told: str) -> None:
-    """What moves is no frame that goes without saying."""
+    """Phrases that name a moving frame or an event stay."""
     assert without_asides(told) == told

@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.paraphrased_mains import paraphrased as plain
 
 
 def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:
-    """Beside adverbs that say nothing."""
+    """Adverbs that change neither the moment nor the value are left out as well."""
     assert based("@0@ has just been sliding and exactly then hits wall") == "@0@ slide and hit wall"
 
 
@@ -46,7 +46,7 @@ def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:
     ],
 )
 def test_clauses_are_said_plainly(clause: str, plain: str) -> None:
-    """Each in the form that a table has."""
+    """A clause is paraphrased as a plain clause that the tables have."""
     assert plain in plain_clauses(clause)
 
 
@@ -63,7 +63,7 @@ def test_clauses_are_said_plainly(clause: str, plain: str) -> None:
     ],
 )
 def test_a_clause_with_a_word_that_matters_is_left_alone(clause: str) -> None:
-    """Whatever head it has."""
+    """A clause with a word that has no place is not paraphrased, whatever its head is."""
     assert list(plain_clauses(clause)) == []
 
 
@@ -94,7 +94,7 @@ def test_a_clause_with_a_word_that_matters_is_left_alone(clause: str) -> None:
     ],
 )
 def test_main_clauses_are_said_plainly(question: str, plain: str) -> None:
-    """Each in the form that a table has."""
+    """A main clause is paraphrased as a plain one that the tables have."""
     assert plain in plain_mains(question)
 
 
@@ -104,5 +104,5 @@ def test_main_clauses_are_said_plainly(question: str, plain: str) -> None:
      "what is least speed with which @0@ goes", "how far does @0@ stretch"],
 )  # fmt: skip
 def test_a_main_clause_with_a_word_that_matters_is_left_alone(question: str) -> None:
-    """Whatever it asks for."""
+    """A main clause with a word that has no place is not paraphrased, whatever it asks for."""
     assert list(plain_mains(question)) == []

@@ -170,7 +170,7 @@ def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> No
     ],
 )
 def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, question: str, text: str) -> None:
-    """A string by one end only where no other ends there."""
+    """A string is named by one of its ends only if no other string ends there."""
     assert hear(question, scene(name)[1]).text == text
 
 

@@ -36,7 +36,7 @@ class Grip(Part):
 
     @property
     def static(self) -> float | None:
-        """The coefficient of static friction; None if it does not differ from that of kinetic friction."""
+        """Return the coefficient of static friction; None if it does not differ from that of kinetic friction."""
         return None
 
 
@@ -73,12 +73,12 @@ class Rough(Grip):
 
     @property
     def coefficient(self) -> float:
-        """The coefficient of kinetic friction, also of static friction unless `static` is given."""
+        """Return the coefficient of kinetic friction, also of static friction unless `static` is given."""
         return self.friction
 
     @property
     def static(self) -> float | None:
-        """The coefficient of static friction; None if it does not differ from that of kinetic friction."""
+        """Return the coefficient of static friction; None if it does not differ from that of kinetic friction."""
         return self.static_friction
 
 

@@ -46,12 +46,12 @@ class Content:
 
     @property
     def facts(self) -> frozenset[str]:
-        """The words without letters and numbers."""
+        """Return the words, without letters of bodies and without numbers."""
         return frozenset(word for word in self.words if len(word) > 1 and word[0] != "#")
 
     @property
     def order(self) -> tuple[str, ...]:
-        """The words of which the order matters."""
+        """Return the words whose order matters."""
         several = sum(word in SURFACES for word in self.words) > 1
         matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
         found = [word for word in self.words if word in matters]
@@ -59,7 +59,7 @@ class Content:
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """What bodies are called."""
+        """Return the letters that name bodies."""
         return tuple(word for word in self.words if len(word) == 1)
 
     def beside(self, index: int) -> frozenset[str]:

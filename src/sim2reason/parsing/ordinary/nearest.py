@@ -33,7 +33,7 @@ def _by_core() -> dict[frozenset[str], list[Form]]:
 
 
 def _core(said: Content) -> frozenset[str]:
-    """The words of a sentence that a form which says the same has, too."""
+    """Return the words of a sentence that every form with the same meaning must have."""
     return said.facts - NOUNS - {"rough"}
 
 
@@ -53,7 +53,7 @@ def filled(form: Form, said: Content) -> str:
 
 
 def _values(form: Form, said: Content) -> Iterator[str | None]:
-    """The numbers of a form in order, each the next of its kind that the sentence has, unless it may be another one."""
+    """Yield for each number of a form the sentence's next number of that kind; None if another one may be meant."""
     left = list(enumerate(said.numbers))
     kinds = [coherent(unit)[0] for unit in form.units]
     for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):
@@ -67,7 +67,7 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
 
 
 def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
-    """Whether two numbers, of several of their kind, stand beside the same words, or the bodies are in a mere list."""
+    """Return whether two numbers, of several of a kind, stand beside the same words, or belong to bodies in a list."""
     listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
     return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
 
@@ -93,7 +93,7 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
 
 
 def _equal(said: Content, form: Form) -> bool:
-    """Whether both tell the same words, bodies in the same order, and numbers that can't be mistaken for each other."""
+    """Return whether a form has the same words, bodies in the same order, and numbers that cannot be confused."""
     other = form.content
     kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
     if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
@@ -104,12 +104,12 @@ def _equal(said: Content, form: Form) -> bool:
 
 
 def _agree(said: Content, other: Content) -> bool:
-    """Whether they say the same; that a face is rough may stay unsaid, since its friction must be told in any case."""
+    """Return whether the words are the same; *rough* may be left out, since the friction is stated in any case."""
     return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
 
 
 def _of_one(said: Content, other: Content) -> bool:
-    """Whether both agree but for the body that they are on, which one of them names and the other takes as known."""
+    """Return whether the words are the same but for the body beneath, which only one of the two names."""
     mine, theirs = said.facts & NOUNS, other.facts & NOUNS
     if said.letters or other.letters or len(mine) + len(theirs) != 1:
         return False
@@ -118,13 +118,13 @@ def _of_one(said: Content, other: Content) -> bool:
 
 
 def _introduced(form: Form) -> bool:
-    """Whether all letters of a form stand beside a number, as those of bodies do that are named for the first time."""
+    """Return whether all letters of a form stand beside a number, as where bodies are introduced."""
     beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
     return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
 def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
-    """Whether the numbers of a kind stand beside the same words in both; those of lettered bodies are in order."""
+    """Return whether the numbers of a kind stand beside the same words, or belong to lettered bodies in order."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
     return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
 

@@ -38,7 +38,7 @@ class Recast:
 
     @property
     def whole(self) -> bool:
-        """Whether it says that all starts from rest, if the text does."""
+        """Return whether the start from rest is stated, if the text states it."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
     def adding(self, name: str) -> "Recast | None":
@@ -77,12 +77,12 @@ def recast(said: Sequence[str]) -> Iterator[Recast]:
 
 
 def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
-    """Those that speak of no body which the text does not have, if there are any."""
+    """Return the forms whose bodies all occur in the text; all forms if there are none."""
     return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
 
 
 def _unlettered(said: Sequence[str]) -> Sequence[str]:
-    """The same without the letter of a body that is the only one to have a letter."""
+    """Return the sentences without the letter A if no other letter is used."""
     if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
         FIRST_LETTER
     }:
@@ -91,13 +91,13 @@ def _unlettered(said: Sequence[str]) -> Sequence[str]:
 
 
 def _comes_after(sentence: str, name: str) -> bool:
-    """Whether a sentence is a closing that stands behind that of a name: g is the last of all."""
+    """Return whether a sentence is a closing that stands after the closing `name`; g stands last."""
     last = re.search(r"\bg = ", sentence) is not None
     return is_assumption(sentence) and (last or name.startswith(("rest", "start")))
 
 
 def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
-    """For each clause the texts that say the same, with their places; none for being at rest; None if one is unlike."""
+    """Return for each clause the library's sentences that say the same; None if some clause has none."""
     known = _known(sentence)
     if known is not None:
         return [known]
@@ -109,7 +109,7 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
 
 
 def _known(sentence: str) -> list[tuple[str, float]] | None:
-    """The texts that say the same as a clause; none if it says that all starts from rest; None if there are none."""
+    """Return the library's sentences with a clause's meaning; empty for a start from rest, None if there are none."""
     forms = same(sentence)
     if any(form.text in RESTS for form in forms):
         return []
@@ -122,14 +122,14 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
 
 def _lettered(text: str, form: Form, said: Content) -> str:
-    """The text of a form whose only letter is the first one, if the sentence has none."""
+    """Return the text of a form, with A as its only letter if the sentence has no letters."""
     if said.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """The ways in which a sentence comes apart into two; none of one that is too long."""
+    """Yield the ways to divide a sentence into two; none for a sentence that is too long."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

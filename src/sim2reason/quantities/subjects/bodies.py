@@ -72,6 +72,11 @@ def moves(mechanism: Mechanism, name: str) -> bool:
     return bool(center_path(mechanism, name).ways) and not pointless and not is_pulley_wheel(mechanism, name)
 
 
+def moves_in_plane(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body moves freely along two axes of the text, as projectiles, pucks and planets do."""
+    return sum(coordinate.label in AXES for coordinate in mechanism.body[name].coordinates) > 1
+
+
 def _of_path(path: CenterPath) -> list[Sense]:
     """The directions for which English has words; right is only one where the text fixes it, as a label says."""
     if not path.rises:

@@ -14,16 +14,16 @@ class Hands(Subject):
     name, slot = "hand", "hand"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All parts that a hand draws in."""
+        """Return the names of all string parts that a hand draws in."""
         return tuple(line.name for line in mechanism.pulls)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """One alone can be spoken of."""
+        """Return *the hand* for the only hand; empty if there are several."""
         del mentions
         names = self.names(mechanism)
         return {names[0]: "the hand"} if len(names) == 1 else {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """It needs nothing."""
+        """Return True: nothing else must be known."""
         del need, mechanism, name, said
         return True

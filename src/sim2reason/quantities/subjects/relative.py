@@ -17,17 +17,17 @@ class RelativeBodies(Subject):
     name, slot = "body relative to another", "relative"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All ordered pairs of bodies whose centres of mass move."""
+        """Return all ordered pairs of bodies whose centres of mass move."""
         moving = [name for name in mechanism.body if moves(mechanism, name)]
         return tuple(AND.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """None: they are asked about in parts only, since a sentence that has two bodies speaks of each."""
+        """Return nothing: such pairs are for structured questions only; a sentence with two bodies is about each."""
         del mechanism, mentions
         return {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether the text says it of both."""
+        """Return whether the text gives it for both bodies."""
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:

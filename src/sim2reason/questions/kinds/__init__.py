@@ -279,9 +279,9 @@ def drawn(
     rng: np.random.Generator,
     wanted: Callable[[M], bool] = lambda _: True,
 ) -> M | None:
-    """One of the moments that a motion offers: a class of those that are drawn comes first; None if there is none.
+    """Return a random moment of a motion, of a class chosen at random; None if there is none.
 
-    None comes before all that the text gives can bear.
+    The moment is late enough for everything in the text to affect it.
     """
     classes = [cls for cls in classes if cls.drawn_by_recipes]
     order: list[int] = rng.permutation(len(classes)).tolist()

@@ -123,7 +123,7 @@ class PeriodKind(Kind):
         return inf if query.measure == "period" else 0.0
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """How the body moves."""
+        """Return the channels of the moving body's displacement and velocity; none for small oscillations."""
         assert isinstance(query, PeriodQuery)
         return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
 

@@ -26,18 +26,18 @@ class LiftedOff(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What burns fuel and stands on a prop."""
+        """Return the phrases of the bodies that burn fuel and stand on a prop."""
         burns = {burn.body for burn in words.mechanism.burns}
         called = words.called(cls.of).items()
         return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """The props on which a body stands, since events are told of these."""
+        """Return the props on which a body stands, since these are the subjects of its events."""
         return _props(words.mechanism, name)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether the prop of this body is pressed no more."""
+        """Return whether an event is that a prop of this body is no longer pressed."""
         return event.kind in self.kinds and not _props(trace.mechanism, self.name).isdisjoint(event.subjects)
 
 

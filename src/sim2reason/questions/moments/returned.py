@@ -32,7 +32,7 @@ class Returned(Passage):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies that ride on nothing, so that the point is one of the room."""
+        """Return the phrases of the bodies that ride on no other body, so that the point is fixed in the room."""
         called = words.called(cls.of).items()
         return {
             name: cls.of.point(words.mechanism, name, said) for name, said in called if not rides(words.mechanism, name)

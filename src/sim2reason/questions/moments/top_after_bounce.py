@@ -34,12 +34,12 @@ class TopAfterBounce(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies that bounce from the ground."""
+        """Return the phrases of the bodies that bounce off the ground."""
         return {name: said for name, said in Bounced.candidates(words).items() if struck(words, name) == GROUND}
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """How the body moves."""
+        """Return the channel of the body's velocity."""
         return (Channel(self.name, Velocity.name),)
 
     def time(self, trace: Trace) -> float | None:
@@ -56,7 +56,7 @@ class TopAfterBounce(Occurrence):
         return found if found is not None and (following is None or found < following) else None
 
     def does(self, words: Words) -> Verb:
-        """As in: reaches the highest point after its second bounce."""
+        """Return the verb with the ordinal, as in *reaches the highest point after its second bounce*."""
         del words
         count = ordinal(self.number)
         return Verb(self.verb.told.format(count=count), self.verb.asked.format(count=count))

@@ -43,7 +43,7 @@ ASIDES = tuple(
         ),
     )
 )
-"""What is passed over, on text without articles; a whole sentence or clause that only says how to write the answer."""
+"""Patterns of phrases that are removed from a question, on text without articles."""
 _FIRST_INSTANT = re.compile(
     r"\b(?:at )?(?:very )?first (?:instant|moment|time) (?:at which|when|that|in which|it is that)\b"
 )

@@ -46,7 +46,7 @@ SIZES = {
 
 
 class WantedRow(NamedTuple):
-    """What must all be there, in any order, and the plain main clause that says the same."""
+    """Patterns that must all occur, in any order, and the plain main clause with the same meaning."""
 
     parts: Sequence[str]
     plain: str

@@ -52,8 +52,6 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.rest.equilibrium import equilibrium
 
 STEADY, EVEN = 1e-6, 1e-9  # relative
-EARLY = 0.5  # of a stretch: then it goes the way that it goes
-AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
 OF_PLACES = "spring energy", "extension", "spring length", "height above the ground", "distance", "mass", "fuel left"
 LATER = 1.05  # times the end of what is over: so long at least it must have been
 

@@ -100,7 +100,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
 
 
 def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
-    """Return why a threshold is not the least or the greatest number asked for; empty if nothing is wrong."""
+    """Return a message if the least value is asked for and the threshold is the greatest one, or vice versa."""
     query = question.query
     if reading.least is None or not isinstance(query, ThresholdQuery):
         return ""

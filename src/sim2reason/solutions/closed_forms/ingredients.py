@@ -75,7 +75,7 @@ class _LastAlgebra:
 
     @cached_property
     def _whole(self) -> str:
-        """The goal, or what its formula is the modulus or the negative of."""
+        """Return the goal's symbol, or the one whose modulus or negative the goal is."""
         whole = self.solution.goal
         while (inner := _inside(self._formulas[whole])) in self._formulas and inner not in self._given:
             whole = inner
@@ -88,7 +88,7 @@ class _LastAlgebra:
 
     @cached_property
     def told(self) -> list[Relation]:
-        """The quantities on the way in terms of what is given: all of them if they are few, else the last ones."""
+        """Return the intermediate quantities in terms of given ones: all if they are few, otherwise the last ones."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]

@@ -86,7 +86,7 @@ class Impacts(FreeFlights, ABC):
         return self.counted(since, name)
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
-        """The first time at which gap + rate t + ½ rise t² is zero, or the other one if `rate` is not zero."""
+        """Return the first time at which gap + rate t + ½ rise t² is zero, or the other one if `rate` is not zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
         if not rate:

@@ -90,12 +90,12 @@ class Fields:
 
     @cached_property
     def clock(self) -> Symbol:
-        """The symbol τ of the running time since the start."""
+        """Return the symbol τ of the running time since the start."""
         return self.book.fresh(r"\tau")
 
     @cached_property
     def instant(self) -> Symbol:
-        """The symbol t of the time of the moment that a question asks about."""
+        """Return the symbol t of the time of the moment that a question asks about."""
         return self.book.fresh("t")
 
     @cached_property

@@ -88,7 +88,7 @@ class Dynamics:
 
     @property
     def taut(self) -> list[int]:
-        """The numbers of the strings that are taut in this segment."""
+        """Return the numbers of the strings that are taut in this segment."""
         acting = self.segment.found.mode.acting
         return [place for place in range(len(self.newton.lines)) if acting[place]]
 

@@ -78,7 +78,7 @@ class Newton:
 
     @cached_property
     def scale(self) -> list[Both]:
-        """The factor of each coordinate's rate: the radius of a wheel's rim (the larger of two), or else 1."""
+        """Return the factor of each coordinate's rate: the radius of a wheel's rim (the larger of two), or else 1."""
         found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)
@@ -91,7 +91,7 @@ class Newton:
 
     @cached_property
     def _rims(self) -> dict[int, list[Both]]:
-        """The radii at which lines are wound round a rotating body, by the number of its coordinate."""
+        """Return the radii at which lines are wound round a rotating body, by the number of its coordinate."""
         found: dict[int, list[Both]] = {}
         for number, line in enumerate(self.mechanism.lines):
             for place, wheel in enumerate(line.wheels):
@@ -253,11 +253,11 @@ class Newton:
         return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
-        """Return µ of a face, or µ_k if the face has two coefficients of friction."""
+        """Return the coefficient of kinetic friction of a contact: µ, or µ_k where the static one differs."""
         return self.read(lambda m, _: m.faces[face].friction)
 
     def static_coefficient(self, face: int) -> Polynomial:
-        """Return µ_s of a face, or µ if the face has only one coefficient of friction."""
+        """Return the coefficient of static friction of a contact: µ_s, or µ where the two are equal."""
         return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:

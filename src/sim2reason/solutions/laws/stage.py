@@ -221,7 +221,7 @@ class Stage:
         return name
 
     def _root(self, shared: Shared, distance: Expression, *, first: bool = True) -> Expression:
-        """The first positive time of d = v t + ½ a t², or the other time."""
+        """Return the first positive time of d = v t + ½ a t², or the other time."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
             return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))

@@ -67,7 +67,7 @@ class NormalModes(ModeLaws):
 
     @cached_property
     def _moving(self) -> list[int]:
-        """The numbers of the modes that the initial state excites."""
+        """Return the numbers of the modes that the initial state excites."""
         sizes: list[float] = []
         for n in range(self.size):
             shape = self.shapes[:, n]

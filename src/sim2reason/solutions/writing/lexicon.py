@@ -197,7 +197,7 @@ class Lexicon:
 
     @cached_property
     def _nothing(self) -> float:
-        """The threshold below which a number counts as zero up to rounding; lower if some given numbers are tiny."""
+        """Return the size below which a number counts as zero; less than usual if some given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
         return SAME if least >= TINY else SAME * least**2
 

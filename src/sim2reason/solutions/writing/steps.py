@@ -113,7 +113,7 @@ class Book(FreshNames):
             raise UnsolvedError(f"it needs more: {need.label}")
 
     def value(self, held: Expression, at: Mapping[str, float] | None = None) -> float:
-        """What a formula comes to, with what the book knows or `at` other values; UnsolvedError if it has no value."""
+        """Return the value of a formula, with known values or those of `at`; UnsolvedError if it has none."""
         try:
             found = held.value(self.values if at is None else at)
         except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero

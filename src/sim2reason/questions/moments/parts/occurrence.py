@@ -56,7 +56,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def each(cls, name: str, last: int = 1) -> Iterator[Self]:
-        """All moments of one subject that are asked about, and those up to the `last` one of which a text speaks."""
+        """Return the moments of one subject that are asked about, at least up to ordinal `last`."""
         return (cls(name, number) for number in range(1, max(cls.most, last if cls.most else 1) + 1))
 
     @classmethod

@@ -31,7 +31,7 @@ class DampedModes:
 
     @property
     def fastest(self) -> float:
-        """The largest rate, 1/s."""
+        """Return the largest rate, 1/s."""
         return float(np.abs(self.rates).max())
 
     def at(self, times: Array) -> Array:

@@ -42,17 +42,17 @@ class Modes:
 
     @property
     def rate(self) -> Array:
-        """The angular frequencies of the modes, rad/s."""
+        """Return the angular frequencies of the modes, rad/s."""
         return np.sqrt(self.square)
 
     @property
     def fastest(self) -> float:
-        """The largest angular frequency, rad/s."""
+        """Return the largest angular frequency, rad/s."""
         return float(self.rate.max())
 
     @property
     def start(self) -> Array:
-        """The coordinates and rates at the beginning, (2n,)."""
+        """Return the coordinates and rates at the beginning, (2n,)."""
         return np.concatenate([self.place, self.ways @ self.speed])
 
     def at(self, times: Array) -> Array:
@@ -97,7 +97,7 @@ class Modes:
         return np.asarray(np.kron(np.eye(2), self.ways), dtype=np.float64)
 
     def _ranges(self, span: float) -> Array:
-        """The bounds of the changes of s and of its rate, (2n, 2)."""
+        """Return the bounds of the changes of s and of its rate, (2n, 2)."""
         s, u = self.ranges(span)
         return np.concatenate([s, u]) - np.concatenate([np.zeros(len(self.place)), self.speed])[:, None]
 
@@ -125,17 +125,17 @@ class Stretch:
 
     @property
     def time(self) -> float:
-        """The time at which the stretch begins, s."""
+        """Return the time at which the stretch begins, s."""
         return self.modes.time
 
     @property
     def knots(self) -> Array:
-        """The times between which the motion is smooth and simple, s."""
+        """Return the times between which the motion is smooth and simple, s."""
         return self.time + np.arange(1, pieces(self.modes, self.length)) * self.length / pieces(self.modes, self.length)
 
     @property
     def new(self) -> Values:
-        """The coordinates and rates at the end of the stretch."""
+        """Return the coordinates and rates at the end of the stretch."""
         return tuple(self.modes.at(np.array([self.time + self.length]))[0].tolist())
 
 

@@ -45,7 +45,7 @@ class OwnUnits:
 
     @property
     def force(self) -> float:
-        """The unit of force that follows from these units if lengths keep their unit."""
+        """Return the unit of force that follows from these units if lengths keep their unit."""
         return self.mass / self.time**2
 
     # ---- there
