@@ -84,6 +84,7 @@ def test_json_has_the_steps_with_their_relations() -> None:
         (("--id", "pulley-easy-numerical-0-4"), "numerical"),
         (("--id", "pulley-simple-numeric-0-4"), "simple"),
         (("no-such-file.yaml",), "no-such-file.yaml"),
+        (("pulley-easy-numeric-0-4",), "sim2reason solve --id pulley-easy-numeric-0-4"),
     ],
 )
 def test_what_makes_no_sense_is_one_line(args: tuple[str, ...], said: str) -> None:

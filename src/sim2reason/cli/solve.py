@@ -71,7 +71,7 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
     if scene is None:
         solved = solve(None, id=id, **asked)
     else:
-        content = source.text(scene)
+        content = _text(scene)
         read = source.scene(scene, content)
         if asked["question"] is None and not any(asked[name] for name in PARTS):
             asked["question"] = question_of(content)
@@ -85,6 +85,15 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
     elif solved.solution.answer is None:
         _explain(solved.solution)
     return 1 if solved.reason else 0
+
+
+def _text(path: Path) -> str:
+    """Return the text of a scene file; the error for a missing file says how to solve the problem of an id."""
+    try:
+        return source.text(path)
+    except FileNotFoundError as error:
+        error.add_note(f"if this is the id of a problem: sim2reason solve --id {path.name}")
+        raise
 
 
 def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
