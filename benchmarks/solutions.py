@@ -1,4 +1,6 @@
-"""Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPES] [MODES] [UNITS]``.
+"""Worked solutions of drawn problems.
+
+Usage: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPES] [MODES] [UNITS] [KEPT]``.
 
 Of a problem of several parts each part is looked at by itself, as `worked_parts` solves it.
 For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none.
@@ -6,7 +8,8 @@ Then every line of the bar, figure against bar, by difficulty: how many have a s
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
 (each number 7 % larger, each sign turned, a few of each text), whether it is graded right as an answer, how long it is,
 and how long it takes. Each solution is recomputed from its data, in which then faults are planted: how many of each
-kind are refused; `sim2reason.testing.solutions.planted` says how they are counted.
+kind are refused; `sim2reason.testing.solutions.planted` says how they are counted. With `events` for KEPT, problems
+are hard ones in whose motion an event precedes what is asked, and ITEMS of them are looked at.
 """
 
 import random
@@ -16,6 +19,7 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import count, islice
 from statistics import median
 
 from sim2reason.datasets.grade import grade
@@ -36,6 +40,7 @@ from sim2reason.testing.solutions.planted import KINDS, planted_faults
 from sim2reason.testing.solutions.reading import read
 
 AGREED = 1e-9  # relative
+EVENTS = "events"
 PLANTED = 6  # of each kind in one text
 SIGN, NUMBER = re.compile(r" [+-] (?=[^$]*\$)"), re.compile(r"\d+\.\d{2,}")
 LETTER = re.compile(r"That is option \$\\boxed\{\\text\{[A-Z]\}\}\$\.")  # a sentence without an equation
@@ -91,6 +96,23 @@ class Solved:
     whole: str  # the text that is graded as an answer to the problem
 
 
+def requests(seed: int, recipes: list[str], modes: list[str], units: str, kept: str) -> Iterator[Request]:
+    """Yield requests without end: recipes in turn, then difficulties, then modes."""
+    difficulties = ("hard",) if kept == EVENTS else DIFFICULTIES
+    for number in count():
+        index, at = divmod(number, len(recipes))
+        difficulty, mode = difficulties[index % len(difficulties)], modes[index // len(difficulties) % len(modes)]
+        yield Request(recipes[at], difficulty, mode, seed, index, units=units)
+
+
+def problems(requested: Iterator[Request], kept: str) -> Iterator[list[Solved]]:
+    """Yield the problem of each request, as a list of its parts; with `EVENTS`, of those that have an event alone."""
+    for request in requested:
+        held = list(solved(request))
+        if kept != EVENTS or any(forward(part.setting).story for part in held):
+            yield held
+
+
 def solved(request: Request) -> Iterator[Solved]:
     """Yield the problem of a request with its solution as the text asks for it; each part by itself if it has parts."""
     found = ItemSearch(request).found()
@@ -128,30 +150,30 @@ def differ(held: list[Solution]) -> bool:
     return any(abs(one - answers[0]) > AGREED * abs(answers[0]) for one in answers[1:])
 
 
-def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric", units: str = SI) -> int:
+def main(
+    items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric", units: str = SI, kept: str = ""
+) -> int:
     """Print the figures; exit code 1 if a line of the bar is not kept."""
     names = recipes.split(",") if recipes else list(RECIPES)
     count: dict[str, Counter[str]] = defaultdict(Counter)
     why, rng = Counter[tuple[str, str, str]](), random.Random(seed)
     tallies = {difficulty: Tally() for difficulty in DIFFICULTIES}
-    for number in range(items):
-        recipe, difficulty = names[number % len(names)], DIFFICULTIES[number // len(names) % len(DIFFICULTIES)]
-        mode = modes.split(",")[number // len(names) // len(DIFFICULTIES) % len(modes.split(","))]
-        for held in solved(Request(recipe, difficulty, mode, seed, number // len(names), units=units)):
-            tally, setting = tallies[difficulty], held.setting
-            begin = time.process_time()
-            solve(setting)
-            tally.times.append(time.process_time() - begin)
-            tally.count["asked"] += 1
-            if held.solution.answer is None:
-                count[recipe]["none"] += 1
-                why[recipe, setting.query.kind, held.solution.reason[:160]] += 1
-                continue
-            wrong = [*_wrong(held, tally), *_reading(held.item, held.solution, tally, rng)]
-            wrong += _recomputed(forward(setting), held.solution, tally, rng)
-            count[recipe]["faulty" if wrong else held.solution.strategy] += 1
-            for fault in wrong:
-                print(f"{held.item.id} {setting.query.kind}: {fault}", flush=True)
+    drawn = islice(problems(requests(seed, names, modes.split(","), units, kept), kept), items)
+    for held in (part for parts in drawn for part in parts):
+        recipe, tally, setting = held.item.recipe, tallies[held.item.difficulty], held.setting
+        begin = time.process_time()
+        solve(setting)
+        tally.times.append(time.process_time() - begin)
+        tally.count["asked"] += 1
+        if held.solution.answer is None:
+            count[recipe]["none"] += 1
+            why[recipe, setting.query.kind, held.solution.reason[:160]] += 1
+            continue
+        wrong = [*_wrong(held, tally), *_reading(held.item, held.solution, tally, rng)]
+        wrong += _recomputed(forward(setting), held.solution, tally, rng)
+        count[recipe]["faulty" if wrong else held.solution.strategy] += 1
+        for fault in wrong:
+            print(f"{held.item.id} {setting.query.kind}: {fault}", flush=True)
     for recipe in names:
         print(f"{recipe:16} {dict(count[recipe])}")
     for held, times_said in why.most_common(40):
