@@ -71,12 +71,15 @@ def test_a_string_goes_slack_at_a_height_that_is_reached() -> None:
     assert "t" not in found.values
 
 
-def test_a_carriage_is_fastest_where_the_rod_stops_pulling_it_one_way() -> None:
+def test_a_carriage_is_fastest_where_the_rod_hangs_whatever_the_angle_at_which_it_began() -> None:
+    """From above its axle the rod pushes at first, so that its sense of pull is no reason."""
     query = StretchQuery("extremum", None, Stopped(CART), "greatest speed", CART)
     found = derived(swinging(), query)
     fall = 2.0 * 0.9 * G * (1.0 - cos(radians(50.0)))
     assert found.answer == pytest.approx(1.4 * sqrt(fall / (4.6 * 3.2)))
-    assert "one way until it hangs straight down, and the other way afterwards." in found.text
+    speed = r"\frac{\cos^{2} \varphi\,\left(\cos\varphi - \cos\theta\right)}{M + m \sin^{2} \varphi}"
+    assert f"proportional to ${speed}$." in found.text
+    assert r"The numerator is greatest, and the denominator least, at $\varphi = 0$." in found.text
     assert "moves the opposite way." in found.text
     assert "in the opposite direction" not in found.text
 

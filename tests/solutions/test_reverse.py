@@ -1,11 +1,14 @@
 """Numbers found from given results: the equation that is solved, both of its roots, and the sign of a magnitude."""
 
+from math import sqrt
+
 import pytest
 
 from sim2reason.solutions import Solution
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
+from worked import solution_text
 
 TENSION = (
     "On a smooth floor a prism (2.4 kg) with smooth faces at 54° (left) and 32° (right) to the horizontal"
@@ -160,3 +163,10 @@ def test_the_other_angle_with_a_sine_is_more_than_a_right_angle() -> None:
     found = solve_prompt(ENERGY)[0]
     assert "The other angle with this sine, $144.10^\\circ$, is more than $90^\\circ$." in found.text
     assert any(r.role == "exceeds" and r.left.latex() == r"\pi - \theta" for r in found.relations)
+
+
+def test_numbers_whose_difference_is_small_have_guard_digits() -> None:
+    """A quadratic in I₀ whose root is the difference of 2.0211 and 1.8131: five digits of each leave four."""
+    text = solution_text("rotation-medium-reverse-72-19")
+    assert r"$I_0 = \frac{\sqrt{4.084869} - 1.813135}{7.29} = 0.028528\ \text{kg m}^2$" in text
+    assert (sqrt(4.084869) - 1.813135) / 7.29 == pytest.approx(0.028528, rel=2e-5)

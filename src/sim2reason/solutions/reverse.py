@@ -9,7 +9,7 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, numbers
+from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, loses_digits, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
 from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
@@ -62,6 +62,7 @@ class Inversion:
             raise UnsolvedError("what is given does not hang on what is unknown")
         self.stated, self.magnitude = value, magnitude
         self._found: list[tuple[str, Expression]] = []  # names from the goal to the unknown, with their formulas
+        self._guarded = False  # whether numbers are written with guard digits, since digits cancel
         self._inserted: list[str] = []  # names whose formulas were put in since the last name was found
         self._defined = book.formulas[goal]
         self._roots = OtherRoots(book, unknown, lambda name: self._chain(name, *self._leading(name)))
@@ -84,6 +85,7 @@ class Inversion:
                     if names[0] == self.unknown:
                         return self.unknown
                     at, (formula, value), self._inserted = names[0], self._equation(names[0]), []
+                    self._guarded = False
                     continue
             if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
                 return self._numerically(at)
@@ -131,8 +133,16 @@ class Inversion:
             power = as_power(short, name, book.worked)
             if power is not None:
                 return solved_for(name, power, value, book.values)
-            found = solved_for(name, short, value, book.values, lambda held: book.worked(held.factored()))
+            found = solved_for(name, short, value, book.values, self._worked)
+            if not isinstance(found, NumericRoot) and loses_digits(found, book.values):
+                self._guarded = True
+                found = solved_for(name, short, value, book.values, self._worked)
         return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
+
+    def _worked(self, held: Polynomial) -> Expression:
+        """Return a coefficient as the number that it comes to, with guard digits where digits cancel."""
+        found = self.book.worked(held.factored())
+        return replace(found, guarded=True) if self._guarded and isinstance(found, Worked) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
         """A formula of one unknown name with numbers for all else."""
@@ -156,7 +166,7 @@ class Inversion:
             sides = stated_equation(name, formula, value, Polynomial.factored)
         else:
             short = self._in_numbers(name, formula)
-            sides = stated_equation(name, short, value, lambda held: self.book.worked(held.factored()))
+            sides = stated_equation(name, short, value, self._worked)
         return sides or self._put_together(name, found, formula, value)
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:

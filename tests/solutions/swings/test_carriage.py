@@ -47,7 +47,7 @@ from sim2reason.solutions.solution import WELL
 from sim2reason.solutions.swings.carriage import riding
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
-from worked import asked
+from worked import asked, solution_text
 
 NAME = "momentum and energy on a carriage"
 G, M, SMALL, LENGTH, THETA = 9.8, 3.2, 1.4, 0.9, radians(50.0)
@@ -215,6 +215,27 @@ def test_a_block_pulls_the_carriage() -> None:
     rise = (SMALL * G * sin(THETA) * cos(THETA) - heavy * G) / (M + heavy + SMALL * sin(THETA) ** 2)
     close(made, Query("start", Target("acceleration", CART), AtStart()), abs(rise))
     close(made, Query("start", Target("tension", made.mechanism.lines[0].name), AtStart()), heavy * (G + rise))
+
+
+def test_a_block_that_hangs_counts_as_part_of_the_carriage() -> None:
+    """It moves vertically, so that neither its weight nor its momentum is along the rail."""
+    text = solution_text("mixed-hard-multipart-301933-0")
+    said = (
+        "Block B moves vertically as fast as the carriage along the rail, so it acts as a mass $m_B$ fixed to the "
+        "carriage that a force $m_B g$ pulls to the right. The force along the rail"
+    )
+    assert text.count(said) == 1
+    assert "carriage and block B" not in text
+    assert "At this moment, the arm being on the other side of the vertical, in the frame" in text
+    assert "the angular acceleration of the arm, clockwise, is" in text
+    assert "rod" not in text
+
+
+def test_an_arm_makes_its_carriage_fastest_at_its_lowest_point() -> None:
+    """V² ∝ cos² φ (cos φ − cos θ)/(M I − S² cos² φ)."""
+    made, *_ = arm(rod=False)
+    text = derived(asked(made, StretchQuery("extremum", None, WholeMotion(), "greatest speed", CART))).text
+    assert r"\cos^{2} \varphi\,\left(\cos\varphi - \cos\theta\right)" in text
 
 
 def test_what_takes_the_time_is_left_to_integration() -> None:

@@ -5,9 +5,10 @@ from collections.abc import Iterator, Mapping
 from sim2reason.record import record
 from sim2reason.solutions.algebra.digits import rounded, shortened, with_guard_digits
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
+from sim2reason.solutions.algebra.expressions import Expression, Number, Scalar, Values
 
 NEWTON = 6  # steps from a root that is known nearly
+WRITTEN = 5e-5  # relative: how well a result of five digits follows from the numbers beside it
 STEP = 1e-30  # imaginary: a derivative by it is exact
 
 
@@ -132,6 +133,18 @@ def numbers(held: Expression) -> Iterator[Expression]:
         return
     for part in held.parts:
         yield from numbers(part)
+
+
+def loses_digits(held: Expression, at: Values) -> bool:
+    """Return whether the numbers in a formula, as they are written, come to another result than the formula."""
+    exact = held.value(at).real
+    return abs(_as_written(held).value(at).real - exact) > WRITTEN * abs(exact)
+
+
+def _as_written(held: Expression) -> Expression:
+    if isinstance(held, Worked):
+        return Number(shortened(held.comes_to))
+    return held.built_of([_as_written(part) for part in held.parts]) if held.parts else held
 
 
 def is_special(held: Expression) -> bool:

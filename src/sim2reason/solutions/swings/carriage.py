@@ -1,6 +1,6 @@
 """A carriage that slides along a level rail, with an arm that swings on it and strings along the rail that pull it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import copysign
 
@@ -10,7 +10,7 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.functions import summed
-from sim2reason.solutions.setting import LEVEL, Setting, joined
+from sim2reason.solutions.setting import LEVEL, Setting, capital
 from sim2reason.solutions.swings.arm import Arm
 from sim2reason.solutions.writing.steps import Book
 
@@ -84,13 +84,13 @@ class Carriage:
         assert found is not None, "who asks has seen that something swings on it"
         self.setting, self.riding = setting, found
         self.arm = Arm(setting, book, found.arm)
-        rail = setting.mechanism.body[found.carriage].coordinates[0].axis
-        self.forward = copysign(1.0, float(product(rail, self.arm.way(setting.mechanism))))
+        self._rail = setting.mechanism.body[found.carriage].coordinates[0].axis
+        self.forward = copysign(1.0, float(product(self._rail, self.arm.way(setting.mechanism))))
 
     @property
     def way(self) -> str:
         """Return the forward direction of the rail, in words."""
-        x, y, z = self.setting.mechanism.body[self.riding.carriage].coordinates[0].axis
+        x, y, z = self._rail
         return self.setting.towards((self.forward * x, self.forward * y, self.forward * z))
 
     @property
@@ -156,6 +156,19 @@ class Carriage:
 
         return self.read(force)
 
+    @property
     def noun(self) -> str:
-        """The carriage, and what moves with it."""
-        return joined([self.setting.called(body) for body in self.moving_along])
+        """The carriage, in words."""
+        return self.setting.called(self.riding.carriage)
+
+    def hanging(self) -> Iterator[str]:
+        """Yield a sentence for each body that hangs from a string: it counts as part of the carriage."""
+        x, y, z = (self.forward * part for part in self._rail)
+        for pull in self.riding.pulls:
+            if pull.body:
+                way = self.setting.towards((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
+                mass, weight = (held.latex() for held in (self.mass(pull.body), self._weight(pull.body)))
+                yield (
+                    f"{capital(self.setting.called(pull.body))} moves vertically as fast as {self.noun} along the "
+                    f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {way}."
+                )

@@ -9,7 +9,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.swings.angle import STRAIGHT, SwingAngle
 from sim2reason.solutions.swings.carriage import Carriage
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -41,6 +41,7 @@ class CarriageAngle(SwingAngle):
     # ---- what SwingAngle asks
 
     _far: Symbol | None = None  # how far the carriage has come, where that is given
+    _told_hanging = False
 
     @property
     def goes_round(self) -> bool:
@@ -74,7 +75,7 @@ class CarriageAngle(SwingAngle):
 
     def _at_extreme(self) -> Expression:
         if abs(self.now) < NEAR:
-            self._tell_pull()
+            self._tell_greatest()
             self._say(f"{self.swings} hangs straight down")
             return ZERO
         if not self.still:
@@ -82,15 +83,28 @@ class CarriageAngle(SwingAngle):
         self._say(f"{self.swings} turns back")
         return self._turned()
 
-    def _tell_pull(self) -> None:
-        """Write why the carriage is fastest where the arm hangs straight down, if it begins below its axle."""
+    def _tell_greatest(self) -> None:
+        """Write why the carriage is fastest where the arm hangs straight down, whatever the angle at which it began."""
         if self.setting.query.subject not in self.carriage.moving_along or self.driving_force != ZERO:
             return
-        step = self.book.open("extreme")
-        if self.began < 0.5 * pi:
-            pulls = f"{capital(self.swings)} pulls {self.carriage.noun()} one way"
-            step.say(f"{pulls} until it hangs straight down, and the other way afterwards.")
+        step, angle, total = self.book.open("extreme"), self.book.fresh(r"\varphi"), self.carriage.total_mass
+        if self.lone:
+            inertia = self.carriage.sliding_mass + self.mass * Power(Call("sin", angle), 2)
+        else:
+            inertia = total * self.arm.inertia - Power(self.moment * Call("cos", angle), 2)
+        fallen = Power(Call("cos", angle), 2) * (Call("cos", angle) - self.cosine_first)
+        step.say(f"Where {self.swings} makes the angle ${angle.name}$ with the downward vertical, momentum and energy")
+        step.say(
+            f"make the square of the speed of {self.carriage.noun} proportional to ${(fallen / inertia).latex()}$."
+        )
+        step.say(f"The numerator is greatest, and the denominator least, at ${angle.name} = 0$.")
         step.close()
+
+    def _hanging(self) -> list[str]:
+        """Return what is to be said, once, of bodies that hang from strings of the carriage."""
+        said = [] if self._told_hanging else [*self.carriage.hanging()]
+        self._told_hanging = True
+        return said
 
     @property
     def swings(self) -> str:
@@ -118,10 +132,8 @@ class CarriageAngle(SwingAngle):
             return -self.first
         tilt = self.book.fresh(r"\beta")
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
-        said = (
-            "In the frame that accelerates along the rail with the common centre of mass, "
-            "the effective gravity is tilted by the angle"
-        )
+        lead = "In the frame that accelerates along the rail with the common centre of mass,"
+        said = " ".join([*self._hanging(), lead, "the effective gravity is tilted by the angle"])
         self.book.told("tilt", said, tilt, formula, DEGREES)
         said, whole = (
             f"About this direction {self.swings} oscillates symmetrically, so it turns back at",

@@ -6,6 +6,7 @@ a uniform acceleration to all: in the frame that has it, momentum is kept, and i
 """
 
 from sim2reason.lazy import cached_property
+from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.swings.carriage_angle import TWO, CarriageAngle
@@ -72,10 +73,12 @@ class CarriageLaws(CarriageAngle):
         c, lowest = self.carriage, self.angle == ZERO
         who = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
         seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
-        where = f"When {who} is at the lowest point" if lowest else "At this moment"
-        lead = f"{where}, {seen}let {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$."
+        beyond = isinstance(self.setting.query.moment, Deflected) and self.now < 0.0
+        side = f", {self.swings} being on the other side of the vertical" if beyond else ""
+        where = f"When {who} is at the lowest point" if lowest else f"At this moment{side}"
+        lead = f"{where}, {seen}let {self.swings} turn at ${turns.name}$ and {c.noun} move at ${runs.name}$."
         if not self.lone:
-            return lead, f"The horizontal velocity of {who} relative to {c.noun()} is opposite to ${runs.name}$."
+            return lead, f"The horizontal velocity of {who} relative to {c.noun} is opposite to ${runs.name}$."
         along = (self.length * turns * self.cosine).latex()
         across = (
             "" if self.sine == ZERO else f" and the vertical component ${(self.length * turns * self.sine).latex()}$"
@@ -83,9 +86,9 @@ class CarriageLaws(CarriageAngle):
         velocity = f"the horizontal velocity ${along}$" if not across else f"the horizontal component ${along}${across}"
         return (
             lead,
-            f"The velocity of {who} relative to {c.noun()} has {velocity}, and {c.noun()} moves the opposite way."
+            f"The velocity of {who} relative to {c.noun} has {velocity}, and {c.noun} moves the opposite way."
             if across
-            else f"Relative to {c.noun()}, {who} has {velocity}; {c.noun()} moves the opposite way.",
+            else f"Relative to {c.noun}, {who} has {velocity}; {c.noun} moves the opposite way.",
         )
 
     def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
@@ -105,10 +108,8 @@ class CarriageLaws(CarriageAngle):
         """Write by how much a pull along the rail accelerates all."""
         if self.driving_force == ZERO:
             return ZERO
-        said, name = (
-            "The force along the rail gives the common centre of mass the acceleration",
-            self.book.fresh("a", "0"),
-        )
+        lead = "The force along the rail gives the common centre of mass the acceleration"
+        said, name = " ".join([*self._hanging(), lead]), self.book.fresh("a", "0")
         return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
 
     @cached_property
@@ -122,7 +123,7 @@ class CarriageLaws(CarriageAngle):
         over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
         formula = self.moment * over / self.carriage.total_mass
         said = "The common centre of mass does not move along the rail, so the displacement of "
-        said += f"{self.carriage.noun()} is"
+        said += f"{self.carriage.noun} is"
         return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes
@@ -145,17 +146,18 @@ class CarriageLaws(CarriageAngle):
         pull, mass = self.radial_pull, self.mass
         who = self.setting.called(self.arm.bodies[0])
         if self.sine == ZERO:
-            said = f"By Newton's second law along the rod for {who}, in the frame of the carriage,"
+            said = f"By Newton's second law along {self.swings} for {who}, in the frame of {c.noun},"
             return book.told("rod", said, name, mass * pull, NEWTONS), ZERO
         step, a = book.open("rod"), book.fresh("a", r"\text{c}")
         pulled = self.driving_force + name * self.signed
         along = step.law(name, mass * (pull - a * self.signed))
         rail = step.law(c.sliding_mass * a, pulled)
-        step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()}")
-        step.say(f"{c.way}, which causes an inertial force in its frame. Along the rod, for {who}: {along}.")
+        step.say(*self._hanging())
+        step.say(f"Let ${name.name}$ be the force in {self.swings} and ${a.name}$ the acceleration of {c.noun}")
+        step.say(f"{c.way}, which causes an inertial force in its frame. Along {self.swings}, for {who}: {along}.")
         step.say("Along the rail, for")
         over = c.sliding_mass * pull - self.driving_force * self.signed
-        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
+        step.say(f"{c.noun}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
         step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
         step.close()
         return name, a
@@ -169,7 +171,10 @@ class CarriageLaws(CarriageAngle):
             return self._turned_up[1]
         if self.sine != ZERO:
             return self._pulled[1]
-        said = "The force in the rod has no component along the rail, so the acceleration of the carriage is"
+        lead = (
+            f"The force in {self.swings} has no component along the rail, so the acceleration of {self.carriage.noun}"
+        )
+        said = " ".join([*self._hanging(), f"{lead} {self.carriage.way} is"])
         name = self.book.fresh("a", r"\text{c}")
         return self.book.told("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
 
@@ -183,7 +188,8 @@ class CarriageLaws(CarriageAngle):
         formula = (self.gravity * self.signed + back) / self.length
         if self.book.value(formula) == 0.0:
             return ZERO
-        said = "Along the circle, with weight and inertial force,"
+        counted = f"the angular acceleration of {self.swings}, {self.carriage.turning}, is"
+        said = f"Along the circle, with weight and inertial force, {counted}"
         return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     @cached_property
@@ -196,8 +202,9 @@ class CarriageLaws(CarriageAngle):
         weight = self.gravity * self.signed
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
+        step.say(*self._hanging())
         step.say(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
-        step.say(f"the acceleration of {c.noun()} {c.way}. Along the rail, with all masses: {rail}.")
+        step.say(f"the acceleration of {c.noun} {c.way}. Along the rail, with all masses: {rail}.")
         step.say("About the axle, with the inertial")
         over = s * (c.total_mass * weight + self.cosine * held)
         step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
