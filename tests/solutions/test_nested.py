@@ -122,8 +122,9 @@ def test_the_second_of_two_cases_is_told_after_the_first() -> None:
     found = doubling_the_speed(scene, "increase", way)
     assert found.strategy == "comparison of two cases"
     before, after = found.text.split(r"With $v$ doubled", 1)
-    assert "a_1" not in before
-    assert "a_1" in after
+    assert "It turns back" in before
+    assert "It would turn back only after" in after
+    assert "a_1" not in found.text  # the acceleration is that of the first case
 
 
 def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:

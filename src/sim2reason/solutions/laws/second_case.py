@@ -1,14 +1,15 @@
-"""The second of two cases told briefly: laws that repeat those of the first under new names are not set up again."""
+"""The second of two cases told briefly: what is the same in both is neither set up nor computed again."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.multipart.quantities import LABEL
 from sim2reason.solutions.multipart.quoting import labelled
-from sim2reason.solutions.multipart.renaming import TOKEN
+from sim2reason.solutions.multipart.renaming import TOKEN, renamed_step
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.subscripts import split
 
 KEPT = "verify", "solve"  # kinds of steps that are told again, under new names
 FEW = 20  # words, of which it is not worth while to leave out fewer
@@ -31,6 +32,67 @@ def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> N
     for number, step in enumerate(second):
         kept = replace(step, text=told if step is repeated[0] else "") if step in repeated else labelled(step, labels)
         book.steps[begun + number] = kept
+
+
+def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[str, str]:
+    """Drop the steps from `begun` on whose results the first case has, and return its names for theirs.
+
+    `stated` are the names of numbers that the question says which the first case has. Where a motion has several
+    phases, or a result hangs on an unknown, each case is told in full.
+    """
+    first, second = book.steps[:begun], book.steps[begun:]
+    if book.phases or book.hidden or any(step.integration for step in second):
+        return {}
+    alike = ((new, old) for new in book.stated.keys() - stated for old in stated if _same_given(book, new, old))
+    names, places, kept = dict(alike), dict[int, int](), list[Step]()
+    for held in second:
+        step = labelled(renamed_step(held, names), names)
+        for other in first:
+            pairs = _renaming(step.text, other.text) if step.kind == other.kind else None
+            if pairs is not None and all(_same_result(book, new, old) for new, old in pairs.items()):
+                names |= pairs
+                places[step.id] = other.id
+                break
+        else:
+            kept.append(step)
+    names = {new: old for new, old in names.items() if new != old}
+    kept = [step for step in kept if not _is_idle_law(step, kept, first, book)]
+    places |= {step.id: begun + number for number, step in enumerate(kept)}
+    kept = [labelled(renamed_step(step, names), names) for step in kept]
+    book.rewrite(begun, [_moved(step, places) for step in kept])
+    for name in names:
+        book.stated.pop(name, None)
+    return names
+
+
+def _same_given(book: Book, new: str, old: str) -> bool:
+    """Return whether two names stand for one number of the question, which each case states."""
+    return book.stated[new] == book.stated[old] and split(new)[0] == split(old)[0]
+
+
+def _same_result(book: Book, new: str, old: str) -> bool:
+    """Return whether two names have one value, or are labels of equations."""
+    if new == old or LABEL.fullmatch(new):
+        return True
+    return new in book.values and book.values.get(old) == book.values[new]
+
+
+def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: Book) -> bool:
+    """Return whether a step sets up laws that the first case has, too, and nothing that is kept rests on them."""
+    if step.kind in KEPT or any(name in book.values for name in step.gives):
+        return False
+    used = {match[0] for other in kept if other is not step for match in TOKEN.finditer(other.text)}
+    needed = any(step.id in other.needs for other in kept)
+    renamings = (_renaming(step.text, other.text) for other in first)
+    return not needed and any(
+        pairs is not None and all(new == old or new not in used for new, old in pairs.items()) for pairs in renamings
+    )
+
+
+def _moved(step: Step, places: Mapping[int, int]) -> Step:
+    """Return a step at its new place, with what it needs at the places of that."""
+    needs = {places.get(place, place) for place in step.needs}
+    return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 
 
 def _same_laws(names: Mapping[str, str]) -> str:

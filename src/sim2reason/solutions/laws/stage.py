@@ -20,7 +20,7 @@ from sim2reason.solutions.laws.common_rates import STILL, Shared
 from sim2reason.solutions.laws.either_way import acceleration_over_distance
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, speed_words
 from sim2reason.solutions.laws.stage_end import End
-from sim2reason.solutions.laws.turning_back import tell_not_turned, turned_before
+from sim2reason.solutions.laws.turning_back import tell_not_turned, tell_turning_only_later, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.comparing import why_this_time
@@ -118,7 +118,9 @@ class Stage:
         begun, late = self._begun(shared), self._value(shared, moved=False)
         early = self.book.value(begun.expression())
         if not early or early * late >= -STILL * abs(early):
-            return self._size(self._travelled(shared).expression())
+            gone = self._travelled(shared).expression()
+            tell_turning_only_later(self.book, begun.factored(), shared.symbol, self.written_time)
+            return self._size(gone)
         step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
         formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
         where = f"at {step.result(name, formula, METRES, law=True)}"

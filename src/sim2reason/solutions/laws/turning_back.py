@@ -19,6 +19,18 @@ def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time:
     return f", after {step.verified(name, formula, SECONDS)}, which is less than ${time.name}$"
 
 
+def tell_turning_only_later(book: Book, begun: Expression, a: Symbol, time: Symbol | None) -> None:
+    """Write that a velocity that begins as `begun` and decreases becomes zero only after a time, if it is known."""
+    formula = Quotient(-begun, a)
+    if time is None or book.is_hidden(formula) or book.is_hidden(time) or not book.value(formula) > 0.0:
+        return
+    step, name = book.open("verify"), book.fresh("t", r"\text{turn}")
+    exceeds(book, step, formula, time)
+    told = step.verified(name, formula, SECONDS)
+    step.say(f"It would turn back only after {told}, which is more than ${time.name}$, so this is the distance.")
+    step.close()
+
+
 def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
     """Write that a body still moves on at a time, so that it is there for the first time."""
     if book.in_symbols:

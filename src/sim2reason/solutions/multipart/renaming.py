@@ -33,7 +33,7 @@ def renamed(solution: Solution, names: Names) -> Solution:
 
     return replace(
         solution,
-        steps=tuple(_step(step, names) for step in solution.steps),
+        steps=tuple(renamed_step(step, names) for step in solution.steps),
         values={of(name): value for name, value in solution.values.items()},
         goal=of(solution.goal),
         stated=tuple(map(of, solution.stated)),
@@ -99,7 +99,8 @@ def _inside(value: "Expression | tuple[object, ...]", names: Names) -> object:
     )
 
 
-def _step(step: Step, names: Names) -> Step:
+def renamed_step(step: Step, names: Names) -> Step:
+    """Return a step with other names; those that `names` lacks are kept."""
     held = step.integration
     return replace(
         step,

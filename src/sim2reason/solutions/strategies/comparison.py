@@ -15,7 +15,7 @@ from sim2reason.solutions.laws.nested import (
     with_changed_scene,
     with_other_value,
 )
-from sim2reason.solutions.laws.second_case import shorten_second_case
+from sim2reason.solutions.laws.second_case import reuse_first_case, shorten_second_case
 from sim2reason.solutions.laws.still_holds import verify_again
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
@@ -97,9 +97,11 @@ class TwoCases(Strategy):
         step.say(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
         step.close()
         other, begun = with_changed_scene(inner, changed, query.path, new.name), len(book.steps)
-        checks = {**book.checks}
+        checks, stated, late = {**book.checks}, {*book.stated}, len(book.afterwards)
         after = solved(other, book, _closed(other))
         book.checks = checks  # strings are told to stay taut in the first case alone
+        if len(book.afterwards) == late:  # what is written in the end has names of its own
+            after = reuse_first_case(book, begun, stated).get(after, after)
         shorten_second_case(book, begun, {new.name: symbol})
         return compared(book, query, goal, after)
 

@@ -1,6 +1,6 @@
 """A book in which each name has one value, and into which a worked solution is written step by step."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from math import degrees
 
@@ -145,6 +145,11 @@ class Book(FreshNames):
     def worked(self, formula: Expression) -> Expression:
         """A formula of which the number alone is written, unless that hangs on what is unknown."""
         return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
+
+    def rewrite(self, begun: int, steps: Sequence[Step]) -> None:
+        """Put other steps in place of those from a number on, which have the numbers that follow."""
+        self.steps[begun:] = steps
+        self._source = {name: step.id for step in self.steps for name in step.gives}
 
     def begin_phase(self, begins: str, ends: str) -> None:
         """Let the steps from now on belong to another phase of the motion."""
