@@ -94,7 +94,8 @@ def test_a_function_and_its_value_have_names_of_their_own() -> None:
 
 def test_an_angular_acceleration_of_either_sign_is_no_magnitude() -> None:
     """Of an arm in symbols the centre of mass may be on either side, so that S may be negative."""
-    assert "Apart from its sign, the torque of gravity" in solution_text("rotation-hard-symbolic-301926-1")
+    text = solution_text("rotation-hard-symbolic-301926-1")
+    assert "Apart from its sign, the angular acceleration is the torque of gravity" in text
 
 
 def test_the_position_without_a_tangential_component_is_named() -> None:

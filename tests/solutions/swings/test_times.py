@@ -54,6 +54,13 @@ def test_a_bob_let_go_comes_down_after_a_quarter_of_its_period(angle: float, qua
     assert found == pytest.approx(quarter / RATE, rel=1e-9)
 
 
+def test_the_angle_in_the_integral_is_introduced() -> None:
+    setting = asked(SCENE, Query("time_to_event", None, LowestPoint(BOB)))
+    text = solve(setting).text
+    assert r"Let $\varphi$ be the angle from the lowest position. By conservation of energy, $\dot\varphi^{2}$" in text
+    assert "the time since the lowest position is" in text
+
+
 def test_a_bob_on_a_rod_goes_over_the_top() -> None:
     """With k = 2 the time to the top is K(1/k)/(k ω₀)."""
     query = Query("time_to_event", None, HighestPoint(BOB))

@@ -38,15 +38,16 @@ class SwingTime:
         name, step = self.book.fresh("k"), self.book.open("modulus")
         told = step.result(name, formula, "", law=True)
         k, rate = name.latex(), self.natural.latex()
+        step.say(r"Let $\varphi$ be the angle from the lowest position.")
         step.say(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
         step.say(rf"(\varphi/2))$ with {told}.")
         if self.book.values[name.name] > 1.0:
-            said = rf"With $\psi$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}}"
+            said = rf"With $\psi$ for $\varphi/2$, the time since the lowest position is $\frac{{1}}{{{k} {rate}}}"
             said += rf" \operatorname{{F}}(\psi, 1/{k})$"
             square = rf"\sin^{{2}}\vartheta/{k}^{{2}}"
         else:
-            said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, a time is $\frac{{1}}{{{rate}}}"
-            said += rf" \operatorname{{F}}(\psi, {k})$"
+            said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, the time since the lowest position is"
+            said += rf" $\frac{{1}}{{{rate}}} \operatorname{{F}}(\psi, {k})$"
             square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
         step.say(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
         step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
