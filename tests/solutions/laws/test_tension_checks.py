@@ -59,7 +59,7 @@ def test_a_string_within_a_row_of_blocks_has_a_tension_of_its_own() -> None:
     """It cancels at once; of an unknown angle that follows in the end."""
     text = solved(ROW)
     assert "The strings stay taut, as the tension $T_{AB} = m_A" in text
-    assert "in the string between block A and block B, $T_2 = " in text
+    assert "in the string between block A and block B, $T_1 = " in text
     assert text.index("= 64.0") < text.index("The strings stay taut")
 
 

@@ -42,3 +42,16 @@ def test_parts_write_no_equation_that_they_do_not_use() -> None:
     assert "17.050" not in text
     assert third.count("In numbers") == 1
     assert "(2) + (3)" not in fourth
+
+
+def test_an_acceleration_bound_to_another_keeps_its_name_and_all_tensions_are_checked() -> None:
+    text = solution_text("hybrid-hard-numeric-301932-1")
+    assert r"the acceleration $a_A = 2\,a_D = 1.3288\ \text{m/s}^2$ is positive" in text
+    assert "The strings stay taut, as the tension $T_{BC} = " in text
+    assert r"$T_2 = m_B g + T_{BC} - 2\,m_B a_D = 154.18\ \text{N}$ are positive." in text
+
+
+def test_what_leads_to_a_formula_that_the_text_has_is_not_told_after_the_answer() -> None:
+    text = solution_text("pulley-medium-symbolic-301932-0")
+    assert "Inserting $v_A$ and $a_A$ into the equation for $K_A$ gives" in text
+    assert "In terms of the given quantities" not in text

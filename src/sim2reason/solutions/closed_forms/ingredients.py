@@ -102,10 +102,16 @@ class _LastAlgebra:
         yield from _summands(self._formulas[whole], names) or [Symbol(name) for name in names]
 
     def _on_the_way(self) -> list[str]:
-        """Return all names on which the formula of the answer hangs, in the order in which they are defined."""
+        """Return the names on which the formula of the answer hangs, in the order in which they are defined.
+
+        What leads to a name that the text has in terms of what is given is left out.
+        """
         found, waiting = set[str](), [self._whole]
         while waiting:
-            new = {*self._parts(waiting.pop())} - found
+            name = waiting.pop()
+            if name != self._whole and self._is_said(name):
+                continue
+            new = {*self._parts(name)} - found
             found |= new
             waiting += new
         return [name for name in self._formulas if name in found]
@@ -121,6 +127,11 @@ class _LastAlgebra:
             relation = Relation(part, found.expression, "derived")
             if relation.latex() not in self._said and self._holds(relation):
                 yield relation
+
+    def _is_said(self, name: str) -> bool:
+        """Return whether the text has a quantity in terms of what is given."""
+        found = self._closed(Symbol(name))
+        return found is not None and Relation(Symbol(name), found.expression, "derived").latex() in self._said
 
     def _is_plain(self, name: str) -> bool:
         """Return whether one formula gives a quantity in terms of what is given, or of constants."""

@@ -24,6 +24,7 @@ class Dynamics:
         self.newton = Newton(setting.lexicon, segment)
         self.mechanism = setting.mechanism
         self.names: dict[str, Polynomial] = {}  # of the unknowns of Newton's laws, in the symbols of the book
+        self.bound: dict[str, Polynomial] = {}  # accelerations by those of others to which strings bind them
         self.shared: list[Shared] = []
         self.groups: list[list[Row]] = []
         self.sense: dict[int, int] = {}

@@ -5,7 +5,7 @@ from math import isinf
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
-from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, tell_not_held
@@ -98,10 +98,21 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
     if isinstance(relative, Symbol):
         told = f"the acceleration ${relative.latex()}$"
     else:
-        name = book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
+        own = None if under else _unvalued(dynamics, faces[0])
+        name = own or book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
         told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
     step.say(f"Even against friction {told} is positive, so {joined(_slides(dynamics, faces))}.")
     step.close()
+
+
+def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
+    """Return the symbol of the acceleration in the sense of slip, which a string binds to that of another body."""
+    slips = [*dynamics.newton.slip(face).items()]
+    if len(slips) != 1:
+        return None
+    ((k, factor),) = slips
+    held = (factor.scaled(dynamics.newton.rough[face]) * dynamics.names.get(f"q{k}", NIL)).expression()
+    return held if isinstance(held, Symbol) and held.name in dynamics.bound else None
 
 
 def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:

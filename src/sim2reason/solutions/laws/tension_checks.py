@@ -99,7 +99,7 @@ def _ready(
         name = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
         for row in rows:
             if f"T{place}" in row.zero.names():
-                law = row.zero.put(symbols)
+                law = row.zero.put(symbols).put(dynamics.bound)
                 if name in law.names() and law.names() - {name} <= known:
                     found.append((place, law))
     return min(found, key=lambda pair: len(pair[1].terms), default=None)

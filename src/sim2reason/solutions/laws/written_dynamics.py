@@ -62,7 +62,7 @@ class DynamicsWriter:
         self._labels: list[str] = []
         self.inline: dict[str, Polynomial] = {}  # normal forces that weights alone give
         self.pressed: dict[str, Polynomial] = {}  # the others, in terms of accelerations
-        self.bound: dict[str, Polynomial] = {}  # accelerations by others
+        dynamics.bound = {}
 
     def _open(self, kind: str) -> Writing:
         """Begin a step that is kept only if something rests on it."""
@@ -76,7 +76,7 @@ class DynamicsWriter:
         self._introduce()
         equations = [*self._strings(), *self._faces()]
         groups = self.d.groups
-        known = self.bound | self.pressed
+        known = self.d.bound | self.pressed
         rows = [self._equation(group, labelled=len(groups) > 1) for group in groups]
         self._tell(groups, rows)
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
@@ -162,13 +162,13 @@ class DynamicsWriter:
             zero = row.inertia.put(self.names)
             if not zero:
                 continue
-            zero = zero.put(self.bound)
+            zero = zero.put(self.d.bound)
             name = self._dependent(zero)
             rest = solved(zero, name)
             before = zero.coefficient(name).number
             assert before is not None
-            self.bound[name] = zero.without((name,)).scaled(-1.0 / before)
-            self.bound = {n: p.put({name: self.bound[name]}) for n, p in self.bound.items()}
+            self.d.bound[name] = zero.without((name,)).scaled(-1.0 / before)
+            self.d.bound = {n: p.put({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
             what = f"{capital(self._line(f'T{row.number}'))} does not stretch{doubled(self.d, row)}"
             step.say(f"{what}: {step.law(Symbol(name), rest)}.")
             found.append(Equation("", NIL, zero, NIL))
