@@ -86,7 +86,7 @@ def test_a_carriage_is_fastest_where_the_rod_hangs_whatever_the_angle_at_which_i
 
 def test_an_angle_is_the_arcsine_as_the_rod_rises_no_higher_than_at_first() -> None:
     found = derived(swinging(), Query("event", Target("displacement", BALL), Moved(CART, 0.1)))
-    assert r"It rises no higher than at the start, so $|\phi| < 90^\circ$." in found.text
+    assert r"It rises no higher than at the start, so $|\phi| \le \theta < 90^\circ$." in found.text
     assert "so the displacement of the" not in found.text  # it is the given distance
 
 

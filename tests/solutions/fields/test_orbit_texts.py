@@ -80,7 +80,7 @@ def test_the_equation_of_the_ellipse_comes_before_the_distance(quarters: int, to
 def test_components_of_a_velocity_have_a_reason(quarters: int) -> None:
     text = solved(state("velocity", Orbited(PAIR, quarters), ALONG_X)).text
     assert "The line from the star to the planet then has the direction of" in text
-    assert r"$\frac{h}{r}$ at right angles to it, counter-clockwise." in text
+    assert r"$\frac{h}{r}$ at right angles to it, counted counter-clockwise." in text
 
 
 def test_a_constant_has_its_unit_and_an_angular_momentum_its_point() -> None:

@@ -42,7 +42,7 @@ def test_a_string_along_a_smooth_slope_is_shown_to_stay_taut() -> None:
 
 def test_the_greatest_tension_is_at_an_end_of_the_motion_with_the_reason() -> None:
     text = solution_text("mixed-easy-symbolic-301917-3")
-    assert "The tension is therefore greatest at an end of the motion, here where crate A turns back." in text
+    assert "The tension is therefore greatest at one end of the motion; a comparison of both shows that it is" in text
     assert "The other root, zero, is the start." in text
     assert "each in the direction in which its body moves while $x$ grows, are added up, tensions cancel:" in text
 

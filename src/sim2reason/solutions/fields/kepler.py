@@ -233,9 +233,15 @@ class KeplerOrbit:
         step = self.book.open("distance")
         law = step.law(square, Power(distance, 2))
         who = capital(self.setting.called(self.body))
-        step.say(f"{self._lagrange(name)} {who} first reaches the distance ${distance.latex()}$ when {law}.")
+        step.say(
+            f"{self._lagrange(name)} {who} is at the distance ${distance.latex()}$ from its starting point when {law}."
+        )
         residual = square - Power(distance, 2)
-        step.say(told_root(self.book, step, name, residual, near, RADIANS, "The numerical solution is"))
+        step.say(
+            told_root(
+                self.book, step, name, residual, near, RADIANS, "The smallest positive solution, found numerically, is"
+            )
+        )
         step.close()
         return name
 

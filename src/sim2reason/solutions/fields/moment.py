@@ -20,6 +20,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES
 
 TWO, HALF = Number(2.0), Number(0.5)
 SAMPLES = 400
+FIRST = "The smallest positive solution, found numerically, is"
 
 
 class FieldMoment:
@@ -54,10 +55,8 @@ class FieldMoment:
         who = capital(self.setting.called(self.fields.body))
         step.rest_on(self.fields.law)
         step.say(self._course(moved=True))
-        step.say(f"{who} first reaches the distance ${distance.latex()}$ when {law}.")
-        step.say(
-            told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "The numerical solution is")
-        )
+        step.say(f"{who} is at the distance ${distance.latex()}$ from its starting point when {law}.")
+        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, FIRST))
         step.close()
         return name
 

@@ -85,9 +85,10 @@ class Turned(OrbitPlace):
         step.rest_on(label)
         across = self.orbit.momentum / self.radius
         if self._quarters == 2:
-            step.say("The radial velocity is the opposite of the initial one, since the sine has the opposite sign.")
+            step.say("The radial velocity is proportional to the sine of the angle turned since the nearest point, so")
+            step.say("after half a turn it is the opposite of the initial one.")
         step.say(f"The velocity is ${outward.latex()}$ along the line from {self._star} and, by the conservation of")
-        step.say(f"angular momentum, ${across.latex()}$ at right angles to it, counter-clockwise.")
+        step.say(f"angular momentum, ${across.latex()}$ at right angles to it, counted counter-clockwise.")
         step.label(VELOCITY)
         step.close()
         return VELOCITY

@@ -4,6 +4,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar
 
+from sim2reason.quantities.subjects.contacts import surface
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
@@ -134,7 +135,11 @@ class HeatGoal(SumGoal):
         """Return words for the energy that friction dissipates, for a rolling body by the slip of the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
-        return f"the energy that friction on {setting.called(target.subject)} dissipates{how}"
+        who, under = setting.called(target.subject), setting.mechanism.body[target.subject].parent
+        if under is not None or any(body.parent == target.subject for body in setting.mechanism.bodies):
+            on = surface(setting.mechanism, target.subject, setting.words.mentions)
+            return f"the energy that friction between {who} and {on} dissipates{how}"
+        return f"the energy that friction on {who} dissipates{how}"
 
 
 class HandWork(SumGoal):

@@ -38,10 +38,14 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
         elif f"f{face}" in used:
             (force,) = dynamics.names[f"f{face}"].names()
             way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
-            sticking.append(f"Static friction ${force}$ acts on {dynamics.setting.called(body)} {way}.")
+            who = dynamics.setting.called(body)
+            if dynamics.book.in_symbols:  # it may be of either sense
+                sticking.append(f"The static friction ${force}$ on {who} is counted as positive {way}.")
+            else:
+                sticking.append(f"Static friction ${force}$ acts on {who} {way}.")
     said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
     bodies = [body for some in ways.values() for body in some]
-    stacked = any(dynamics.mechanism.body[body].parent in bodies for body in bodies)  # and so rub on both faces
+    stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # and so rub on both faces
     begin = "From the surface beneath, friction" if stacked else "Friction"
     return [*([f"{begin} acts {joined(said)}."] if said else []), *sticking]
 

@@ -120,7 +120,8 @@ def tell_extreme_end(setting: Setting, book: Book, place: Symbol, mover: str) ->
     linear = f"is a linear function of ${place.name}$"
     step.say(f"The net force, and with it the acceleration, {linear}.")
     step.say(f"So is the {noun}." if noun not in ("acceleration", "net force") else "")
-    step.say(f"The {noun} is therefore {superlative} at an end of the motion, here where {mover} turns back.")
+    end = f"at one end of the motion; a comparison of both shows that it is where {mover} turns back"
+    step.say(f"The {noun} is therefore {superlative} {end}.")
     step.close()
 
 
@@ -131,6 +132,6 @@ def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, se
         stretched = extension(motion, n, place)
         if place == ZERO or not motion.laws.strain(n):
             continue  # the text says by how much, or the displacement does
-        size, how = (-stretched, "compressed") if stretched.negative else (stretched, "stretched")
-        said.append(f"{setting.springs[setting.mechanism.lines[n].name]} is {how} by ${size.latex()}$")
+        size, what = (-stretched, "compression") if stretched.negative else (stretched, "extension")
+        said.append(f"the {what} of {setting.springs[setting.mechanism.lines[n].name]} is ${size.latex()}$")
     return f"{capital(joined(said))}." if said else ""

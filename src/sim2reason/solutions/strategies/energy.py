@@ -240,7 +240,9 @@ class EnergyWay(SingleWay):
         when = f" when {self.setting.springs[relaxed]} has its natural length" if relaxed else ""
         forward = self._engine[1] >= 0.0
         velocity = f"${name.name}$" if forward else f"$-{name.name}$"
-        said = f"By the work-energy theorem, with the velocity {velocity} along ${self.name.name}${when}"
+        moving = f"the velocity {velocity} along ${self.name.name}$"
+        moving = f"the speed {velocity}" if self.book.in_symbols else moving  # it may move either way
+        said = f"By the work-energy theorem, with {moving}{when}"
         step.say(f"{said}: {law},")
         step.say(f"so {step.result(name, root, SPEED)}.")
         step.close()

@@ -179,7 +179,9 @@ class _OnOrbit(Way):
         orbit = self.orbit(body)
         if query.functional == "area swept":
             swift = modulus(orbit.momentum, self.book, of_either_sign=True)
-            said = "The area swept out per unit of time is half the angular momentum per unit mass, so in"
+            said = (
+                "The area swept out per unit of time is half the magnitude of the angular momentum per unit mass, so in"
+            )
             round_once = isinstance(query.moment, Orbited) and query.moment.degrees == ALL_ROUND
             said = f"{said} {'one period' if round_once else 'this time'} it is"
             return orbit.book.told("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
@@ -189,11 +191,11 @@ class _OnOrbit(Way):
         part = isinstance(query.moment, Orbited) and query.moment.degrees < ALL_ROUND
         if part or isinstance(query.moment, Farthest | Closest):
             orbit.tell_approach(far=far)
-        if which == "speed":
+        if which in ("speed", "pull"):
             step, where = self.book.open("extreme"), "greatest" if far else "least"
-            step.say(
-                f"By conservation of energy, the speed is {query.functional.partition(' ')[0]} at the {where} distance."
-            )
+            superlative, why = query.functional.partition(" ")[0], "the inverse-square law"
+            why, what = ("conservation of energy", "speed") if which == "speed" else (why, "acceleration")
+            step.say(f"By {why}, the {what} is {superlative} at the {where} distance.")
             step.close()
         given = self.setting.stated is not None and which == "radius"
         at = AtAnomaly(

@@ -244,7 +244,7 @@ class Oscillating(SingleWay):
             shift = held.swinging(self._angle).latex()  # as a function of time
             step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
         else:
-            changes = f"There ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
+            changes = f"At this place ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
             said = capital(self.fastest(held.balance)) if self._place == held.rest else changes
             step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
         step.close()
@@ -269,7 +269,7 @@ class Oscillating(SingleWay):
         places: list[Expression] = [ZERO]
         for time in turns:
             name = self.book.fresh(held.name.name.partition("_")[0])
-            places.append(self.book.told("turning", "It turns back at", name, held.turning(time), METRES))
+            places.append(self.book.told("turning", f"{self.standing} at", name, held.turning(time), METRES))
         return [Travelled(self, [*places, self._place])]
 
     @cached_property

@@ -154,9 +154,10 @@ class CarriageAngle(SwingAngle):
         step = self.book.open("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
         law = step.law(self.carriage.total_mass * far, gone)
-        step.say(f"Let ${name.name}$ be the angle of {self.swings} then, positive on the side on which it begins.")
-        if self.began < 0.5 * pi:
-            step.say(f"It rises no higher than at the start, so $|{name.name}| < 90^\\circ$.")
+        step.say(f"Let ${name.name}$ be the angle of {self.swings} with the downward vertical at this moment, positive")
+        step.say("on the side on which it begins.")
+        if self.began < 0.5 * pi and not self.book.in_symbols:
+            step.say(f"It rises no higher than at the start, so $|{name.name}| \\le {self.first.latex()} < 90^\\circ$.")
         said = "No external force acts along the rail, so the common centre of mass does not move along it:"
         step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
         self._far = far
@@ -215,4 +216,4 @@ class CarriageAngle(SwingAngle):
         across = squares([self.sine])
         if self.lone:
             return self.carriage.sliding_mass + self.mass * across
-        return self.carriage.total_mass * self.arm.inertia - Power(self.moment, 2) * Power(self.cosine, 2)
+        return self.carriage.total_mass * self.arm.inertia - Power(self.moment * self.cosine, 2)

@@ -105,7 +105,32 @@ class SwingState(SwingAngle):
             exceeds(self.book, step, PI / Number(2.0), name)
             step.say("As this is less than $90^\\circ$, the string stays taut until then.")
         step.close()
+        if self.line is not None and not self.book.in_symbols and self.book.is_hidden(formula):
+            self.book.afterwards.append(lambda: self._tell_reach(name))
         return -name if beyond else name
+
+    def _tell_reach(self, reach: Symbol) -> None:
+        """Write in the end, if it hangs on the unknown, that the string stays taut as far as it swings."""
+        step = self.book.open("verify")
+        exceeds(self.book, step, PI / Number(2.0), reach)
+        step.say(f"As ${reach.latex()}$ is less than $90^\\circ$, the string stays taut until then.")
+        step.close()
+
+    def _at_extreme(self) -> Expression:
+        if self.extreme != "fastest" and self.goes_round:
+            self._tell_top()
+        return super()._at_extreme()
+
+    def _tell_top(self) -> None:
+        """Write why it passes the top of the circle, unless numbers are not known."""
+        g, ell, begun = self.gravity, self.length, squares([self.launch])
+        needed = multiplied(Number(2.0), multiplied(multiplied(g, ell), added(ONE, self.cosine_first)))
+        if self.book.is_hidden(begun) or self.book.is_hidden(needed):
+            return
+        step = self.book.open("extreme")
+        exceeds(self.book, step, begun, needed)
+        step.say(f"As ${begun.latex()} > {needed.latex()}$, {self.who} still moves at the top of the circle.")
+        step.close()
 
     def _slack(self) -> Expression:
         """Where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
