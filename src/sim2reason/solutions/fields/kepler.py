@@ -19,7 +19,7 @@ from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
 
@@ -233,15 +233,9 @@ class KeplerOrbit:
         step = self.book.open("distance")
         law = step.law(square, Power(distance, 2))
         who = capital(self.setting.called(self.body))
-        step.say(
-            f"{self._lagrange(name)} {who} is at the distance ${distance.latex()}$ from its starting point when {law}."
-        )
+        step.say(f"{self._lagrange(name)} {who} is at the distance ${distance.latex()}$ from its starting point when")
         residual = square - Power(distance, 2)
-        step.say(
-            told_root(
-                self.book, step, name, residual, near, RADIANS, "The smallest positive solution, found numerically, is"
-            )
-        )
+        step.say(f"{law}.", told_root(self.book, step, name, residual, near, RADIANS, SMALLEST))
         step.close()
         return name
 

@@ -14,13 +14,12 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 
 TWO, HALF = Number(2.0), Number(0.5)
 SAMPLES = 400
-FIRST = "The smallest positive solution, found numerically, is"
 
 
 class FieldMoment:
@@ -56,7 +55,7 @@ class FieldMoment:
         step.rest_on(self.fields.law)
         step.say(self._course(moved=True))
         step.say(f"{who} is at the distance ${distance.latex()}$ from its starting point when {law}.")
-        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, FIRST))
+        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, SMALLEST))
         step.close()
         return name
 

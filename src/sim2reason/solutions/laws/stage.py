@@ -136,8 +136,7 @@ class Stage:
         """How far it has come at a constant velocity."""
         if not self.speeds.get(k, NIL):
             return before
-        time = self.time
-        step, name = self.book.open("distance"), self.book.fresh("s")
+        time, step, name = self.time, self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
         step.say(f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, METRES, law=True)}.")
         step.close()

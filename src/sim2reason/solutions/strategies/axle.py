@@ -174,9 +174,7 @@ class _Turning(SwingAngle):
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
-        said = (
-            "Apart from its sign, the angular acceleration is the torque of gravity divided by the moment of inertia,"
-        )
+        said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     # ---- quantities

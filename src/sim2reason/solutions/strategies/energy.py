@@ -241,9 +241,8 @@ class EnergyWay(SingleWay):
         forward = self._engine[1] >= 0.0
         velocity = f"${name.name}$" if forward else f"$-{name.name}$"
         moving = f"the velocity {velocity} along ${self.name.name}$"
-        moving = f"the speed {velocity}" if self.book.in_symbols else moving  # it may move either way
-        said = f"By the work-energy theorem, with {moving}{when}"
-        step.say(f"{said}: {law},")
+        moving = f"the speed ${name.name}$" if self.book.in_symbols else moving  # it may move either way
+        step.say(f"By the work-energy theorem, with {moving}{when}: {law},")
         step.say(f"so {step.result(name, root, SPEED)}.")
         step.close()
         return name if forward else -name

@@ -11,6 +11,7 @@ from sim2reason.solutions.writing.steps import Book, Writing
 LONG = 160  # characters of a formula that is better not written
 NamedRoot = tuple[Symbol, Expression, float]
 """What a root is called, the formula that vanishes there, and a number near it."""
+SMALLEST = "The smallest positive solution, found numerically, is"
 
 
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:

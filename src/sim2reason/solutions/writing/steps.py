@@ -81,8 +81,7 @@ class Book(FreshNames):
         """Give a name its value; a second one is a programmer's error."""
         if name in self.values and self.values[name] != value:
             raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
-        self.values[name] = value
-        self.units[name] = unit
+        self.values[name], self.units[name] = value, unit
 
     def say_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
@@ -97,8 +96,7 @@ class Book(FreshNames):
     def state(self, name: str, value: float, spelled: str) -> None:
         """Make a name that was written one that is given, in the words of the question."""
         self.hidden.discard(name)
-        self.values[name] = value
-        self.stated[name] = spelled
+        self.values[name], self.stated[name] = value, spelled
 
     def refresh(self, name: str, value: float) -> None:
         """Give the unknown a better value, and all that hangs on it."""
@@ -124,9 +122,7 @@ class Book(FreshNames):
     def unit_in_text(self, unit: str) -> str:
         """A unit of the SI, in LaTeX, as the text of this scene has it."""
         name = CANONICAL.get(unit)
-        if name is None or self._units == SI:
-            return unit
-        return latex(self._units.spell(name))
+        return unit if name is None or self._units == SI else latex(self._units.spell(name))
 
     @property
     def counts_in_si(self) -> bool:
@@ -230,8 +226,7 @@ class Writing:
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
         self.relations.append(relation)
-        value = self._book.value(formula)
-        self._book.know(name.name, value, unit)
+        self._book.know(name.name, value := self._book.value(formula), unit)
         self._gives.append(name.name)
         if not self._book.hidden.isdisjoint(formula.symbols()):
             self._book.hidden.add(name.name)
@@ -299,5 +294,6 @@ class Writing:
     def close(self) -> None:
         """Keep it, if it says anything."""
         if self._said or self.relations or self._integration:
-            text = " ".join(self._said)
-            self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)
+            self._book.close(
+                self._kind, " ".join(self._said), self.relations, self._gives, self._rests, self._integration
+            )
