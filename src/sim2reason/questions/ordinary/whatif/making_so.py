@@ -1,0 +1,172 @@
+"""Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from math import isclose
+
+from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.questions.derived_numbers import number_at, with_number
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.meaning import Reader, Understood
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
+from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
+from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
+from sim2reason.questions.ordinary.whatif.outcomes import by_outcome
+from sim2reason.questions.posing import MINUS, PosedQuestion, posed
+from sim2reason.questions.structured import StructuredQuestion, measured
+from sim2reason.questions.variation import words_in
+from sim2reason.questions.words import Words
+
+SAME = 1e-6  # relative: a result that differs by less is the stated one
+MOST = 4  # readings of a result whose numbers are looked for
+_NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
+_SAME = "(?:same|unchanged|present|given|original)"
+_ELSE = (
+    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing|rest|other data)"
+)
+_CONSTANT = re.compile(
+    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME} (?:(?:{_NOUNS}|position|place"
+    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= |$)(?: ,)?"
+    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay |stays |kept |left )*"
+    r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
+    r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
+    r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
+)
+"""What says only that all else stays as it is."""
+
+
+def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the meaning of a sentence that asks for a number of the scene by what it brings about; None if it does not.
+
+    Raises:
+        TextError: the sentence has readings with different answers, or the number does not lead to what is said.
+    """
+    text = " ".join(_CONSTANT.sub(" ", f" {heard.text}").split()).strip(" ,")
+    told = replace(heard, text=text)
+    found: list[Understood] = []
+    for frame in framed(text, told):
+        for condition in conditions(frame.condition, frame.subject, told):
+            meant = _meant(frame, condition, told, motion, words, reader)
+            if meant is not None:
+                found.append(_checked(frame, meant, motion))
+        if found:
+            break
+    answers = [each.followed.answer for each in found]
+    known = [answer for answer in answers if answer is not None]
+    if any(not isclose(answer, known[0], rel_tol=SAME) for answer in known):
+        told_ways = dict.fromkeys(each.asked.told for each in found)
+        raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
+    return next((each for each in found if each.followed.answer is not None), next(iter(found), None))
+
+
+def _meant(
+    frame: WantedFrame, condition: Condition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
+    number = frame.number
+    if not number.owners and number.kind == "mass" and frame.subject:
+        number = number._replace(owners=(heard.subject(frame.subject),))
+    paths = paths_of(number, motion.study, words)
+    path = paths[0] if len(paths) == 1 else ""
+    frame = frame._replace(number=number)
+    if condition.outcome:
+        readings = list(by_outcome(frame, condition, path, heard, motion, words))
+        return reader.first_of(readings, motion, words) if readings else None
+    return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
+
+
+def _by_result(
+    frame: WantedFrame,
+    condition: Condition,
+    path: str,
+    heard: Heard,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
+) -> Understood | None:
+    """Return the question for the number with which a question has the stated answer."""
+    told = replace(heard, text=condition.question)
+    found: list[Understood] = []
+    for asked, unit in _askable(told, motion, words, reader):
+        stated = condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+        given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
+        wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
+        try:
+            question = posed(wanted, motion, words)
+        except TextError:
+            continue
+        followed = question.followed(motion)
+        if followed.answer is not None and not _leads(followed.answer, frame, path, told, condition, motion, words, reader):
+            continue
+        found.append(Understood(wanted, question, followed))
+    answered = [each for each in found if each.followed.answer is not None]
+    if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
+        raise TextError("question", "it can be read in several ways", answered[0].asked.told)
+    return next(iter(answered or found), None)
+
+
+def _askable(
+    heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> Iterator[tuple[StructuredQuestion, str]]:
+    """Yield the questions in parts that a question may mean, with the unit of each: in the scene as it is, or else any."""
+    try:
+        plain = reader.read(heard, motion, words)
+    except TextError:
+        plain = None
+    if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
+        if MINUS not in plain.asked.when:
+            yield plain.asked, plain.posed.unit(words)
+        return
+    seen = dict.fromkeys(reading.asked for reading in reader.readings(heard, motion, words))
+    for asked in list(seen)[:MOST]:
+        try:
+            question = posed(asked, motion, words)
+        except TextError:
+            continue
+        if question.unknown is None and question.less is None:
+            yield asked, question.unit(words)
+
+
+def _leads(
+    answer: float,
+    frame: WantedFrame,
+    path: str,
+    heard: Heard,
+    condition: Condition,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
+) -> bool:
+    """Return whether with a number the question has the stated answer, all that it presumes included."""
+    scene = motion.study.scene
+    now = number_at(scene, path)
+    value = {"ratio": answer * now, "difference": answer + now}.get(frame.compare, answer)
+    try:
+        there = with_number(scene, path, value)
+        found = reader.read(heard, motion_of(there), words_in(there, words))
+    except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
+        return False
+    if found is None or found.followed.answer is None:
+        return False
+    stated = measured("question", condition.stated, found.posed.unit(words))
+    return isclose(abs(found.followed.answer), abs(stated), rel_tol=SAME, abs_tol=1e-9)
+
+
+def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
+    """Return a meaning, compared with the number that the scene has if that is asked; TextError if it is on the other side."""
+    answer, path = meant.followed.answer, meant.asked.find
+    if frame.compare == "value" or answer is None:
+        return meant
+    question: PosedQuestion = meant.posed
+    if question.compare != frame.compare:
+        question = replace(question, compare=frame.compare)
+        meant = Understood(replace(meant.asked, compare=frame.compare), question, question.followed(motion))
+        answer = meant.followed.answer
+    if answer is None:
+        return meant
+    larger = answer > (1.0 if frame.compare == "ratio" else 0.0)
+    if frame.grows is not None and larger != frame.grows:
+        raise TextError("question", f"it is not so: {path} changes the other way", "ask for the number itself")
+    return meant

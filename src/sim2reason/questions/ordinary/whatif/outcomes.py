@@ -1,0 +1,130 @@
+"""Readings of conditions that come about or not: thresholds, balances, and shapes of orbits."""
+
+from collections.abc import Iterator
+
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.ordinary.addresses import addresses
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.whatif.conditions import (
+    BOUND,
+    CIRCULAR,
+    ESCAPES,
+    HOLDS,
+    LIFTS,
+    RESTS,
+    RISES,
+    ROUND,
+    SLACK,
+    SLIPS,
+    TAUT,
+    Condition,
+)
+from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
+from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.words import Words
+
+NEEDED = "coefficient of friction needed"
+ROUGH = 100.0  # a coefficient of friction with which nothing slips
+THRESHOLDS = {
+    HOLDS: (("slides", False), ("slips rolling", False)),
+    SLIPS: (("slides", True), ("slips rolling", True)),
+    RISES: (("rises", True), ("lifts off", True)),
+    LIFTS: (("lifts off", True), ("rises", True)),
+    ROUND: (("goes round", True), ("circles", True)),
+    TAUT: (("goes slack", False),),
+    SLACK: (("goes slack", True),),
+}
+"""By the outcome that a sentence tells, those of the library, and whether each happens."""
+
+
+def by_outcome(
+    frame: WantedFrame, condition: Condition, path: str, heard: Heard, motion: FollowedMotion, words: Words
+) -> Iterator[Reading]:
+    """Yield the readings of a sentence that asks for the number at an address by an outcome; the address may be empty."""
+    who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
+    who = "" if " & " in who else who
+    friction = frame.number.kind == "friction"
+    if outcome == RESTS and (friction or (frame.end and _rubs(words))):
+        outcome = HOLDS
+    if friction and outcome == HOLDS:
+        if frame.end != GREATEST:
+            yield from _needed(path, who or next(iter(frame.number.owners), ""), motion, words)
+        return
+    if not path:
+        return
+    if outcome == RESTS:
+        yield from _balanced(path, who, words)
+    elif outcome in (ESCAPES, BOUND):
+        for pair in _orbits(who, words):
+            yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
+    elif outcome == CIRCULAR:
+        yield from _circular(path, who, motion, words)
+    else:
+        least = {LEAST: True, GREATEST: False}.get(frame.end)
+        rows = THRESHOLDS[outcome]
+        if outcome == ROUND and condition.taut:
+            rows = rows[1:]
+        for rank, (does, happens) in enumerate(rows):
+            for after, of in enumerate(dict.fromkeys((who, ""))):
+                asked = StructuredQuestion(path, when=f"{of} {does}".strip())
+                yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
+
+
+def _rubs(words: Words) -> bool:
+    contacts = words.mechanism.contacts
+    return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
+
+
+def _needed(path: str, who: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
+    """Yield the question for the least coefficient with which what is released rests or rolls, however rough it is."""
+    if not words.released and not _rolling(words):
+        return
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
+    of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
+    if of:
+        change = f"{path} = {ROUGH:g}" if path else ""
+        yield Reading(StructuredQuestion(NEEDED, of, START, change=change, compare="value" if change else ""), steady=not change)
+
+
+def _rolling(words: Words) -> bool:
+    return any(rolls(words, name) for name in words.mechanism.contacts)
+
+
+def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
+    """Yield the questions for the number with which a body, or each, is not accelerated; none on rough faces."""
+    if _rubs(words):
+        return  # within a whole range of numbers
+    alone = addresses(words).get(who)
+    turning = words.called(TurningBodies())
+    bodies = words.called(Bodies())
+    hinged = [name for name, said in turning.items() if not who or said == who] if who not in bodies.values() else []
+    for name in hinged:
+        for sense in TurningBodies().senses(words.mechanism, name)[:1]:
+            given = f"angular acceleration along {sense.positive} = 0 rad/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given))
+    for name in bodies if alone is None else (alone,):
+        senses = Bodies().senses(words.mechanism, name)
+        if len(senses) == 1:
+            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given), rank=1 if hinged else 0)
+
+
+def _orbits(who: str, words: Words) -> Iterator[str]:
+    """Yield the pairs of a body, or of any, with what draws it."""
+    name = addresses(words).get(who, "")
+    for pull in words.mechanism.attractions:
+        if not name or name in (pull.a, pull.b):
+            yield f"{pull.a} & {pull.b}"
+
+
+def _circular(path: str, who: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
+    """Yield the question for the number with which an orbit's semi-major axis is the distance at the start."""
+    for pair in _orbits(who, words):
+        distance = StructuredQuestion("distance", pair, START)
+        del distance, path, motion
+        yield from ()
