@@ -62,6 +62,9 @@ _START = re.compile(
 )
 
 
+_TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down)?(?: again)?$")
+
+
 class Condition(NamedTuple):
     """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer."""
 
@@ -86,6 +89,9 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[Condition]:
 def _statement(text: str, subject: str) -> str:
     """Return a clause as a statement that begins with its subject, without what turns it into a wish."""
     said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
+    said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
+    if subject:
+        said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
     said = re.sub(r"\b(?:just|exactly|precisely|barely|only|in fact|actually|then|ever|at all|possibly)\b ?", "", said)
     gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
     if gets is not None and said.startswith("prevent"):
@@ -94,7 +100,7 @@ def _statement(text: str, subject: str) -> str:
         said = gets["rest"]
     said = re.sub(rf"^(?:(?:would|will|to) )?(?:give|gives|given) ({_S}|it) ", r"\1 have ", said)
     causing = r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift|lifts|hold|holds|send|sends)"
-    said = re.sub(rf"^(?:will |would |to )?{causing} (?=(?:{_S}|it|system|everything|tension|acceleration|period)\b)", "", said)
+    said = re.sub(rf"^(?:will |would |to )?{causing} (?=(?:{_S}(?= |$)|(?:its|it|system|everything|tension|acceleration|period|both|all)\b))", "", said)
     said = re.sub(rf"^(?:does|do|did|will|would|should|must|can|could|is|are) (?={_S})", "", said)
     said = re.sub(r"\b(?:is|are|was|were|has|have) (?:not )?to (?=\w)", lambda f: "not " if " not " in f[0] else "", said, count=1)
     said = re.sub(rf"^((?:{_S}|\w+)(?: and {_S})?) (?:should|would|must|will|can|could|to|does|do|shall|may)(?: (not))? ", lambda f: f"{f[1]} {'not ' if f[2] else ''}", said)
@@ -116,6 +122,7 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = based(bare)
+    based_on = _TURNED.sub("", based_on)
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():
         found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)

@@ -14,7 +14,8 @@ from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
-from sim2reason.questions.ordinary.whatif.outcomes import by_outcome
+from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.variation import words_in
@@ -33,6 +34,8 @@ _CONSTANT = re.compile(
     rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay |stays |kept |left )*"
     r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
     r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
+    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial) (?:position|point|place|height)(?= |$)"
+    r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
 )
 """What says only that all else stays as it is."""
@@ -73,7 +76,8 @@ def _meant(
     frame = frame._replace(number=number)
     if condition.outcome:
         readings = list(by_outcome(frame, condition, path, heard, motion, words))
-        return reader.first_of(readings, motion, words) if readings else None
+        found = reader.first_of(readings, motion, words) if readings else None
+        return None if found is not None and slips_nevertheless(found) else found
     return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
 
 
@@ -112,7 +116,7 @@ def _askable(
 ) -> Iterator[tuple[StructuredQuestion, str]]:
     """Yield the questions in parts that a question may mean, with the unit of each: in the scene as it is, or else any."""
     try:
-        plain = reader.read(heard, motion, words)
+        plain = of_all(reader.read, heard, motion, words)
     except TextError:
         plain = None
     if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
@@ -145,7 +149,7 @@ def _leads(
     value = {"ratio": answer * now, "difference": answer + now}.get(frame.compare, answer)
     try:
         there = with_number(scene, path, value)
-        found = reader.read(heard, motion_of(there), words_in(there, words))
+        found = of_all(reader.read, heard, motion_of(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
     if found is None or found.followed.answer is None:

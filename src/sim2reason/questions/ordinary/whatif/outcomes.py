@@ -8,6 +8,7 @@ from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.meaning import Understood
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.conditions import (
     BOUND,
@@ -25,10 +26,11 @@ from sim2reason.questions.ordinary.whatif.conditions import (
 )
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
 from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
 NEEDED = "coefficient of friction needed"
-ROUGH = 100.0  # a coefficient of friction with which nothing slips
+NEARLY = 1.0 - 1e-9
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
     SLIPS: (("slides", True), ("slips rolling", True)),
@@ -87,8 +89,16 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words) -> Iterat
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
     if of:
-        change = f"{path} = {ROUGH:g}" if path else ""
+        change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
         yield Reading(StructuredQuestion(NEEDED, of, START, change=change, compare="value" if change else ""), steady=not change)
+
+
+def slips_nevertheless(found: Understood) -> bool:
+    """Return whether what is needed is more than the greatest coefficient of friction that a scene can have."""
+    if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
+        return False
+    _, most = found.posed.varied.values[0]
+    return found.followed.answer >= NEARLY * most
 
 
 def _rolling(words: Words) -> bool:

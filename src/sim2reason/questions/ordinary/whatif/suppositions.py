@@ -32,7 +32,8 @@ _SHRINK = "(?P<shrink>reduced|smaller|lower|lowered|decreased|less|lighter|short
 _PCT = "(?: ?(?P<pct>%|percent|per cent))?"
 _LAUNCHED = "(?:thrown|launched|started|set moving|set in motion|set off|projected|fired|kicked|pushed off|sent off|released|moving|rolling|sliding|going|set rolling|travelling)"
 _INSTEAD = rf"(?: instead(?: of (?:#\d+#|with #\d+#|at #\d+#))?| rather than #\d+#| in place of #\d+#)?"
-_DIRECTED = rf"(?: (?:up|down|upwards|downwards|off|initially|at start)(?: (?:{GROUNDS}))?)?"
+_DIRECTED = rf"(?: (?:(?P<way>up|down)(?:wards)?|off|initially|at start)(?: (?:{GROUNDS}))?)?"
+_LATER = "(?: (?:at start|initially))?"
 P = "NUMBER"
 ROWS = (
     (rf"{P} {_W} {_MULT}{_LIKE}", TIMES),
@@ -52,8 +53,8 @@ OTHERS = (
     (rf"(?P<s>{_S}) (?:weighed|had mass) (?:only )?{_N}{_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) long{_INSTEAD}", "length", VALUE),
-    (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) (?:only )?(?:(?:initial )?(?:speed|velocity) of |(?:speed|velocity) )?{_N}{_DIRECTED}{_INSTEAD}", "speed", VALUE),
-    (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) {_MULT}{_SAME} (?:initial )?(?:speed|velocity){_DIRECTED}", "speed", TIMES),
+    (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) (?:only )?(?:(?:initial )?(?:speed|velocity) of |(?:speed|velocity) )?{_N}{_LATER}{_INSTEAD}", "speed", VALUE),
+    (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) {_MULT}{_SAME} (?:initial )?(?:speed|velocity){_LATER}", "speed", TIMES),
     (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} {_MULT} as fast(?: as)?{_SAME}", "speed", TIMES),
     (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?P<level>horizontally)(?: at same speed)?{_INSTEAD}", "launch angle", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?P<upright>(?:straight|vertically) (?:up|upwards))(?: at same speed)?", "launch angle", VALUE),
@@ -88,13 +89,17 @@ ADJUNCTS = (
 
 
 class Supposition(NamedTuple):
-    """A change of a number, or of a body: how, to or by how much, of what; the number has the unit that is told."""
+    """A change of a number, or of a body: how, to or by how much, of what; the number has the unit that is told.
+
+    A speed may be told with the `way`, *up* or *down*.
+    """
 
     how: str
     number: NamedNumber
     value: str = ""
     factor: float = 1.0
     sign: int = 0
+    way: str = ""
 
 
 def suppositions(text: str, heard: Heard) -> tuple[Supposition, ...]:
@@ -137,7 +142,7 @@ def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], he
     sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
     if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
         return Supposition(TIMES, number, factor=1.0 + sign * float(re.match(r"[\d.]+", value)[0]) / 100.0)  # type: ignore[index]
-    return Supposition(how, number, value, _factor(groups, heard), sign)
+    return Supposition(how, number, value, _factor(groups, heard), sign, groups.get("way") or "")
 
 
 def _factor(groups: Mapping[str, str | None], heard: Heard) -> float:

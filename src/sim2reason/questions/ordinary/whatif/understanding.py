@@ -1,10 +1,14 @@
 """Understanding of questions about a changed scene, by the reader of questions about the scene as it is."""
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from math import isclose
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.addresses import addresses
@@ -20,6 +24,7 @@ from sim2reason.questions.words import Words
 
 Reads = Callable[[Heard, FollowedMotion, Words], Understood | None]
 """The reader of a heard question about a motion as it is."""
+SAME = 1e-6  # relative: answers that differ by less are one
 
 
 def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, read: Reads) -> Understood | None:
@@ -43,7 +48,7 @@ def _answered(
         there = motion_of(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
-    after = read(told, there, words_in(scene, words))
+    after = of_all(read, told, there, words_in(scene, words))
     if after is None or after.posed.unknown is not None:
         return None
     compare = asked.compare
@@ -51,10 +56,25 @@ def _answered(
     structured = replace(after.asked, change=varied.told, compare=compare)
     if compare == ITSELF or after.followed.answer is None:
         return Understood(structured, question, after.followed)
-    before = read(told, motion, words)
+    before = of_all(read, told, motion, words)
     if before is None or before.asked != after.asked or not before.followed.answer:
         return None
     return Understood(structured, question, _compared(asked, before.followed, after.followed))
+
+
+def of_all(read: Reads, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+    """Return the meaning of a question; where it names nobody, of each moving body, if they have one answer."""
+    found = read(heard, motion, words)
+    asks = re.match(r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )", heard.text)
+    if found is not None or asks is None or "@" in heard.text:
+        return found
+    bodies = tuple(words.called(Bodies()).values())
+    rest = heard.text[asks.end() :].removeprefix(" of system").removeprefix(" of blocks").removeprefix(" of bodies")
+    told = (replace(heard, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies)))
+    every = [read(each, motion, words) for each in told]
+    answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
+    alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=SAME) for a in answers)
+    return every[0] if alike and every else None
 
 
 def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Followed:
@@ -88,9 +108,18 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
     if supposed.how == NONE:
         return _vanishing(supposed.number, motion, words)
     paths = paths_of(supposed.number, motion.study, words)
+    if supposed.way and not _goes(supposed, motion, words):
+        return {}
     if supposed.how == SWAPPED:
         return dict(zip(paths, (number_at(scene, path) for path in reversed(paths)), strict=True)) if len(paths) == 2 else {}
     return {path: value for path in paths if (value := _value(supposed, path, scene)) is not None}
+
+
+def _goes(supposed: Supposition, motion: FollowedMotion, words: Words) -> bool:
+    """Return whether a body sets off the way that is told: with another speed it does so, too."""
+    names = [name for name, said in words.called(Bodies()).items() if said in supposed.number.owners]
+    rising = float(Velocity.evaluate(motion.study.trace.at(0.0), names[0])[0, 2]) if len(names) == 1 else 0.0
+    return rising > 0.0 if supposed.way == "up" else rising < 0.0
 
 
 def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
