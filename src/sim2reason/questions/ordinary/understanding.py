@@ -15,6 +15,7 @@ from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
+from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
@@ -36,6 +37,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     """
     heard = hear(sentence, words)
     found = understood_as_it_is(heard, motion, words)
+    found = found or of_small_oscillations(heard, motion, words, READER)
     return found or in_changed_scene(heard, motion, words, understood_as_it_is) or number_making_so(
         heard, motion, words, READER
     )

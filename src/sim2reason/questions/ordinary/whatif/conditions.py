@@ -8,15 +8,16 @@ from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
-RESTS, HOLDS, SLIPS, RISES, ROUND, TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS, DROPS = OUTCOMES = (
-    "rests", "holds", "slips", "rises", "round", "taut", "slack", "escapes", "bound", "circular", "lifts off", "stays down",
-)  # fmt: skip
-"""What a condition may say comes about: *holds* is that nothing slips."""
+RESTS, HOLDS, STAYS, SLIPS, RISES, ROUND = "rests", "holds", "stays", "slips", "rises", "round"
+TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
+"""What a condition may say comes about: *holds* is that nothing slips, *stays* that it rests where it first stops."""
 _S = r"@\d+@"
 _ROUND = "(?:turn|circle|revolution|loop|round|rotation)"
-_ON = rf"(?: (?:on|along|over) (?:{GROUNDS}|{_S}|its (?:{GROUNDS})))?"
+_ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S}))?"
 _AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d]?|put|still|where (?:it|they|{S}))"
 PHRASES: Mapping[str, str] = {
+    r"(?:stay|remain|keep|rest|lie|hold|stop)(?: at rest)? (?:for good )?(?:at|on|in) (?:its )?(?:highest point|top|turning point|upper turning point|highest position)"
+    r"|(?:stay|remain)(?: at rest)? (?:there|where it stop|after it stop)(?: for good)?|not (?:slide|slip|move|come) (?:back|down)(?: again)?(?: (?:down|after it stop))?": STAYS,
     rf"(?:not (?:begin |start )?(?:to )?(?:slip|slide|skid)|without (?:slip|slide|skid)(?:ping)?|(?:no|never) (?:slip|slide|skid)(?:ping)?)"
     rf"{_ON}|roll(?: purely| without (?:slip|slide|skid)(?:ping)?){_ON}|roll rather than slide|move together|stick together": HOLDS,
     rf"(?:(?:remain|stay|keep|hold|leave|be|lie|sit|hang) )?{_AT_REST}{_ON}|not (?:begin |start )?(?:to )?(?:move|accelerate){_ON}|remain where"

@@ -177,7 +177,7 @@ def _place(parameter: Parameter) -> str:
 def _belongs(path: str, value: float, owner: str, study: Study, words: Words, count: int) -> bool:
     """Return whether a number is that of an owner: of a body at its address, or an initial speed that the body has."""
     head = path.rpartition(".")[0]
-    held = words.mentions.get(head)
+    held = words.mentions.get(head, words.mentions.get(f"{head}.body"))
     if held is not None and held.split()[-1] != "start":
         return held == owner
     bodies = {said: name for name, said in words.called(Bodies()).items()}

@@ -2,8 +2,11 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
+from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
@@ -21,16 +24,19 @@ from sim2reason.questions.ordinary.whatif.conditions import (
     ROUND,
     SLACK,
     SLIPS,
+    STAYS,
     TAUT,
     Condition,
 )
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
+from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9
+SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
     SLIPS: (("slides", True), ("slips rolling", True)),
@@ -52,11 +58,11 @@ def by_outcome(
     friction = frame.number.kind == "friction"
     if outcome == RESTS and (friction or (frame.end and _rubs(words))):
         outcome = HOLDS
-    if friction and outcome == HOLDS:
+    if friction and outcome in (HOLDS, STAYS):
         if frame.end != GREATEST:
-            yield from _needed(path, who or next(iter(frame.number.owners), ""), motion, words)
+            yield from _needed(path, who or next(iter(frame.number.owners), ""), motion, words, stopped=outcome == STAYS)
         return
-    if not path:
+    if not path or outcome == STAYS:
         return
     if outcome == RESTS:
         yield from _balanced(path, who, words)
@@ -64,7 +70,8 @@ def by_outcome(
         for pair in _orbits(who, words):
             yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
     elif outcome == CIRCULAR:
-        yield from _circular(path, who, motion, words)
+        for pair in _orbits(who, words):
+            yield from _circular(path, pair, motion, words)
     else:
         least = {LEAST: True, GREATEST: False}.get(frame.end)
         rows = THRESHOLDS[outcome]
@@ -81,16 +88,21 @@ def _rubs(words: Words) -> bool:
     return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
 
 
-def _needed(path: str, who: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
-    """Yield the question for the least coefficient with which what is released rests or rolls, however rough it is."""
-    if not words.released and not _rolling(words):
+def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stopped: bool) -> Iterator[Reading]:
+    """Yield the question for the least coefficient with which what is released rests or rolls, however rough it is.
+
+    What is *stopped* is not released, but set moving, and is to rest where it first stops.
+    """
+    if words.released if stopped else not words.released and not _rolling(words):
         return
     bodies = {said: name for name, said in words.called(Bodies()).items()}
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
-        yield Reading(StructuredQuestion(NEEDED, of, START, change=change, compare="value" if change else ""), steady=not change)
+        when = f"{of} stopped" if stopped else START
+        asked = StructuredQuestion(NEEDED, of, when, change=change, compare="value" if change else "")
+        yield Reading(asked, side=AFTER, steady=not change)
 
 
 def slips_nevertheless(found: Understood) -> bool:
@@ -110,18 +122,12 @@ def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
     if _rubs(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(who)
-    turning = words.called(TurningBodies())
     bodies = words.called(Bodies())
-    hinged = [name for name, said in turning.items() if not who or said == who] if who not in bodies.values() else []
-    for name in hinged:
-        for sense in TurningBodies().senses(words.mechanism, name)[:1]:
-            given = f"angular acceleration along {sense.positive} = 0 rad/s^2"
-            yield Reading(StructuredQuestion(path, name, START, given=given))
-    for name in bodies if alone is None else (alone,):
+    for name in (alone,) if alone in bodies else bodies:
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"
-            yield Reading(StructuredQuestion(path, name, START, given=given), rank=1 if hinged else 0)
+            yield Reading(StructuredQuestion(path, name, START, given=given))
 
 
 def _orbits(who: str, words: Words) -> Iterator[str]:
@@ -132,9 +138,16 @@ def _orbits(who: str, words: Words) -> Iterator[str]:
             yield f"{pull.a} & {pull.b}"
 
 
-def _circular(path: str, who: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
-    """Yield the question for the number with which an orbit's semi-major axis is the distance at the start."""
-    for pair in _orbits(who, words):
-        distance = StructuredQuestion("distance", pair, START)
-        del distance, path, motion
-        yield from ()
+def _circular(path: str, pair: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
+    """Yield the question for the number with which an orbit's semi-major axis is the distance at the start.
+
+    Then the orbit is a circle if the velocity is at right angles to the line between the two, and only then.
+    """
+    study, (a, b) = motion.study, pair.split(AND)
+    start = study.trace.at(0.0)
+    place = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
+    velocity = Velocity.evaluate(start, a)[0] - Velocity.evaluate(start, b)[0]
+    sizes = float(np.linalg.norm(place) * np.linalg.norm(velocity))
+    if abs(float(place @ velocity)) <= SQUARE * sizes:
+        distance = f"{float(np.linalg.norm(place)):.15g} {words.units.spell('m')}"
+        yield Reading(StructuredQuestion(path, pair, START, given=f"semi-major axis = {distance}"))
