@@ -89,6 +89,7 @@ def _plainly(question: str) -> str:
     """Return a question about what would be so as one about what is so."""
     said = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
     said = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", said)
+    said = re.sub(r"^how (?:large|great|big|strong) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"what is \g<x>\g<rest>", said)
     said = re.sub(r"^(?P<ask>what|which) would be (?P<x>.+)$", r"\g<ask> is \g<x>", said)
     said = re.sub(r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", said)
     said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) be\b", r"is \g<s>", said)

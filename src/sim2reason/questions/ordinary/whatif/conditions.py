@@ -143,31 +143,36 @@ _ABOUT = r"(?:(?:exactly|just|only|about|at least|at most|no more than|up to) )?
 _Q = "QUANTITY"
 _VERB = r"[a-z]+"
 RESULTS = (
-    (rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on|between|acting on|exerted on|for) .+?)?) (?:(?:to )?(?:be|is|become|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) (?:equal to )?{_ABOUT}{_N}(?P<rest>.*)",
+    (rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:to )?(?:be|is|become|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) (?:equal to )?{_ABOUT}{_N}(?P<rest>.*)",
      "what is {what}{rest}"),
     (rf"(?P<s>{_S}) (?:have|has|attain|attains|reach|reaches|acquire|acquires|get|gets|gain|gains|move with|moves with|be given|feel|feels|experience|experiences) (?P<what>(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)",
      "what is {what} of {s}{rest}"),
     (rf"(?P<s>{_S}) (?:have|has) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)", "what is {what} of {s}"),
     (rf"(?P<s>{_S}) (?:accelerate|accelerates|be accelerated) (?:(?P<way>up|down|upwards|downwards) (?:{GROUNDS} )?)?(?:at|with) {_ABOUT}{_N}(?P<rest>.*)",
-     "what is acceleration of {s}{rest}"),
+     "what is acceleration of {s} {way}{rest}"),
+    (rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)", "what is {what}{rest}"),
 )  # fmt: skip
 SPEEDS = (
     (rf"(?P<s>{_S}) (?:move|moves|be moving|travel|travels|go|be going|is moving|slide|fly) (?:at|with) (?:(?:speed|velocity) of )?{_ABOUT}{_N}(?P<rest>.*)", "how fast is {s} moving{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB})(?P<pred> .+?)? (?:at|with) (?:(?:speed|velocity) of )?{_ABOUT}{_N}(?P<rest>.*)", "with what speed does {s} {verb}{pred}{rest}"),
     (rf"(?P<s>{_S}) (?:reach|reaches|attain|attains) {_ABOUT}{_N}(?P<rest> .+)", "how fast is {s} moving{rest}"),
+    (rf"(?P<s>{_S}) (?:reach|reaches|attain|attains|have|has|get to) (?:(?:greatest|maximum|top) )(?:speed|velocity) of {_ABOUT}{_N}(?P<rest>)", "what is greatest speed of {s}"),
+    (rf"(?P<s>{_S}) (?:reach|reaches|attain|attains|get to) (?:(?:speed|velocity) of )?{_ABOUT}{_N}(?P<rest>)", "what is greatest speed of {s}"),
+    (rf"(?P<s>{_S}) (?:reach|reaches|attain|attains) (?:final|terminal) (?:speed|velocity) of {_ABOUT}{_N}(?P<rest>)", "what is final speed of {s}"),
 )  # fmt: skip
 TIMES = (
+    (rf"(?P<s>{_S}) (?:go|goes|revolve|circle|orbit)(?: (?:round|around))?(?: once)? in {_ABOUT}{_N}(?P<rest>)", "what is period of {s}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB})(?P<pred> .+?)? (?:in|after|within) {_ABOUT}{_N}(?: (?:after start|after release|from start))?(?P<rest>)", "how long does {s} take to {verb}{pred}"),
     (rf"(?P<s>{_S}) (?:take|takes|need|needs|require|requires) {_ABOUT}{_N} to (?P<verb>{_VERB})(?P<pred> .+)?(?P<rest>)", "how long does {s} take to {verb}{pred}"),
     (rf"it (?:take|takes) {_ABOUT}{_N} for (?P<s>{_S}) to (?P<verb>{_VERB})(?P<pred> .+)?(?P<rest>)", "how long does {s} take to {verb}{pred}"),
     (rf"(?P<s>{_S}) (?:stay|stays|remain|remains|be|is) (?:in (?:air|flight)|airborne) for {_ABOUT}{_N}(?P<rest>)", "how long is {s} in air"),
     (rf"(?P<s>{_S}) (?:complete|make|go through) (?P<pred>.+?) in {_ABOUT}{_N}(?P<rest>)", "how long does {s} take to complete {pred}"),
-    (rf"(?P<s>{_S}) go (?:round|around) (?:once )?in {_ABOUT}{_N}(?P<rest>)", "what is period of {s}"),
 )  # fmt: skip
 LENGTHS = (
     (rf"(?P<s>{_S}) (?:reach|reaches|rise to|rises to|get to|attain|climb to|rise up to) (?:(?:maximum|greatest) )?height of {_ABOUT}{_N}(?P<rest>.*)", "how high does {s} rise{rest}"),
     (rf"(?P<s>{_S}) (?:rise|rises|get|go|climb) {_ABOUT}{_N} high(?P<rest>.*)", "how high does {s} rise{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N} (?P<dir>away|far)(?P<rest>.*)", "how far away does {s} {verb}{rest}"),
+    (rf"(?P<s>{_S}) (?:rise|rises|climb|bounce|rebound) (?:up )?(?:to )?(?:height of )?{_ABOUT}{_N}(?: high)?(?P<rest>.*)", "how high does {s} rise{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N}(?P<rest>.*)", "how far does {s} {verb}{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?P<pred>(?:at|to|up|down|through|on|over).*?) {_ABOUT}{_N}(?P<rest>.*)", "how far does {s} {verb} {pred}{rest}"),
     (rf"(?P<s>{_S}) (?:be|is|get) (?P<how>compressed|stretched|extended) by {_ABOUT}{_N}(?P<rest>.*)", "by how much is {s} {how}{rest}"),
@@ -196,3 +201,5 @@ def asked_by(said: str, heard: Heard) -> Iterator[tuple[str, str]]:
                 rest = groups.get("rest", "")
                 groups["rest"] = rest if not rest or rest.startswith((" ", ",")) else f" {rest}"
                 yield " ".join(question.format(**groups).split()), number
+                if (told, question) in TIMES:
+                    break

@@ -61,8 +61,9 @@ SPEEDS = "(?:(?:with|at) what|how) SIZE(?:fast|(?:initial |launch |starting )?(?
 OTHERS = (
     (f"how (?P<adj>{'|'.join(_HOW)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
     (f"how (?:hard|strongly) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug)(?: on @\\d+@)?{_BOUND} {_CONN} (?P<c>.+)", "force"),
+    (f"(?:with )?what SIZE(?:force|pull) {_AUX} (?:hand )(?:have to |need to )?(?:exert|apply|provide|pull with|use)(?: on @\\d+@)?{_BOUND} {_CONN} (?P<c>.+)", "force"),
     (f"(?:with what SIZE(?:force|pull)) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug){_BOUND} {_CONN} (?P<c>.+)", "force"),
-    (f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?be {_LAUNCHED}{_CONST}{_BOUND} {_CONN} (?P<c>.+)", "speed"),
+    (f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be going|be travelling|move|travel|go|be){_CONST}{_BOUND} {_CONN} (?P<c>.+)", "speed"),
     (f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?(?:start|set off|begin)(?: out)?{_CONST}{_BOUND} {_CONN} (?P<c>.+)", "speed"),
     (f"(?:with what SIZEangular (?:speed|velocity)) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?(?:be {_LAUNCHED}|start){_CONST} {_CONN} (?P<c>.+)", "angular speed"),
     (f"(?:at|under|from) what SIZE(?:angle|elevation)(?: (?:above|to) horizontal)? {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be {_LAUNCHED} {_CONN} (?P<c>.+)", "launch angle"),
@@ -71,7 +72,7 @@ OTHERS = (
     (f"how far from (?:axle|axis|pivot) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be(?: (?:fixed|attached|mounted|placed|put))? {_CONN} (?P<c>.+)", "distance"),
     (f"how (?:steep) {_AUX} (?:{GROUNDS}) {_BE}{_BOUND} {_CONN} (?P<c>.+)", "slope"),
     (f"how (?:rough) {_AUX} (?:{GROUNDS}) {_BE}{_BOUND} {_CONN} (?P<c>.+)", "friction"),
-    (f"by how much {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:compressed|stretched|extended)(?: at start| initially) {_CONN} (?P<c>.+)", "strain"),
+    (f"(?:by )?how (?:much|far) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:compressed|stretched|extended)(?: at start| initially) {_CONN} (?P<c>.+)", "strain"),
 )  # fmt: skip
 """Frames in which a verb or an adjective tells the number."""
 

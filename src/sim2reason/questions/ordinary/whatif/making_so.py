@@ -3,25 +3,30 @@
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from math import isclose
+from math import isclose, isfinite
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
-from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
+from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, slips_nevertheless
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
+from sim2reason.questions.study import COARSE
+from sim2reason.questions.unknown import range_of
 from sim2reason.questions.variation import words_in
 from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: a result that differs by less is the stated one
+TRIED = 6  # values of a number, to see whether a question has an answer with any
 MOST = 4  # readings of a result whose numbers are looked for
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
 _SAME = "(?:same|unchanged|present|given|original)"
@@ -101,14 +106,34 @@ def _by_result(
             question = posed(wanted, motion, words)
         except TextError:
             continue
-        followed = question.followed(motion)
-        if followed.answer is not None and not _leads(followed.answer, frame, path, told, condition, motion, words, reader):
+        unknown = question.unknown
+        if unknown is None or not _ever(question, motion):
             continue
-        found.append(Understood(wanted, question, followed))
+        values = sorted(values_giving(question.query, question.given, unknown, motion.study))
+        if frame.end:
+            values = [values[0 if frame.end == LEAST else -1]] if values else []
+        leading = [value for value in values if _leads(value, path, told, condition, motion, words, reader)]
+        if len(leading) > 1:
+            several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
+            raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
+        if len(values) > 1 and leading:
+            end = LEAST if leading[0] == values[0] else GREATEST if leading[0] == values[-1] else ""
+            wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
+        if leading or not values:
+            found.append(Understood(wanted, question, question.followed(motion)))
     answered = [each for each in found if each.followed.answer is not None]
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
     return next(iter(answered or found), None)
+
+
+def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
+    """Return whether a question has an answer with some value of the number; else the value is not looked for."""
+    assert question.unknown is not None
+    scene, path = motion.study.scene, question.unknown.path
+    dependence = Dependence(question.query, motion.study, path, COARSE)
+    values = range_of(scene, path)
+    return any(isfinite(dependence(value) or 0.0) and dependence(value) is not None for value in (number_at(scene, path), *values[:: len(values) // TRIED]))
 
 
 def _askable(
@@ -134,8 +159,7 @@ def _askable(
 
 
 def _leads(
-    answer: float,
-    frame: WantedFrame,
+    value: float,
     path: str,
     heard: Heard,
     condition: Condition,
@@ -144,11 +168,8 @@ def _leads(
     reader: Reader,
 ) -> bool:
     """Return whether with a number the question has the stated answer, all that it presumes included."""
-    scene = motion.study.scene
-    now = number_at(scene, path)
-    value = {"ratio": answer * now, "difference": answer + now}.get(frame.compare, answer)
     try:
-        there = with_number(scene, path, value)
+        there = with_number(motion.study.scene, path, value)
         found = of_all(reader.read, heard, motion_of(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
@@ -171,6 +192,8 @@ def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> U
     if answer is None:
         return meant
     larger = answer > (1.0 if frame.compare == "ratio" else 0.0)
+    if frame.compare == "ratio" and frame.grows is False:
+        raise TextError("question", "a factor by which a number is less may be read in two ways", "ask for the number")
     if frame.grows is not None and larger != frame.grows:
         raise TextError("question", f"it is not so: {path} changes the other way", "ask for the number itself")
     return meant

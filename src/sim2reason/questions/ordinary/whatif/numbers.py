@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
+EVERY_MASS = "every mass"  # of all bodies that the text has
 EXACT = 1e-9  # relative: an initial speed that a body has
 
 
@@ -131,6 +132,8 @@ def named_number(found: re.Match[str], subject: Mapping[str, str], prefix: str =
 def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
     """Return the addresses of a scene's numbers that a name may mean; more than one only if it names several owners."""
     owners = tuple(each for said in named.owners for each in _each(said))
+    if named.kind == EVERY_MASS:
+        return tuple(path for path, _ in _of_kind("mass", study.scene))
     every = list(_of_kind(named.kind, study.scene))
     if not owners:
         return tuple(path for path, _ in every) if len(every) == 1 else ()

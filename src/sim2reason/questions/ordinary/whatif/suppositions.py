@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
-from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, NamedNumber, named_number, number_pattern
+from sim2reason.questions.ordinary.whatif.numbers import EVERY_MASS, NamedNumber, named_number, number_pattern
 
 VALUE, TIMES, MORE, FIXED, SWAPPED, NONE = "value", "times", "more", "fixed", "swapped", "none"
 """How a number is changed: to a value, by a factor, by a difference; what is held fixed, swapped, or vanishes."""
@@ -61,6 +61,13 @@ OTHERS = (
     (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?:at|under) (?:angle of )?{_N}(?: (?:above|to) horizontal)?(?: (?:at|with) same speed)?{_INSTEAD}", "launch angle", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from (?:height of |point )?{_N}(?: (?:above ground|high|up))?(?: instead(?: of #\d+#)?)?", "height", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from {_MULT}{_SAME} height", "height", TIMES),
+    (rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from (?P<ground>ground(?: level)?|level of ground)", "height", VALUE),
+    (rf"(?:{GROUNDS}) {_W} (?:only )?(?:(?:inclined|tilted|sloping) )?(?:at )?(?:angle of )?(?:only )?{_N}(?: (?:to|above) horizontal| steep)?{_INSTEAD}", "slope", VALUE),
+    (rf"(?:{GROUNDS}) {_W} (?P<flat>horizontal|level)", "slope", VALUE),
+    (rf"(?P<s>{_S}) {_W} (?:instead )?(?:(?:released|let go|started|held|initially|first|start) )*(?:from |at )(?:angle of )?{_N} (?:to|from|with)(?: downward)? vertical(?: at start)?{_INSTEAD}", "swing angle", VALUE),
+    (rf"(?:both|all|two|three|all three|both of)? ?masses(?: (?:of (?:both |all )?@\d+@|both|all))? {_W} (?P<done>{'|'.join(_DONE)})", EVERY_MASS, TIMES),
+    (rf"(?:both|all|two|three|all three)? ?masses(?: of (?:both |all )?@\d+@)? {_W} {_MULT}{_LIKE}", EVERY_MASS, TIMES),
+    (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(_DONE)})", "charge", TIMES),
     (rf"hand (?:pulled|pulls) with (?:force of )?(?:only )?{_N}{_INSTEAD}", "force", VALUE),
     (rf"hand (?:pulled|pulls) {_MULT} as (?:hard|strongly)(?: as)?{_SAME}", "force", TIMES),
     (rf"hand (?:pulled|pulls) with {_MULT}{_SAME} (?:force)", "force", TIMES),
@@ -138,7 +145,7 @@ def _one(text: str, heard: Heard, rows: tuple[tuple[str, str, str], ...]) -> Ite
 
 def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: Heard) -> Supposition:
     value = heard.number(groups["n"]) if groups.get("n") else ""
-    value = next((told for name, told in (("level", "0"), ("upright", "90"), ("elastic", "1"), ("plastic", "0")) if groups.get(name)), value)
+    value = next((told for name, told in (("level", "0"), ("ground", "0 m"), ("flat", "0"), ("upright", "90"), ("elastic", "1"), ("plastic", "0")) if groups.get(name)), value)
     sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
     if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
         return Supposition(TIMES, number, factor=1.0 + sign * float(re.match(r"[\d.]+", value)[0]) / 100.0)  # type: ignore[index]
@@ -157,6 +164,3 @@ def _factor(groups: Mapping[str, str | None], heard: Heard) -> float:
 @cache
 def _compiled(told: str) -> re.Pattern[str]:
     return re.compile(told.replace(P, number_pattern()))
-
-
-KNOWN = frozenset(NUMBERS)

@@ -19,11 +19,13 @@ from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.suppositions import FIXED, MORE, NONE, SWAPPED, TIMES, Supposition
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
+from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.variation import Variation, units_of, words_in
 from sim2reason.questions.words import Words
 
 Reads = Callable[[Heard, FollowedMotion, Words], Understood | None]
 """The reader of a heard question about a motion as it is."""
+TINY = 1e-9  # the least value of what must not be zero, and is as good as zero
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -48,16 +50,18 @@ def _answered(
         there = motion_of(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
+    compare = asked.compare
+    before = of_all(read, told, motion, words) if compare != ITSELF else None
+    if compare != ITSELF and (before is None or not before.followed.answer):
+        return None
     after = of_all(read, told, there, words_in(scene, words))
     if after is None or after.posed.unknown is not None:
         return None
-    compare = asked.compare
     question = replace(after.posed, varied=varied, compare=compare)
     structured = replace(after.asked, change=varied.told, compare=compare)
     if compare == ITSELF or after.followed.answer is None:
         return Understood(structured, question, after.followed)
-    before = of_all(read, told, motion, words)
-    if before is None or before.asked != after.asked or not before.followed.answer:
+    if before is None or before.asked != after.asked:
         return None
     return Understood(structured, question, _compared(asked, before.followed, after.followed))
 
@@ -140,7 +144,8 @@ def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Map
     """Return zero for what vanishes; all friction, unless the owners that are named are not where it is."""
     scene = motion.study.scene
     if number.kind != "friction":
-        return dict.fromkeys(paths_of(number, motion.study, words), 0.0)
+        paths = paths_of(number, motion.study, words)
+        return {path: least for path in paths if (least := max(0.0, limits_of(scene, path)[0])) <= TINY}
     held = [path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")]
     rough = [path for path in held if number_at(scene, path)]
     if number.owners and len(rough) > 1:
