@@ -66,7 +66,8 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
         if found is not None and not (compare == RATIO and found["less"]):
             x = found["x"]
             grows = True if found["more"] else False if found["less"] else None
-            yield from ((asked, compare, grows) for asked in _of_phrase(x))
+            high = re.search(r"higher$", found[0]) is not None
+            yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
     found = re.fullmatch(r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be", question)
     if found is not None:
         yield from ((asked, RATIO, None) for asked in _of_phrase(found["x"]))

@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
-RESTS, HOLDS, STAYS, SLIPS, RISES, ROUND = "rests", "holds", "stays", "slips", "rises", "round"
+RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
 TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
 """What a condition may say comes about: *holds* is that nothing slips, *stays* that it rests where it first stops."""
 _S = r"@\d+@"
@@ -18,9 +18,11 @@ _AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d
 PHRASES: Mapping[str, str] = {
     r"(?:stay|remain|keep|rest|lie|hold|stop)(?: at rest)? (?:for good )?(?:at|on|in) (?:its )?(?:highest point|top|turning point|upper turning point|highest position)"
     r"|(?:stay|remain)(?: at rest)? (?:there|where it stop|after it stop)(?: for good)?|not (?:slide|slip|move|come) (?:back|down)(?: again)?(?: (?:down|after it stop))?": STAYS,
+    rf"(?:not|without) (?:begin |start )?(?:to )?(?:pull|move|slide|go|climb|rise|lift|haul|drag|draw)(?: {_S})? (?:up|upwards|uphill)(?: (?:{GROUNDS}))?": SINKS,
     rf"(?:not (?:begin |start )?(?:to )?(?:slip|slide|skid)|without (?:slip|slide|skid)(?:ping)?|(?:no|never) (?:slip|slide|skid)(?:ping)?)"
     rf"{_ON}|roll(?: purely| without (?:slip|slide|skid)(?:ping)?){_ON}|roll rather than slide|move together|stick together": HOLDS,
-    rf"(?:(?:remain|stay|keep|hold|leave|be|lie|sit|hang) )?{_AT_REST}{_ON}|not (?:begin |start )?(?:to )?(?:move|accelerate){_ON}|remain where"
+    rf"(?:(?:remain|stay|keep|hold|leave|be|lie|sit|hang) )?{_AT_REST}{_ON}|(?:not (?:begin |start )?(?:to )?|nothing (?:will |would )?)(?:move|accelerate|happen){_ON}|remain where"
+    rf"|(?:hold|keep|stay|remain|leave)(?: {_S})? (?:where|in place)(?: (?:it|they|{_S}))?"
     rf"|balance(?: {_S})?|(?:move|go|rise|fall|descend|climb|slide)(?: (?:up|down)(?: (?:{GROUNDS}))?)? (?:at|with) constant (?:speed|velocity)"
     r"|not accelerate|no acceleration|without acceleration": RESTS,
     rf"(?:(?:begin|start|be able) (?:to )?)?(?:move|slide|go|climb|rise|lift|haul|drag|pull) (?:up|upwards|uphill)(?: (?:{GROUNDS}))?"
@@ -32,7 +34,7 @@ PHRASES: Mapping[str, str] = {
     r"|(?:all way|right) (?:round|around)|loop (?:loop|round)|full circle)": ROUND,
     r"(?:stay|remain|keep|be) (?:always )?taut|not (?:go|become|get) slack|never (?:go|become|get) slack": TAUT,
     r"(?:go|become|get) slack": SLACK,
-    rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?| {_S})?(?: for ever| forever| for good| altogether| to infinity)?"
+    rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?| {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely)?"
     r"|never (?:return|come back)|get infinitely far(?: away)?|reach infinity|unbound|not (?:return|come back)|not bound|move (?:along|on|in) parabola"
     r"|(?:parabolic|open) (?:orbit|path)": ESCAPES,
     rf"(?:remain|stay|be|keep)? ?bound(?: to {_S})?|not escape(?: from {_S})?": BOUND,
@@ -49,6 +51,7 @@ _LOOSE = frozenset(
         " ever can of start order both body object in total be always throughout permanently",
     )
 )
+_ROLLS = frozenset({"roll", "go", "keep", "continue", "down", "up", "along", "this", "all", "way", "pure", "purely"})
 _TAUT_TOO = re.compile(
     rf"(?: ,)? (?:with|and|while|without)(?: {_S}| string| its string)?(?: (?:always|still|being|staying|remaining|keep|stay|remain|remaining|never))*"
     rf" (?:taut|slack|going slack|go slack)(?: (?:throughout|all time|all while|all way|always))?$"
@@ -124,13 +127,15 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
         bare = shorter
     based_on = based(bare)
     based_on = _TURNED.sub("", based_on)
+    based_on = re.sub(rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:move|fall|rise|accelerate)$", "", based_on)
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():
         found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)
         if found is None:
             continue
         rest = re.sub(_S, " ", f"{based_on[: found.start()]} {based_on[found.end() :]}")
-        if set(rest.replace(",", " ").split()) - _LOOSE or len(subjects) > 2:
+        loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE
+        if set(re.sub(rf"\\b(?:{GROUNDS})\\b", " ", rest).replace(",", " ").split()) - loose or len(subjects) > 2:
             continue
         first = re.search(_S, based_on[: found.start()])
         who = first[0] if first is not None else subjects[0] if subjects else ""
@@ -143,10 +148,11 @@ _ABOUT = r"(?:(?:exactly|just|only|about|at least|at most|no more than|up to) )?
 _Q = "QUANTITY"
 _VERB = r"[a-z]+"
 RESULTS = (
-    (rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:to )?(?:be|is|become|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) (?:equal to )?{_ABOUT}{_N}(?P<rest>.*)",
+    (rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:(?:to )?(?:be|is|become|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) )?(?:equal to )?{_ABOUT}{_N}(?P<rest>.*)",
      "what is {what}{rest}"),
     (rf"(?P<s>{_S}) (?:have|has|attain|attains|reach|reaches|acquire|acquires|get|gets|gain|gains|move with|moves with|be given|feel|feels|experience|experiences) (?P<what>(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)",
      "what is {what} of {s}{rest}"),
+    (rf"(?P<s>{_S}) (?:oscillate|oscillates|swing|swings|vibrate|vibrates|move|go round|revolve|revolves|go to and fro) (?:to and fro )?(?:with|at) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)", "what is {what} of {s}"),
     (rf"(?P<s>{_S}) (?:have|has) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)", "what is {what} of {s}"),
     (rf"(?P<s>{_S}) (?:accelerate|accelerates|be accelerated) (?:(?P<way>up|down|upwards|downwards) (?:{GROUNDS} )?)?(?:at|with) {_ABOUT}{_N}(?P<rest>.*)",
      "what is acceleration of {s} {way}{rest}"),
@@ -175,6 +181,7 @@ LENGTHS = (
     (rf"(?P<s>{_S}) (?:rise|rises|climb|bounce|rebound) (?:up )?(?:to )?(?:height of )?{_ABOUT}{_N}(?: high)?(?P<rest>.*)", "how high does {s} rise{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N}(?P<rest>.*)", "how far does {s} {verb}{rest}"),
     (rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?P<pred>(?:at|to|up|down|through|on|over).*?) {_ABOUT}{_N}(?P<rest>.*)", "how far does {s} {verb} {pred}{rest}"),
+    (rf"(?P<s>{_S}) (?P<verb>{_VERB})(?: first)? (?:at|over|by) (?:horizontal )?distance of {_ABOUT}{_N}(?: (?:away|from {_S}))?(?P<rest>.*)", "how far away does {s} {verb}{rest}"),
     (rf"(?P<s>{_S}) (?:be|is|get) (?P<how>compressed|stretched|extended) by {_ABOUT}{_N}(?P<rest>.*)", "by how much is {s} {how}{rest}"),
     (rf"(?P<s>{_S}) compress (?P<t>{_S}) by {_ABOUT}{_N}(?P<rest>)", "what is greatest compression of {t}"),
 )  # fmt: skip

@@ -23,8 +23,8 @@ _GETTING = (
     f"(?:{_GETS}|allows|enables|lets|makes|gives|causes|brings|keeps|takes|carries|gets|leaves|sets|sends|lifts|prevents"
     "|ensures that|holds|permits|made|kept|carried|brought|given|taken)"
 )
-_CONN = "(?:for|so that|such that|if|to|in order that|in order to|in order for|that|so|before|in such way that)"
-_NEED = "(?:needed|required|necessary)"
+_CONN = "(?:for|and still|and yet|so that|such that|if|to|in order that|in order to|in order for|that|so|before|in such way that)"
+_NEED = "(?:(?:just |barely )?(?:needed|required|necessary|enough|sufficient|big enough|large enough|high enough))"
 _FIND = "(?:find|determine|calculate|compute|what is|which is|what are|work out|give|state|what was|what would be|what will be)"
 _LAUNCHED = "(?:thrown|launched|started|set moving|set in motion|set off|projected|fired|kicked|pushed off|struck|sent off|released|set going|pushed)"
 _CONST = f"(?: (?:at start|initially|off|upwards|up {GROUNDS}|down {GROUNDS}))?"
@@ -36,12 +36,12 @@ FRAMES = (
     f"(?:what|which) (?:would|must|should|does|will) {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
     f"how (?:large|great|big|strong|high|small|low|much) {_AUX} {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
     f"(?:what|which) {_SIZE}{P} (?:is|would be|are|was|will be) {_NEED}{_BOUND} {_CONN} (?P<c>.+)",
-    f"(?:what|which) {_SIZE}{P} (?:(?:would|must|will|does|could|can|should) )?(?:have )?(?:just )?(?P<c>{_GETTING} .+)",
+    f"(?:what|which) {_SIZE}{P} (?:(?:would|must|will|does|could|can|should) )?(?:have )?(?:(?:just|still|barely) )*(?P<c>{_GETTING} .+)",
     f"(?:{_FIND}) {_SIZE}{P} (?:for|with|at|by) which (?P<c>.+)",
     f"(?:{_FIND}) {_SIZE}{P} (?:so that|such that|if|for|to) (?P<c>.+)",
     f"(?:{_FIND}) {_SIZE}{P} (?:that is )?(?:{_NEED}){_BOUND} {_CONN} (?P<c>.+)",
-    f"(?:{_FIND}) {_SIZE}{P} that (?:would |will |must |should |can |could )?(?:have )?(?:just )?(?P<c>{_GETTING} .+)",
-    f"(?:{_FIND}) {_SIZE}{P}(?: that)? (?P<s>@\\d+@) (?:would |must |should |will )?(?:need|needs|have|has|require|requires)"
+    f"(?:{_FIND}) {_SIZE}{P} that (?:would |will |must |should |can |could )?(?:have )?(?:(?:just|still|barely) )*(?P<c>{_GETTING} .+)",
+    f"(?:{_FIND}) {_SIZE}{P}(?: that| which)? (?P<s>@\\d+@) (?:would |must |should |will |could |can |may )?(?:have )?(?:need|needs|needed|have|has|require|requires|required)"
     f"(?: to have)?{_BOUND}(?: {_CONN})? (?P<c>.+)",
     f"(?:{_FIND}) {_SIZE}{P} (?:with|at) which (?P<s>@\\d+@) (?:would|must|should) (?:have to )?be {_LAUNCHED}{_CONST} {_CONN} (?P<c>.+)",
     f"(?:if|for) (?P<c>[^,]+) , (?:what|which) (?:would|must|should) {_SIZE}{P} (?:{_BE})",
@@ -60,6 +60,7 @@ _HOW = tuple(ADJECTIVES)
 SPEEDS = "(?:(?:with|at) what|how) SIZE(?:fast|(?:initial |launch |starting )?(?:speed|velocity))"
 OTHERS = (
     (f"how (?P<adj>{'|'.join(_HOW)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
+    (f"(?:what|which) SIZE(?:initial )?(?:speed|velocity) {_AUX} (?:blow|kick|push|hammer) (?:have to |need to )?(?:give|impart to) (?P<s>@\\d+@){_BOUND} {_CONN} (?P<c>.+)", "speed"),
     (f"how (?:hard|strongly) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug)(?: on @\\d+@)?{_BOUND} {_CONN} (?P<c>.+)", "force"),
     (f"(?:with )?what SIZE(?:force|pull) {_AUX} (?:hand )(?:have to |need to )?(?:exert|apply|provide|pull with|use)(?: on @\\d+@)?{_BOUND} {_CONN} (?P<c>.+)", "force"),
     (f"(?:with what SIZE(?:force|pull)) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug){_BOUND} {_CONN} (?P<c>.+)", "force"),

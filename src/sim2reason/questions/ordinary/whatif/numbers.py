@@ -43,8 +43,9 @@ NUMBERS: Mapping[str, NumberKind] = {
         "|gas(?:es)?|ejected gas(?:es)?)|(?:speed|velocity) (?:with|at) which (?:exhaust )?gas(?:es)? (?:is|are) ejected",
         ("exhaust",),
     ),
+    "drag": NumberKind("(?:drag|resistance|damping) (?:coefficient|constant)|coefficient of (?:drag|resistance)", ("coefficient", "damping")),
     "burn rate": NumberKind(
-        "(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate|rate of (?:fuel consumption"
+        "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate|rate of (?:fuel consumption"
         "|burning(?: of fuel)?|combustion|fuel burn)|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
         "|(?:it|@\\d+@|engine) burns (?:its )?fuel)|fuel consumption",
         ("rate",),

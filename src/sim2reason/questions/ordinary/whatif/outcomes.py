@@ -1,6 +1,7 @@
 """Readings of conditions that come about or not: thresholds, balances, and shapes of orbits."""
 
 from collections.abc import Iterator
+from math import inf
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from sim2reason.questions.ordinary.whatif.conditions import (
     RESTS,
     RISES,
     ROUND,
+    SINKS,
     SLACK,
     SLIPS,
     STAYS,
@@ -41,6 +43,7 @@ THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
     SLIPS: (("slides", True), ("slips rolling", True)),
     RISES: (("rises", True), ("lifts off", True)),
+    SINKS: (("rises", False),),
     LIFTS: (("lifts off", True), ("rises", True)),
     ROUND: (("goes round", True), ("circles", True)),
     TAUT: (("goes slack", False),),
@@ -100,7 +103,8 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
     of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
-        when = f"{of} stopped" if stopped else START
+        slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
+        when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
         asked = StructuredQuestion(NEEDED, of, when, change=change, compare="value" if change else "")
         yield Reading(asked, side=AFTER, steady=not change)
 
@@ -123,7 +127,8 @@ def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
         return  # within a whole range of numbers
     alone = addresses(words).get(who)
     bodies = words.called(Bodies())
-    for name in (alone,) if alone in bodies else bodies:
+    senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
+    for name in (alone,) if alone is not None and len(senses) == 1 else bodies:
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"

@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.whatif.numbers import EVERY_MASS, NamedNumber, named_number, number_pattern
 
-VALUE, TIMES, MORE, FIXED, SWAPPED, NONE = "value", "times", "more", "fixed", "swapped", "none"
+VALUE, TIMES, MORE, FIXED, SWAPPED, NONE, SAME = "value", "times", "more", "fixed", "swapped", "none", "same"
 """How a number is changed: to a value, by a factor, by a difference; what is held fixed, swapped, or vanishes."""
 _S = r"@\d+@"
 _W = "(?:was|were|is|are|be|had been|has been|would be|became|being)"
@@ -41,6 +41,7 @@ ROWS = (
     (rf"{P} {_W} (?:{_SET} )*{_N}{_INSTEAD}", VALUE),
     (rf"{P} {_W} (?:{_GROW}|{_SHRINK}) by {_N}{_PCT}", MORE),
     (rf"{P} {_W} {_N}{_PCT} (?:{_GROW}|{_SHRINK})", MORE),
+    (rf"{P}(?: {_W})?(?: (?:remained|stayed|kept|left|still))* (?:same|unchanged|as before)", SAME),
     (rf"{P} {_W} (?P<zero>zero|negligible)", NONE),
     (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {_MULT}{_SAME} {P}", TIMES),
     (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {P} of {_N}{_INSTEAD}", VALUE),
@@ -68,6 +69,14 @@ OTHERS = (
     (rf"(?:both|all|two|three|all three|both of)? ?masses(?: (?:of (?:both |all )?@\d+@|both|all))? {_W} (?P<done>{'|'.join(_DONE)})", EVERY_MASS, TIMES),
     (rf"(?:both|all|two|three|all three)? ?masses(?: of (?:both |all )?@\d+@)? {_W} {_MULT}{_LIKE}", EVERY_MASS, TIMES),
     (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(_DONE)})", "charge", TIMES),
+    (rf"(?:blow|kick) (?:still |only |instead )*gave (?P<s>{_S}) (?:(?:initial )?speed of )?{_N}{_INSTEAD}", "speed", VALUE),
+    (rf"(?:blow|kick) gave (?P<s>{_S}) {_MULT}{_SAME} speed", "speed", TIMES),
+    (rf"(?P<s>{_S}) (?:kept|retained|rebounded with|bounced with|lost all but) {_N}(?: times)?(?: of)? (?:its )?(?:vertical )?(?:speed|velocity)(?: (?:at|after|in|on) (?:each|every) (?:landing|bounce|impact|rebound))?{_INSTEAD}", "restitution", VALUE),
+    (rf"(?:its )?(?:fuel|gas|propellant) {_W} (?:burnt|burned|consumed|used|ejected) {_MULT} as (?:fast|quickly)(?: as)?{_SAME}", "burn rate", TIMES),
+    (rf"(?:exhaust )?gas {_W} ejected at {_MULT}{_SAME} speed", "exhaust speed", TIMES),
+    (rf"(?:exhaust )?gas {_W} ejected (?:at|with) (?:speed of )?{_N}(?: relative to {_S})?{_INSTEAD}", "exhaust speed", VALUE),
+    (rf"engine (?:burned|burnt|consumed) (?:fuel )?(?:at )?(?:rate of )?{_N}(?: of fuel)?{_INSTEAD}", "burn rate", VALUE),
+    (rf"engine (?:burned|burnt|consumed) (?:its )?fuel {_MULT} as (?:fast|quickly)(?: as)?{_SAME}", "burn rate", TIMES),
     (rf"hand (?:pulled|pulls) with (?:force of )?(?:only )?{_N}{_INSTEAD}", "force", VALUE),
     (rf"hand (?:pulled|pulls) {_MULT} as (?:hard|strongly)(?: as)?{_SAME}", "force", TIMES),
     (rf"hand (?:pulled|pulls) with {_MULT}{_SAME} (?:force)", "force", TIMES),

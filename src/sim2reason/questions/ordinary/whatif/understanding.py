@@ -16,7 +16,7 @@ from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Understood
 from sim2reason.questions.ordinary.whatif.comparisons import ChangedQuestion, changed_questions
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
-from sim2reason.questions.ordinary.whatif.suppositions import FIXED, MORE, NONE, SWAPPED, TIMES, Supposition
+from sim2reason.questions.ordinary.whatif.suppositions import FIXED, MORE, NONE, SAME, SWAPPED, TIMES, Supposition
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
 from sim2reason.questions.unknown import limits_of
@@ -26,7 +26,7 @@ from sim2reason.questions.words import Words
 Reads = Callable[[Heard, FollowedMotion, Words], Understood | None]
 """The reader of a heard question about a motion as it is."""
 TINY = 1e-9  # the least value of what must not be zero, and is as good as zero
-SAME = 1e-6  # relative: answers that differ by less are one
+EQUAL = 1e-6  # relative: answers that differ by less are one
 
 
 def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, read: Reads) -> Understood | None:
@@ -77,7 +77,7 @@ def of_all(read: Reads, heard: Heard, motion: FollowedMotion, words: Words) -> U
     told = (replace(heard, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies)))
     every = [read(each, motion, words) for each in told]
     answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
-    alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=SAME) for a in answers)
+    alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=EQUAL) for a in answers)
     return every[0] if alike and every else None
 
 
@@ -102,8 +102,10 @@ def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> 
         found = _values(supposed, motion, words)
         if not found:
             return None
+        if supposed.how == SAME:
+            continue
         values |= found
-    return Variation(tuple(values.items()), tuple(fixed))
+    return Variation(tuple(values.items()), tuple(fixed)) if values or fixed else None
 
 
 def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
@@ -116,6 +118,8 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
         return {}
     if supposed.how == SWAPPED:
         return dict(zip(paths, (number_at(scene, path) for path in reversed(paths)), strict=True)) if len(paths) == 2 else {}
+    if supposed.how == SAME:
+        return {path: number_at(scene, path) for path in paths}
     return {path: value for path in paths if (value := _value(supposed, path, scene)) is not None}
 
 
