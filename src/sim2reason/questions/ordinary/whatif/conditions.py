@@ -104,7 +104,7 @@ def _statement(text: str, subject: str) -> str:
         said = gets["rest"]
     said = re.sub(rf"^(?:(?:would|will|to) )?(?:give|gives|given) ({_S}|it) ", r"\1 have ", said)
     causing = r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift|lifts|hold|holds|send|sends)"
-    said = re.sub(rf"^(?:will |would |to )?{causing} (?=(?:{_S}(?= |$)|(?:its|it|system|everything|tension|acceleration|period|both|all)\b))", "", said)
+    said = re.sub(rf"^(?:will |would |to )?{causing} (?=(?:{_S}(?= |$)|(?:(?:greatest|least|maximum|minimum|final|initial) )*(?:its|it|system|everything|period|both|all|{pattern('QUANTITY').pattern})\b))", "", said)
     said = re.sub(rf"^(?:does|do|did|will|would|should|must|can|could|is|are) (?={_S})", "", said)
     said = re.sub(r"\b(?:is|are|was|were|has|have) (?:not )?to (?=\w)", lambda f: "not " if " not " in f[0] else "", said, count=1)
     said = re.sub(rf"^((?:{_S}|\w+)(?: and {_S})?) (?:should|would|must|will|can|could|to|does|do|shall|may)(?: (not))? ", lambda f: f"{f[1]} {'not ' if f[2] else ''}", said)
@@ -123,11 +123,11 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
     """Return the outcome that a statement says, if every word of the statement has its place."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
+    bare = re.sub(rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:move|fall|rise|accelerate)s?$", "", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = based(bare)
     based_on = _TURNED.sub("", based_on)
-    based_on = re.sub(rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:move|fall|rise|accelerate)$", "", based_on)
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():
         found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)
@@ -135,7 +135,7 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
             continue
         rest = re.sub(_S, " ", f"{based_on[: found.start()]} {based_on[found.end() :]}")
         loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE
-        if set(re.sub(rf"\\b(?:{GROUNDS})\\b", " ", rest).replace(",", " ").split()) - loose or len(subjects) > 2:
+        if set(re.sub(rf"\b(?:{GROUNDS})\b", " ", rest).replace(",", " ").split()) - loose or len(subjects) > 2:
             continue
         first = re.search(_S, based_on[: found.start()])
         who = first[0] if first is not None else subjects[0] if subjects else ""
@@ -156,6 +156,9 @@ RESULTS = (
     (rf"(?P<s>{_S}) (?:have|has) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)", "what is {what} of {s}"),
     (rf"(?P<s>{_S}) (?:accelerate|accelerates|be accelerated) (?:(?P<way>up|down|upwards|downwards) (?:{GROUNDS} )?)?(?:at|with) {_ABOUT}{_N}(?P<rest>.*)",
      "what is acceleration of {s} {way}{rest}"),
+    (rf"(?P<s>{_S}) (?:rise|rises|go up|move up|climb) with acceleration of {_ABOUT}{_N}(?P<rest>.*)", "what is acceleration of {s} upwards{rest}"),
+    (rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|move down|drop) with acceleration of {_ABOUT}{_N}(?P<rest>.*)", "what is acceleration of {s} downwards{rest}"),
+    (rf"(?P<s>{_S}) (?:move|moves|start|starts|go) (?:off )?with acceleration of {_ABOUT}{_N}(?P<rest>.*)", "what is acceleration of {s}{rest}"),
     (rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)", "what is {what}{rest}"),
 )  # fmt: skip
 SPEEDS = (

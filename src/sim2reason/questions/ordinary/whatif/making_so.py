@@ -41,6 +41,7 @@ _CONSTANT = re.compile(
     r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
     r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial) (?:position|point|place|height)(?= |$)"
     r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
+    r"|^ ?suppose (?:that )?@\d+@ (?:could be|were|is|was) (?:swapped|replaced|exchanged|changed)[^.]*\. "
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
 )
 """What says only that all else stays as it is."""
