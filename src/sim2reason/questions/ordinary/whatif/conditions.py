@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
 RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
@@ -137,9 +137,12 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
         loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE
         if set(re.sub(rf"\b(?:{GROUNDS})\b", " ", rest).replace(",", " ").split()) - loose or len(subjects) > 2:
             continue
-        first = re.search(_S, based_on[: found.start()])
+        before = based_on[: found.start()]
+        both = re.search(rf"({_S}) and ({_S})", before)
+        first = re.search(_S, before)
         who = first[0] if first is not None else subjects[0] if subjects else ""
-        return Condition(outcome, heard.subject(who or None), taut=taut)
+        named = f"{ALL} {heard.subject(both[1])} & {heard.subject(both[2])}" if both is not None else heard.subject(who or None)
+        return Condition(outcome, named, taut=taut)
     return None
 
 

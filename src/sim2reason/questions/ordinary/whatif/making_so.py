@@ -16,7 +16,7 @@ from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
-from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
@@ -83,7 +83,9 @@ def _meant(
     if condition.outcome:
         readings = list(by_outcome(frame, condition, path, heard, motion, words))
         found = reader.first_of(readings, motion, words) if readings else None
-        return None if found is not None and slips_nevertheless(found) else found
+        if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
+            return None
+        return found
     return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
 
 

@@ -5,10 +5,12 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import AND
-from sim2reason.questions.following import FollowedMotion
+from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.questions.derived_numbers import with_number
+from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL, Heard
@@ -38,6 +40,7 @@ from sim2reason.questions.words import Words
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9
+STILL = 1e-6  # of g: a smaller acceleration is none
 SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
@@ -100,6 +103,8 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
         return
     bodies = {said: name for name, said in words.called(Bodies()).items()}
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
+    if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
+        return  # the scene has a coefficient, but not the one that is meant
     of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
@@ -107,6 +112,21 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
         when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
         asked = StructuredQuestion(NEEDED, of, when, change=change, compare="value" if change else "")
         yield Reading(asked, side=AFTER, steady=not change)
+
+
+def moves_nevertheless(found: Understood, condition: Condition, motion: FollowedMotion, words: Words) -> bool:
+    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found."""
+    value, path = found.followed.answer, found.asked.find
+    if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):
+        return False
+    study = motion_of(with_number(motion.study.scene, path, value)).study
+    start, said = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
+    named = {name for name, phrase in words.called(Bodies()).items() if phrase in said}
+    arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
+    names = named or ({found.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
+    largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
+    moving = (float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) for name in names or words.called(Bodies()))
+    return any(size > STILL * largest for size in moving)
 
 
 def slips_nevertheless(found: Understood) -> bool:

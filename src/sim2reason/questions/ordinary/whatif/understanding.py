@@ -86,7 +86,9 @@ def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Foll
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")
-    return after._replace(answer=then / now if asked.compare == "ratio" else then - now)
+    if asked.compare == "ratio":
+        return after._replace(answer=then / now)
+    return after._replace(answer=then - now if asked.grows is None else abs(then - now))
 
 
 def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> Variation | None:
