@@ -55,8 +55,8 @@ Example:
 @click.option("--change", help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed.", metavar="CHANGE", default="")
 @click.option(
     "--compare",
-    help="How the changed answer, or the number found, is told: as a ratio or a difference to the scene as it is, or as"
-    " a value. By default a change is a ratio.",
+    help="How a changed answer, or a number found, is told: as a ratio or difference to the scene as it is, or a value."
+    " By default a change is a ratio.",
     metavar="[ratio|difference|value]",
     default="",
 )

@@ -69,5 +69,7 @@ class FrictionNeeded(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """|f| / N, (n,); infinite where nothing presses the body on its face."""
         pressed = np.abs(state.normal[subject])
-        ratio = np.divide(np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0)
+        ratio = np.divide(
+            np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0
+        )
         return np.where(state.friction[subject] == 0.0, 0.0, ratio)

@@ -42,10 +42,10 @@ SYMBOL = "x"  # of a number that is looked for and has no other symbol
 class PosedQuestion:
     """A query; if the question asks for a number of the scene, also that number and the query's required answer.
 
-    If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks for
-    a difference between two moments, `less` is the question for the second one. Of several values of a number, the
-    `end` of the range that is asked for is told, if one is. With a `varied` scene the answer is the one there; `compare`
-    says whether an answer is told as a ratio or a difference to what is so in the scene.
+    If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks
+    for a difference between two moments, `less` is the question for the second one. Of several values of a number,
+    the `end` of the range that is asked for is told, if one is. With a `varied` scene the answer is the one there.
+    `compare` says whether an answer is told as a ratio or a difference to what is so in the scene.
     """
 
     query: Query

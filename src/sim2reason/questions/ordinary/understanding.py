@@ -38,8 +38,10 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     heard = hear(sentence, words)
     found = understood_as_it_is(heard, motion, words)
     found = found or of_small_oscillations(heard, motion, words, READER)
-    return found or in_changed_scene(heard, motion, words, understood_as_it_is) or number_making_so(
-        heard, motion, words, READER
+    return (
+        found
+        or in_changed_scene(heard, motion, words, understood_as_it_is)
+        or number_making_so(heard, motion, words, READER)
     )
 
 

@@ -1,4 +1,4 @@
-"""Questions for the answer in a changed scene: the question itself, what is supposed, and how the answer is compared."""
+"""Questions for the answer in a changed scene: the question itself, what is supposed, and how the answer is told."""
 
 import re
 from collections.abc import Iterator
@@ -7,14 +7,32 @@ from typing import NamedTuple
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.whatif.suppositions import Supposition, adjunct, suppositions
 
-_IF = r"(?:if|supposing(?: that)?|assuming(?: that)?|suppose(?: that)?|imagine(?: that)?|assume(?: that)?|provided(?: that)?|were it that)"
-_MORE = "(?:increase|grow|rise|be larger|be greater|be increased|go up|become larger|become greater|be higher|be multiplied|be longer|be raised)"
-_LESS = "(?:decrease|fall|shrink|be smaller|be less|be reduced|go down|become smaller|drop|be lower|be shorter|be lowered|be decreased)"
+_IF = (
+    r"(?:if|supposing(?: that)?|assuming(?: that)?|suppose(?: that)?|imagine(?: that)?|assume(?: that)?"
+    r"|provided(?: that)?|were it that)"
+)
+_MORE = (
+    "(?:increase|grow|rise|be larger|be greater|be increased|go up|become larger|become greater|be higher|be"
+    " multiplied|be longer|be raised)"
+)
+_LESS = (
+    "(?:decrease|fall|shrink|be smaller|be less|be reduced|go down|become smaller|drop|be lower|be shorter|be"
+    " lowered|be decreased)"
+)
 _CHANGE = "(?:change|be changed|differ)"
 _FAR = {
-    "further": "far", "farther": "far", "longer": "long", "faster": "fast", "higher": "high", "less far": "far",
-    "sooner": "long", "later": "long", "slower": "fast", "shorter": "long", "less high": "high",
-}  # fmt: skip
+    "further": "far",
+    "farther": "far",
+    "longer": "long",
+    "faster": "fast",
+    "higher": "high",
+    "less far": "far",
+    "sooner": "long",
+    "later": "long",
+    "slower": "fast",
+    "shorter": "long",
+    "less high": "high",
+}
 _FEWER = frozenset({"less far", "sooner", "slower", "shorter", "less high"})
 _DIMENSIONS = "(?:larger|greater|higher|bigger|more|stronger|smaller|less|lower)"
 RATIO, DIFFERENCE, VALUE = "ratio", "difference", "value"
@@ -62,16 +80,27 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
     """Yield a question with how its answer is compared, and whether the answer is presumed to grow."""
     question = re.sub(r"\bthen \b", "", question)
     for told, compare in ((r"by (?:what|which) factor|how many times", RATIO), ("by how much|how much", DIFFERENCE)):
-        found = re.fullmatch(rf"(?:{told}) (?:would|does|will|do) (?P<x>.+?) (?:(?P<more>{_MORE})|(?P<less>{_LESS})|(?P<change>{_CHANGE}))", question)
+        found = re.fullmatch(
+            rf"(?:{told}) (?:would|does|will|do) (?P<x>.+?) (?:(?P<more>{_MORE})|(?P<less>{_LESS})"
+            rf"|(?P<change>{_CHANGE}))",
+            question,
+        )
         if found is not None and not (compare == RATIO and found["less"]):
             x = found["x"]
             grows = True if found["more"] else False if found["less"] else None
             high = re.search(r"higher$", found[0]) is not None
             yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
-    found = re.fullmatch(r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be", question)
+    found = re.fullmatch(
+        r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
+        question,
+    )
     if found is not None:
         yield from ((asked, RATIO, None) for asked in _of_phrase(found["x"]))
-    found = re.fullmatch(rf"(?:by )?how (?:much|many (?:seconds|metres|times)) (?P<how>{'|'.join(_FAR)}) (?P<rest>(?:would|does|will|is|do) .+)", question)
+    found = re.fullmatch(
+        rf"(?:by )?how (?:much|many (?:seconds|metres|times)) (?P<how>{'|'.join(_FAR)}) (?P<rest>(?:would|does"
+        rf"|will|is|do) .+)",
+        question,
+    )
     if found is not None:
         yield f"how {_FAR[found['how']]} {found['rest']}", DIFFERENCE, found["how"] not in _FEWER
     found = re.fullmatch(rf"(?:by )?how much (?P<how>{_DIMENSIONS}) (?:would|will) (?P<x>.+) be", question)
@@ -90,9 +119,15 @@ def _plainly(question: str) -> str:
     """Return a question about what would be so as one about what is so."""
     said = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
     said = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", said)
-    said = re.sub(r"^how (?:large|great|big|strong) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"what is \g<x>\g<rest>", said)
+    said = re.sub(
+        r"^how (?:large|great|big|strong) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$",
+        r"what is \g<x>\g<rest>",
+        said,
+    )
     said = re.sub(r"^(?P<ask>what|which) would be (?P<x>.+)$", r"\g<ask> is \g<x>", said)
-    said = re.sub(r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", said)
+    said = re.sub(
+        r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", said
+    )
     said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) be\b", r"is \g<s>", said)
     said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) (?P<verb>have|then have)\b", r"does \g<s> have", said)
     said = re.sub(r"\b(?:would|will) be\b", "is", said)

@@ -12,7 +12,6 @@ from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
@@ -31,15 +30,20 @@ MOST = 4  # readings of a result whose numbers are looked for
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
 _SAME = "(?:same|unchanged|present|given|original)"
 _ELSE = (
-    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing|rest|other data)"
+    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing"
+    "|rest|other data)"
 )
 _CONSTANT = re.compile(
-    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME} (?:(?:{_NOUNS}|position|place"
-    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= |$)(?: ,)?"
-    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay |stays |kept |left )*"
+    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME}"
+    rf" (?:(?:{_NOUNS}|position|place"
+    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= "
+    rf"|$)(?: ,)?"
+    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay "
+    rf"|stays |kept |left )*"
     r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
     r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
-    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial) (?:position|point|place|height)(?= |$)"
+    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial)"
+    r" (?:position|point|place|height)(?= |$)"
     r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
     r"|^ ?suppose (?:that )?@\d+@ (?:could be|were|is|was) (?:swapped|replaced|exchanged|changed)[^.]*\. "
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
@@ -48,7 +52,7 @@ _CONSTANT = re.compile(
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
-    """Return the meaning of a sentence that asks for a number of the scene by what it brings about; None if it does not.
+    """Return the meaning of a sentence that asks for a number by what it brings about; None if it does not.
 
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
@@ -136,13 +140,16 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
     scene, path = motion.study.scene, question.unknown.path
     dependence = Dependence(question.query, motion.study, path, COARSE)
     values = range_of(scene, path)
-    return any(isfinite(dependence(value) or 0.0) and dependence(value) is not None for value in (number_at(scene, path), *values[:: len(values) // TRIED]))
+    return any(
+        isfinite(dependence(value) or 0.0) and dependence(value) is not None
+        for value in (number_at(scene, path), *values[:: len(values) // TRIED])
+    )
 
 
 def _askable(
     heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
-    """Yield the questions in parts that a question may mean, with the unit of each: in the scene as it is, or else any."""
+    """Yield the questions in parts that a question may mean, with their units: in the scene as it is, or else any."""
     try:
         plain = of_all(reader.read, heard, motion, words)
     except TextError:
@@ -183,7 +190,7 @@ def _leads(
 
 
 def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
-    """Return a meaning, compared with the number that the scene has if that is asked; TextError if it is on the other side."""
+    """Return a meaning, compared with the scene's number if that is asked; TextError if it is on the other side."""
     answer, path = meant.followed.answer, meant.asked.find
     if frame.compare == "value" or answer is None:
         return meant

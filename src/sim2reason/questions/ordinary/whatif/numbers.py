@@ -19,6 +19,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 EVERY_MASS = "every mass"  # of all bodies that the text has
+NEVER_ZERO = "friction", "mass", "speed", "angular speed"
 EXACT = 1e-9  # relative: an initial speed that a body has
 
 
@@ -36,27 +37,34 @@ NUMBERS: Mapping[str, NumberKind] = {
     "empty mass": NumberKind("mass without (?:its )?fuel|dry mass|empty mass|mass when empty", ("dry",)),
     "mass": NumberKind(f"(?:(?:total|{_STARTING}) )?mass", ("mass",), ("kg", "mg", "Msun")),
     "angular speed": NumberKind(
-        f"(?:{_STARTING} )?(?:angular (?:speed|velocity)|rate of rotation|spin|rotation rate)", ("rate", "spin"), ("rad/s",)
+        f"(?:{_STARTING} )?(?:angular (?:speed|velocity)|rate of rotation|spin|rotation rate)",
+        ("rate", "spin"),
+        ("rad/s",),
     ),
     "exhaust speed": NumberKind(
-        "(?:exhaust|ejection|gas|outflow|effective exhaust) (?:speed|velocity)|(?:speed|velocity) of (?:exhaust|exhaust gas(?:es)?"
-        "|gas(?:es)?|ejected gas(?:es)?)|(?:speed|velocity) (?:with|at) which (?:exhaust )?gas(?:es)? (?:is|are) ejected",
+        "(?:exhaust|ejection|gas|outflow|effective exhaust) (?:speed|velocity)|(?:speed|velocity) of (?:exhaust"
+        "|exhaust gas(?:es)?"
+        "|gas(?:es)?|ejected gas(?:es)?)|(?:speed|velocity) (?:with|at) which (?:exhaust )?gas(?:es)? (?:is|are)"
+        " ejected",
         ("exhaust",),
     ),
-    "drag": NumberKind("(?:drag|resistance|damping) (?:coefficient|constant)|coefficient of (?:drag|resistance)", ("coefficient", "damping")),
+    "drag": NumberKind(
+        "(?:drag|resistance|damping) (?:coefficient|constant)|coefficient of (?:drag|resistance)",
+        ("coefficient", "damping"),
+    ),
     "burn rate": NumberKind(
-        "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate|rate of (?:fuel consumption"
+        "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate"
+        "|rate of (?:fuel consumption"
         "|burning(?: of fuel)?|combustion|fuel burn)|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
         "|(?:it|@\\d+@|engine) burns (?:its )?fuel)|fuel consumption",
         ("rate",),
         ("kg/s",),
     ),
-    "speed": NumberKind(
-        f"(?:{_STARTING} )?(?:speed|velocity)(?: of (?:projection|launch|throw|release))?", ("speed",)
-    ),
+    "speed": NumberKind(f"(?:{_STARTING} )?(?:speed|velocity)(?: of (?:projection|launch|throw|release))?", ("speed",)),
     "friction": NumberKind(
         "coefficient of (?:(?:static|kinetic|sliding|static and kinetic|static or kinetic) )?friction"
-        "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient|coefficient of (?:static |kinetic )?friction",
+        "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient|coefficient of (?:static |kinetic"
+        " )?friction",
         ("friction", "top_friction"),
     ),
     "restitution": NumberKind("coefficient of restitution|restitution(?: coefficient)?", ("restitution",)),
@@ -68,10 +76,12 @@ NUMBERS: Mapping[str, NumberKind] = {
     "strain": NumberKind(f"{_STARTING} (?:compression|extension|stretch|elongation)", ("by",)),
     "length": NumberKind("length", ("length",), ("length",)),
     "height": NumberKind(
-        f"(?:{_STARTING} )?height(?: of (?:tower|cliff|launch|launch point|release|thrower|throw|starting point))?", ("height",)
+        f"(?:{_STARTING} )?height(?: of (?:tower|cliff|launch|launch point|release|thrower|throw|starting point))?",
+        ("height",),
     ),
     "slope": NumberKind(
-        f"(?:inclination|slope angle|tilt|gradient|steepness|angle of inclination|angle of (?:{GROUNDS})|(?:{GROUNDS}) angle)"
+        f"(?:inclination|slope angle|tilt|gradient|steepness|angle of inclination|angle of (?:{GROUNDS})"
+        f"|(?:{GROUNDS}) angle)"
         f"(?: of (?:{GROUNDS}))?",
         ("angle", "tilt"),
         ("plane",),
@@ -85,15 +95,16 @@ NUMBERS: Mapping[str, NumberKind] = {
     "swing angle": NumberKind(f"(?:{_STARTING}|release) angle|amplitude", ("angle",), ("swing",)),
     "angle": NumberKind("angle", ("angle", "tilt"), ("plane", "launch", "swing")),
     "radius": NumberKind("radius", ("radius",)),
-    "distance": NumberKind("distance from (?:its )?(?:axle|axis|pivot)|distance of @\\d+@ from (?:axle|axis|pivot)", ("distance",)),
-    "magnetic field": NumberKind(
-        f"(?:strength of )?magnetic {_FIELD}(?: strength)?", ("magnetic.strength",)
+    "distance": NumberKind(
+        "distance from (?:its )?(?:axle|axis|pivot)|distance of @\\d+@ from (?:axle|axis|pivot)", ("distance",)
     ),
+    "magnetic field": NumberKind(f"(?:strength of )?magnetic {_FIELD}(?: strength)?", ("magnetic.strength",)),
     "electric field": NumberKind(f"(?:strength of )?electric {_FIELD}(?: strength)?", ("electric.strength",)),
     "field": NumberKind("(?:strength of )?field(?: strength)?", ("magnetic.strength", "electric.strength")),
     "charge": NumberKind("(?:magnitude of )?charge|amount of charge", ("charge",)),
     "gravity": NumberKind(
-        "(?:acceleration due to gravity|g|(?:free-fall|free fall|gravitational|gravity) acceleration|acceleration of free fall"
+        "(?:acceleration due to gravity|g|(?:free-fall|free fall|gravitational|gravity) acceleration|acceleration"
+        " of free fall"
         "|gravitational field strength|gravity)(?: there)?",
         ("gravity",),
     ),
@@ -111,12 +122,14 @@ class NamedNumber(NamedTuple):
 
 @cache
 def number_pattern(prefix: str = "") -> str:
-    """Return a pattern of a phrase for a number, with the groups ``own``, ``noun``, ``of`` and ``and`` after a prefix."""
+    """Return a pattern of a phrase for a number, with groups for its kind and its owners, whose names have a prefix."""
     nouns = "|".join(f"(?P<{prefix}n{index}>{kind.nouns})" for index, kind in enumerate(NUMBERS.values()))
     told = r"(?: ?,? (?:relative to|with respect to) @\d+@ ?,?)?"
     owner = (
-        rf"(?: (?:of|for|between|on|in) (?:both )?(?P<{prefix}of>@\d+@)(?: and (?:(?P<{prefix}and>@\d+@)|(?:{GROUNDS})|its (?:{GROUNDS})))?"
-        rf"|(?: (?:of|on|for|between) (?:{GROUNDS}|hand|wall|pulling hand|hand 's pull))(?: and (?P<{prefix}too>@\d+@))?)?"
+        rf"(?: (?:of|for|between|on|in) (?:both )?(?P<{prefix}of>@\d+@)(?: and (?:(?P<{prefix}and>@\d+@)"
+        rf"|(?:{GROUNDS})|its (?:{GROUNDS})))?"
+        rf"|(?: (?:of|on|for|between) (?:{GROUNDS}|hand|wall|pulling hand|hand 's pull))(?: and"
+        rf" (?P<{prefix}too>@\d+@))?)?"
     )
     start = r"(?: (?:at start|at launch|at release|initially))?"
     return rf"(?:(?P<{prefix}own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){told}{owner}{start}"
@@ -140,7 +153,9 @@ def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
         return tuple(path for path, _ in every) if len(every) == 1 else ()
     if named.kind == "friction":
         return _rubbing(every, owners, study, words)
-    found = [[path for path, held in every if _belongs(path, held, owner, study, words, len(every))] for owner in owners]
+    found = [
+        [path for path, held in every if _belongs(path, held, owner, study, words, len(every))] for owner in owners
+    ]
     return tuple(paths[0] for paths in found) if all(len(paths) == 1 for paths in found) else ()
 
 
@@ -149,19 +164,18 @@ def _each(said: str) -> Sequence[str]:
 
 
 def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
-    """Yield the addresses and values of a scene's numbers of a kind; of coefficients of friction those that are not 0."""
+    """Yield the addresses and values of a scene's numbers of a kind; of most kinds only those that are not zero."""
     kind = NUMBERS[name]
     for parameter in scene.parameters:
-        if parameter.value is not None and not parameter.hidden and _is_of(parameter, kind):
-            if parameter.value or name not in ("friction", "mass", "speed", "angular speed"):
-                yield parameter.path, parameter.value
+        said = parameter.value is not None and not parameter.hidden and _is_of(parameter, kind)
+        if said and (parameter.value or name not in NEVER_ZERO):
+            yield parameter.path, parameter.value
     if name == "speed":
         for path, number in derived_numbers(scene).items():
             yield path, number.value(scene)
 
 
 def _is_of(parameter: Parameter, kind: NumberKind) -> bool:
-    head, _, _ = parameter.path.rpartition(".")
     if not any(f".{parameter.path}".endswith(f".{field}") for field in kind.fields):
         return False
     measure = parameter.measure

@@ -16,7 +16,7 @@ from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.meaning import Understood
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.whatif.conditions import (
+from sim2reason.questions.ordinary.whatif.condition_rows import (
     BOUND,
     CIRCULAR,
     ESCAPES,
@@ -30,8 +30,8 @@ from sim2reason.questions.ordinary.whatif.conditions import (
     SLIPS,
     STAYS,
     TAUT,
-    Condition,
 )
+from sim2reason.questions.ordinary.whatif.conditions import Condition
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.structured import START, StructuredQuestion
@@ -66,7 +66,9 @@ def by_outcome(
         outcome = HOLDS
     if friction and outcome in (HOLDS, STAYS):
         if frame.end != GREATEST:
-            yield from _needed(path, who or next(iter(frame.number.owners), ""), motion, words, stopped=outcome == STAYS)
+            yield from _needed(
+                path, who or next(iter(frame.number.owners), ""), motion, words, stopped=outcome == STAYS
+            )
         return
     if not path or outcome == STAYS:
         return
@@ -105,7 +107,13 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
         return  # the scene has a coefficient, but not the one that is meant
-    of = bodies.get(who, "") if who in bodies and bodies[who] in rough else next(iter(rough), "") if len(rough) == 1 else ""
+    of = (
+        bodies.get(who, "")
+        if who in bodies and bodies[who] in rough
+        else next(iter(rough), "")
+        if len(rough) == 1
+        else ""
+    )
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
         slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released

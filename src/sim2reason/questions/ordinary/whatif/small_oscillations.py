@@ -11,17 +11,29 @@ from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.words import Words
 
 _MEASURE = "(?P<q>period|frequency|angular frequency)"
-_SMALL = "(?:(?:very )?small (?:oscillations?|swings?|vibrations?|angles?|amplitudes?|displacements?)|small-amplitude oscillations?)"
-_ABOUT = r"(?: ?(?:about|around) (?:its |@\d+@ 's |position of )?(?:equilibrium(?: position)?|lowest position|rest position|lowest point))"
+_SMALL = (
+    "(?:(?:very )?small (?:oscillations?|swings?|vibrations?|angles?|amplitudes?|displacements?)"
+    "|small-amplitude oscillations?)"
+)
+_ABOUT = (
+    r"(?: ?(?:about|around) (?:its |@\d+@ 's |position of )?(?:equilibrium(?: position)?|lowest position"
+    r"|rest position|lowest point))"
+)
 _OF = r"(?: of (?:this |that )?(?:@\d+@|pendulum|system))?"
 FORMS = (
     rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}",
     rf"what would be {_MEASURE} (?:of|for) {_SMALL}{_OF}{_ABOUT}?",
     rf"what would {_MEASURE}{_OF} be (?:for|with|in case of) {_SMALL}{_OF}{_ABOUT}?",
-    rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |pendulum |system )?(?:were|was) (?:only |just )?(?:swinging|oscillating|vibrating)"
-    rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?",
-    rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |it )?(?:only )?(?:swung|oscillated|vibrated) (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?",
-)  # fmt: skip
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |pendulum |system )?(?:were|was) (?:only |just"
+        rf" )?(?:swinging|oscillating|vibrating)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |it )?(?:only )?(?:swung|oscillated|vibrated)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+)
 
 
 def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:

@@ -16,7 +16,8 @@ from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Understood
 from sim2reason.questions.ordinary.whatif.comparisons import ChangedQuestion, changed_questions
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
-from sim2reason.questions.ordinary.whatif.suppositions import FIXED, MORE, NONE, SAME, SWAPPED, TIMES, Supposition
+from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
+from sim2reason.questions.ordinary.whatif.suppositions import Supposition
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
 from sim2reason.questions.unknown import limits_of
@@ -69,7 +70,10 @@ def _answered(
 def of_all(read: Reads, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the meaning of a question; where it names nobody, of each moving body, if they have one answer."""
     found = read(heard, motion, words)
-    asks = re.match(r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )", heard.text)
+    asks = re.match(
+        r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )",
+        heard.text,
+    )
     if found is not None or asks is None or "@" in heard.text:
         return found
     bodies = tuple(words.called(Bodies()).values())
@@ -119,7 +123,11 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
     if supposed.way and not _goes(supposed, motion, words):
         return {}
     if supposed.how == SWAPPED:
-        return dict(zip(paths, (number_at(scene, path) for path in reversed(paths)), strict=True)) if len(paths) == 2 else {}
+        return (
+            dict(zip(paths, (number_at(scene, path) for path in reversed(paths)), strict=True))
+            if len(paths) == 2
+            else {}
+        )
     if supposed.how == SAME:
         return {path: number_at(scene, path) for path in paths}
     return {path: value for path in paths if (value := _value(supposed, path, scene)) is not None}
@@ -152,7 +160,9 @@ def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Map
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)
         return {path: least for path in paths if (least := max(0.0, limits_of(scene, path)[0])) <= TINY}
-    held = [path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")]
+    held = [
+        path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")
+    ]
     rough = [path for path in held if number_at(scene, path)]
     if number.owners and len(rough) > 1:
         rough = list(paths_of(number, motion.study, words))
