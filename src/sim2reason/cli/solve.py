@@ -52,10 +52,12 @@ Example:
 )
 @click.option("--along", help="Which component: an axis, or what is positive.", metavar="AXIS", default="")
 @click.option("--given", help="Find a number of the scene that makes QUANTITY = VALUE.", metavar="EQUATION", default="")
-@click.option("--change", help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed.", metavar="CHANGE", default="")
+@click.option(
+    "--change", help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed.", metavar="CHANGE", default=""
+)
 @click.option(
     "--compare",
-    help="How a changed answer, or a number found, is told: as a ratio or difference to the scene as it is, or a value."
+    help="How a changed answer, or a number found, is told: as a ratio, difference or value."
     " By default a change is a ratio.",
     metavar="[ratio|difference|value]",
     default="",

@@ -52,7 +52,9 @@ def number_at(scene: Scene, path: str) -> float:
 
 def with_numbers(scene: Scene, values: Mapping[str, float]) -> Scene:
     """Return a scene with other values at some addresses, of which some may be those of derived numbers."""
-    derived = derived_numbers(scene) if any(path.endswith(f".{SPEED}") for path in values) else {}
+    derived: Mapping[str, DerivedNumber] = {}
+    if any(path.endswith(f".{SPEED}") for path in values):
+        derived = derived_numbers(scene)
     news = dict[str, float]()
     for path, value in values.items():
         news |= derived[path].at(scene, value) if path in derived else {path: value}

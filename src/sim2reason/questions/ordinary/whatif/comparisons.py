@@ -68,6 +68,11 @@ def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ..
     first, parted, second = text.partition(". ")
     if parted and (supposed := suppositions(first, heard)):
         yield second, supposed
+    yield from _with_adjunct(text, heard)
+
+
+def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+    """Yield the question and the suppositions of a sentence that ends, or begins, with a phrase for them."""
     for found in re.finditer(r" (?=without |with |in absence |on )", text):
         if supposed := adjunct(text[found.end() :], heard):
             yield text[: found.start()], supposed

@@ -184,7 +184,7 @@ OTHERS = (
 
 
 class WantedFrame(NamedTuple):
-    """What a sentence wants: a number, which end of its range, how it is told, its condition and the subject of that."""
+    """What a sentence wants: a number, an end of its range, how it is told, its condition and the subject of that."""
 
     number: NamedNumber
     end: str

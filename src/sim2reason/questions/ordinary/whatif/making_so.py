@@ -85,7 +85,7 @@ def _meant(
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
     if condition.outcome:
-        readings = list(by_outcome(frame, condition, path, heard, motion, words))
+        readings = list(by_outcome(frame, condition, path, motion, words))
         found = reader.first_of(readings, motion, words) if readings else None
         if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
             return None

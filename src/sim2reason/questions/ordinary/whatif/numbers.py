@@ -166,9 +166,9 @@ def _each(said: str) -> Sequence[str]:
 def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
     """Yield the addresses and values of a scene's numbers of a kind; of most kinds only those that are not zero."""
     kind = NUMBERS[name]
-    for parameter in scene.parameters:
-        said = parameter.value is not None and not parameter.hidden and _is_of(parameter, kind)
-        if said and (parameter.value or name not in NEVER_ZERO):
+    held = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
+    for parameter in held:
+        if parameter.value or (parameter.value is not None and name not in NEVER_ZERO):
             yield parameter.path, parameter.value
     if name == "speed":
         for path, number in derived_numbers(scene).items():

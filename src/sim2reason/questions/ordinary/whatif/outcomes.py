@@ -1,6 +1,6 @@
 """Readings of conditions that come about or not: thresholds, balances, and shapes of orbits."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import inf
 
 import numpy as np
@@ -13,7 +13,7 @@ from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.meaning import Understood
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.condition_rows import (
@@ -56,39 +56,37 @@ THRESHOLDS = {
 
 
 def by_outcome(
-    frame: WantedFrame, condition: Condition, path: str, heard: Heard, motion: FollowedMotion, words: Words
+    frame: WantedFrame, condition: Condition, path: str, motion: FollowedMotion, words: Words
 ) -> Iterator[Reading]:
-    """Yield the readings of a sentence that asks for the number at an address by an outcome; the address may be empty."""
+    """Yield the readings of a sentence that asks for a number, whose address may be empty, by an outcome."""
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
     if outcome == RESTS and (friction or (frame.end and _rubs(words))):
         outcome = HOLDS
     if friction and outcome in (HOLDS, STAYS):
+        of = who or next(iter(frame.number.owners), "")
         if frame.end != GREATEST:
-            yield from _needed(
-                path, who or next(iter(frame.number.owners), ""), motion, words, stopped=outcome == STAYS
-            )
-        return
-    if not path or outcome == STAYS:
-        return
-    if outcome == RESTS:
+            yield from _needed(path, of, motion, words, stopped=outcome == STAYS)
+    elif path and outcome == RESTS:
         yield from _balanced(path, who, words)
-    elif outcome in (ESCAPES, BOUND):
+    elif path and outcome in (ESCAPES, BOUND, CIRCULAR):
         for pair in _orbits(who, words):
-            yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
-    elif outcome == CIRCULAR:
-        for pair in _orbits(who, words):
-            yield from _circular(path, pair, motion, words)
-    else:
-        least = {LEAST: True, GREATEST: False}.get(frame.end)
-        rows = THRESHOLDS[outcome]
-        if outcome == ROUND and condition.taut:
-            rows = rows[1:]
-        for rank, (does, happens) in enumerate(rows):
-            for after, of in enumerate(dict.fromkeys((who, ""))):
-                asked = StructuredQuestion(path, when=f"{of} {does}".strip())
-                yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
+            yield from _orbiting(outcome, path, pair, motion, words)
+    elif path and outcome in THRESHOLDS:
+        yield from _thresholds(frame, condition, THRESHOLDS[outcome], path, who)
+
+
+def _thresholds(
+    frame: WantedFrame, condition: Condition, rows: Sequence[tuple[str, bool]], path: str, who: str
+) -> Iterator[Reading]:
+    """Yield the questions for where an outcome changes, first for the subject that is named, then for the only one."""
+    least = {LEAST: True, GREATEST: False}.get(frame.end)
+    rows = rows[1:] if condition.outcome == ROUND and condition.taut else rows
+    for rank, (does, happens) in enumerate(rows):
+        for after, of in enumerate(dict.fromkeys((who, ""))):
+            asked = StructuredQuestion(path, when=f"{of} {does}".strip())
+            yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
 
 
 def _rubs(words: Words) -> bool:
@@ -171,11 +169,15 @@ def _orbits(who: str, words: Words) -> Iterator[str]:
             yield f"{pull.a} & {pull.b}"
 
 
-def _circular(path: str, pair: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
-    """Yield the question for the number with which an orbit's semi-major axis is the distance at the start.
+def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
+    """Yield the question for the number with which an orbit is a parabola, or is a circle.
 
-    Then the orbit is a circle if the velocity is at right angles to the line between the two, and only then.
+    It is a circle where its semi-major axis is the distance at the start, if the velocity is at right angles to the
+    line between the two.
     """
+    if outcome != CIRCULAR:
+        yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
+        return
     study, (a, b) = motion.study, pair.split(AND)
     start = study.trace.at(0.0)
     place = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]

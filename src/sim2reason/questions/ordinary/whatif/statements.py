@@ -1,7 +1,7 @@
 """Statements with a number, each as a question for which the number is the answer."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import Heard
@@ -174,17 +174,14 @@ ANGLES = (
     ),
 )
 """By the form of a statement with a number, the question that asks for the number."""
-OF_UNITS = {
-    "m/s": SPEEDS,
-    "km/s": SPEEDS,
-    "au/yr": SPEEDS,
-    "s": TIMES,
-    "yr": TIMES,
-    "ms": TIMES,
-    "°": ANGLES,
-    "rad": ANGLES,
-}
-OF_UNITS |= dict.fromkeys(("m", "cm", "mm", "km", "au"), LENGTHS)
+_UNITS = (
+    (SPEEDS, ("m/s", "km/s", "au/yr")),
+    (TIMES, ("s", "yr", "ms")),
+    (LENGTHS, ("m", "cm", "mm", "km", "au")),
+    (ANGLES, ("°", "rad")),
+)
+OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, units in _UNITS for unit in units}
+"""By its unit, the forms of a statement with a number of it."""
 
 
 def asked_by(said: str, heard: Heard) -> Iterator[tuple[str, str]]:

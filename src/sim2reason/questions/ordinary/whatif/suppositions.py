@@ -67,26 +67,17 @@ def _one(text: str, heard: Heard, rows: tuple[tuple[str, str, str], ...]) -> Ite
         yield _changed(how, number, groups, heard)
 
 
+MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic": "1", "plastic": "0"}
+"""By the group of a form, the value that its words mean."""
+
+
 def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: Heard) -> Supposition:
-    value = heard.number(groups["n"]) if groups.get("n") else ""
-    value = next(
-        (
-            told
-            for name, told in (
-                ("level", "0"),
-                ("ground", "0 m"),
-                ("flat", "0"),
-                ("upright", "90"),
-                ("elastic", "1"),
-                ("plastic", "0"),
-            )
-            if groups.get(name)
-        ),
-        value,
-    )
+    token = groups.get("n")
+    value = heard.number(token) if token else ""
+    value = next((told for name, told in MEANT.items() if groups.get(name)), value)
     sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
     if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
-        return Supposition(TIMES, number, factor=1.0 + sign * float(re.match(r"[\d.]+", value)[0]) / 100.0)  # type: ignore[index]
+        return Supposition(TIMES, number, factor=1.0 + sign * float(value.partition(" ")[0].rstrip("%")) / 100.0)
     return Supposition(how, number, value, _factor(groups, heard), sign, groups.get("way") or "")
 
 
