@@ -190,8 +190,8 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
         return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == EXTREMES[0]))
     value, _, end = value.partition(", ")
     end = one_of("given", end, EXTREMES) if end else ""
-    if result in quantities_named(words.mechanism) or " of " in result or " along " in result:
-        target, wanted = stated(asked, f"{result} = {value}", words, "given")
+    if not value or result in quantities_named(words.mechanism) or " of " in result or " along " in result:
+        target, wanted = stated(asked, f"{result} = {value}" if value else asked.given, words, "given")
         along = target.sense.positive if target.sense is not None else ""
         inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="", compare="")
         return PosedQuestion(posed(inner, motion, words).query, unknown, wanted, end=end)
