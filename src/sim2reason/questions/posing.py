@@ -22,7 +22,7 @@ from sim2reason.questions.structured import StructuredQuestion, measured, one_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import quantities_named, targets
 from sim2reason.questions.unknown import Unknown
-from sim2reason.questions.variation import Variation, variation
+from sim2reason.questions.variation import SceneChange, variation
 from sim2reason.questions.words import Words
 
 EXTREMES = "greatest", "least"
@@ -54,7 +54,7 @@ class PosedQuestion:
     others: tuple[Query, ...] = ()
     less: "PosedQuestion | None" = None
     end: str = ""
-    varied: Variation | None = None
+    varied: SceneChange | None = None
     compare: str = VALUE
 
     def unit(self, words: Words) -> str:
@@ -228,7 +228,7 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     return PosedQuestion(compared(inner.query, asked, study, words))
 
 
-def _is_plain_change(varied: Variation, scene: Scene) -> bool:
+def _is_plain_change(varied: SceneChange, scene: Scene) -> bool:
     """Return whether a variation multiplies a single declared number by a factor other than zero."""
     path, value = varied.values[0] if varied.values else ("", 0.0)
     alone = len(varied.values) == 1 and not varied.fixed and path not in derived_numbers(scene)

@@ -18,7 +18,7 @@ _FIXED = re.compile(rf"(?P<body>.+?) {FIXED}")
 
 
 @dataclass(frozen=True, slots=True)
-class Variation:
+class SceneChange:
     """Other values of some numbers of a scene, by address, and the addresses of bodies that are held fixed."""
 
     values: tuple[tuple[str, float], ...] = ()
@@ -36,7 +36,7 @@ class Variation:
         return ", ".join((*numbers, *(f"{body} {FIXED}" for body in self.fixed)))
 
 
-def variation(said: str, scene: Scene, words: Words) -> Variation:
+def variation(said: str, scene: Scene, words: Words) -> SceneChange:
     """Return the changes that a structured question names, as in *ramp.angle = 30°, left.mass × 2, box fixed*.
 
     TextError if a change names no number or body of the scene, or has no value.
@@ -56,7 +56,7 @@ def variation(said: str, scene: Scene, words: Words) -> Variation:
         path = resolved("change", found["number"], {path: words.named.get(path, path) for path in units})
         value = measured("change", found["value"], units[path] if found["sign"] == "=" else "")
         values[path] = value if found["sign"] == "=" else value * number_at(scene, path)
-    return Variation(tuple(values.items()), tuple(fixed))
+    return SceneChange(tuple(values.items()), tuple(fixed))
 
 
 def _body(said: str, scene: Scene, words: Words) -> str:

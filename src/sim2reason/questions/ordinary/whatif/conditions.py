@@ -41,7 +41,7 @@ _START = re.compile(
 _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down)?(?: again)?$")
 
 
-class Condition(NamedTuple):
+class StatedCondition(NamedTuple):
     """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer."""
 
     outcome: str = ""
@@ -51,7 +51,14 @@ class Condition(NamedTuple):
     taut: bool = False
 
 
-def conditions(text: str, subject: str, heard: Heard) -> Iterator[Condition]:
+_CAUSING = (
+    r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit"
+    r"|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift"
+    r"|lifts|hold|holds|send|sends)"
+)
+
+
+def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
     """Yield what a clause says is to be so, as an outcome or else as a result; nothing if a word of it is left over."""
     said = _statement(text, subject)
     outcome = _outcome(said, heard)
@@ -59,7 +66,7 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[Condition]:
         yield outcome
         return
     for question, stated in asked_by(said, heard):
-        yield Condition(question=question, stated=stated)
+        yield StatedCondition(question=question, stated=stated)
 
 
 def _statement(text: str, subject: str) -> str:
@@ -75,13 +82,8 @@ def _statement(text: str, subject: str) -> str:
     elif gets is not None:
         said = gets["rest"]
     said = re.sub(rf"^(?:(?:would|will|to) )?(?:give|gives|given) ({_S}|it) ", r"\1 have ", said)
-    causing = (
-        r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit"
-        r"|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift"
-        r"|lifts|hold|holds|send|sends)"
-    )
     said = re.sub(
-        rf"^(?:will |would |to )?{causing} (?=(?:{_S}(?= |$)|(?:(?:greatest|least|maximum|minimum|final|initial)"
+        rf"^(?:will |would |to )?{_CAUSING} (?=(?:{_S}(?= |$)|(?:(?:greatest|least|maximum|minimum|final|initial)"
         rf" )*(?:its|it|system|everything|period|both|all|{pattern('QUANTITY').pattern})\b))",
         "",
         said,
@@ -113,7 +115,7 @@ def _is_predicate(said: str) -> bool:
     )
 
 
-def _outcome(said: str, heard: Heard) -> Condition | None:
+def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     """Return the outcome that a statement says, if every word of the statement has its place."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
@@ -140,5 +142,5 @@ def _outcome(said: str, heard: Heard) -> Condition | None:
             if both is not None
             else heard.subject(who or None)
         )
-        return Condition(outcome, named, taut=taut)
+        return StatedCondition(outcome, named, taut=taut)
     return None

@@ -12,7 +12,7 @@ from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.whatif.conditions import Condition, conditions
+from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
@@ -76,7 +76,7 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
 
 
 def _meant(
-    frame: WantedFrame, condition: Condition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    frame: WantedFrame, condition: StatedCondition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     number = frame.number
     if not number.owners and number.kind == "mass" and frame.subject:
@@ -95,7 +95,7 @@ def _meant(
 
 def _by_result(
     frame: WantedFrame,
-    condition: Condition,
+    condition: StatedCondition,
     path: str,
     heard: Heard,
     motion: FollowedMotion,
@@ -172,7 +172,7 @@ def _leads(
     value: float,
     path: str,
     heard: Heard,
-    condition: Condition,
+    condition: StatedCondition,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,

@@ -31,7 +31,7 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
     STAYS,
     TAUT,
 )
-from sim2reason.questions.ordinary.whatif.conditions import Condition
+from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.structured import START, StructuredQuestion
@@ -56,7 +56,7 @@ THRESHOLDS = {
 
 
 def by_outcome(
-    frame: WantedFrame, condition: Condition, path: str, motion: FollowedMotion, words: Words
+    frame: WantedFrame, condition: StatedCondition, path: str, motion: FollowedMotion, words: Words
 ) -> Iterator[Reading]:
     """Yield the readings of a sentence that asks for a number, whose address may be empty, by an outcome."""
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
@@ -78,7 +78,7 @@ def by_outcome(
 
 
 def _thresholds(
-    frame: WantedFrame, condition: Condition, rows: Sequence[tuple[str, bool]], path: str, who: str
+    frame: WantedFrame, condition: StatedCondition, rows: Sequence[tuple[str, bool]], path: str, who: str
 ) -> Iterator[Reading]:
     """Yield the questions for where an outcome changes, first for the subject that is named, then for the only one."""
     least = {LEAST: True, GREATEST: False}.get(frame.end)
@@ -120,7 +120,7 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
         yield Reading(asked, side=AFTER, steady=not change)
 
 
-def moves_nevertheless(found: Understood, condition: Condition, motion: FollowedMotion, words: Words) -> bool:
+def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
     """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found."""
     value, path = found.followed.answer, found.asked.find
     if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):

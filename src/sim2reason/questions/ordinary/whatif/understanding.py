@@ -21,7 +21,7 @@ from sim2reason.questions.ordinary.whatif.suppositions import Supposition
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
 from sim2reason.questions.unknown import limits_of
-from sim2reason.questions.variation import Variation, units_of, words_in
+from sim2reason.questions.variation import SceneChange, units_of, words_in
 from sim2reason.questions.words import Words
 
 Reads = Callable[[Heard, FollowedMotion, Words], Understood | None]
@@ -43,7 +43,7 @@ def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, read: R
 
 
 def _answered(
-    asked: ChangedQuestion, varied: Variation, heard: Heard, motion: FollowedMotion, words: Words, read: Reads
+    asked: ChangedQuestion, varied: SceneChange, heard: Heard, motion: FollowedMotion, words: Words, read: Reads
 ) -> Understood | None:
     told = replace(heard, text=asked.question)
     try:
@@ -95,7 +95,7 @@ def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Foll
     return after._replace(answer=then - now if asked.grows is None else abs(then - now))
 
 
-def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> Variation | None:
+def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> SceneChange | None:
     """Return the changes that a sentence supposes, by addresses; None if a name means no number of the scene."""
     values, fixed = dict[str, float](), list[str]()
     for supposed in asked.supposed:
@@ -111,7 +111,7 @@ def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> 
         if supposed.how == SAME:
             continue
         values |= found
-    return Variation(tuple(values.items()), tuple(fixed)) if values or fixed else None
+    return SceneChange(tuple(values.items()), tuple(fixed)) if values or fixed else None
 
 
 def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
