@@ -13,7 +13,8 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.outcomes import OUTCOMES
 
 PAGE = Path(__file__).parents[2] / "docs" / "questions.md"
-RARE = {"least normal force", "left face", "lifted off"}  # for which no scene of the page has an example
+RARE = {"least normal force", "left face", "lifted off", "circles", "lifts off"}
+"""What no scene of the page has an example of."""
 
 
 @pytest.fixture(scope="module")

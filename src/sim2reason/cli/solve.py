@@ -52,9 +52,15 @@ Example:
 )
 @click.option("--along", help="Which component: an axis, or what is positive.", metavar="AXIS", default="")
 @click.option("--given", help="Find a number of the scene that makes QUANTITY = VALUE.", metavar="EQUATION", default="")
-@click.option("--change", help="Find how it changes: ADDRESS = VALUE, or ADDRESS × 2.", metavar="CHANGE", default="")
 @click.option(
-    "--compare", help="As a ratio, or a difference, to the scene as it is.", default="ratio", show_default=True
+    "--change", help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed.", metavar="CHANGE", default=""
+)
+@click.option(
+    "--compare",
+    help="How a changed answer, or a number found, is told: as a ratio, difference or value."
+    " By default a change is a ratio.",
+    metavar="[ratio|difference|value]",
+    default="",
 )
 @options.seed("Another seed, other words.")
 @options.to_json("For a program to read: steps with their relations.")

@@ -32,8 +32,11 @@ A question has **parts**: what to `find`, `of` what, and `when`.
   first time that it has that value (`QUANTITY of SUBJECT along AXIS = VALUE`, in full); `equilibrium`. `before` after
   a moment is the instant just before it.
 - `along`: a component, by its axis, or by what is positive.
-- `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`.
-- `change`: `ADDRESS = VALUE`, or `ADDRESS × 2`: by what factor, or by how much (`compare`), that changes what is found;
+- `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`. Of several values
+  that do, `QUANTITY = VALUE, least` is the least.
+- `change`: `ADDRESS = VALUE`, `ADDRESS × 2`, `BODY fixed`, or several of these with commas: by what factor, or by how
+  much (`compare`), that changes what is found; with `compare: value`, what is found then. A number that is found may be
+  compared, too, with the one that the scene has;
   `ADDRESS = greatest` finds its extreme value, `ADDRESS = infinity` or `0` what it approaches as a mass grows or
   vanishes.
 

@@ -14,11 +14,12 @@ from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import MODES, StatedResult, Words
+from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
 from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.posing import VALUE, PosedQuestion, posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
@@ -55,7 +56,7 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     along: str = "",
     given: str = "",
     change: str = "",
-    compare: str = "ratio",
+    compare: str = "",
     seed: int = 0,
 ) -> SolvedProblem:
     """Solve a question about a scene, or the problem of an item or `id`, made again from its id, in steps.
@@ -134,13 +135,14 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
     if found.answer is None:
         return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
     target = question.query.target
-    if target is not None and target not in targets(search.words):
+    compared = question.compare != VALUE or question.varied is not None
+    if compared or (target is not None and target not in targets(search.words)):
         return SolvedProblem(problem, Solution("", reason="no sentence of the library asks this"), found.answer, unit)
     symbols, study, unknown = search.description.symbols, found.study, question.unknown
     if unknown is None:
         setting = Setting(study.scene, search.words, symbols, study, question.query)
     else:
-        study = follow(question.query, motion_of(study.scene.having(unknown.path, found.answer))).study
+        study = follow(question.query, motion_of(with_number(study.scene, unknown.path, found.answer))).study
         stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
         words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
         setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)

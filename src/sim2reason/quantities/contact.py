@@ -1,5 +1,7 @@
 """What a face does to the body that lies on it; the body does the opposite to the face."""
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
@@ -45,3 +47,29 @@ class FrictionForce(Quantity):
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Only a rough face has any."""
         return mechanism.contacts[name].friction > 0.0
+
+
+@quantity
+class FrictionNeeded(Quantity):
+    """The ratio of friction to normal force, which the coefficient of static friction must exceed to prevent slipping.
+
+    It is used in structured questions only, and never drawn by recipes.
+    """
+
+    name, unit, symbol = "coefficient of friction needed", "", "μ"
+    of = Contacts()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies that lie on a rough face, be it as rough as is needed."""
+        return tuple(name for name in self.of.names(mechanism) if mechanism.contacts[name].friction > 0.0)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """|f| / N, (n,); infinite where nothing presses the body on its face."""
+        pressed = np.abs(state.normal[subject])
+        ratio = np.divide(
+            np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0
+        )
+        return np.where(state.friction[subject] == 0.0, 0.0, ratio)

@@ -11,6 +11,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.course import ways
+from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.never import flies_away
@@ -98,7 +99,7 @@ class Dependence:
 
     def _answer(self, value: float) -> float | None:
         try:
-            scene = self._scene.having(self._path, value)
+            scene = with_number(self._scene, self._path, value)
         except (SceneError, ValueError):
             return None
         for stages in self._plans(value, scene):

@@ -1,23 +1,28 @@
 """The conversion of a structured question into a query, by the first kind of question that accepts the parts."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from sim2reason.errors import TextError
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.following import Followed, FollowedMotion, follow
+from sim2reason.questions.derived_numbers import derived_numbers, number_at
+from sim2reason.questions.following import Followed, FollowedMotion, follow, motion_of
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.parts.nested import stripped
+from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.parts.reached import stated
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import targets
+from sim2reason.questions.targets import quantities_named, targets
 from sim2reason.questions.unknown import Unknown
+from sim2reason.questions.variation import SceneChange, variation
 from sim2reason.questions.words import Words
 
 EXTREMES = "greatest", "least"
@@ -28,6 +33,8 @@ MINUS = " minus "  # between two moments, for the value at the first one less th
 AXLE = "moment of inertia about the axle"
 SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass", AXLE)
 """Quantities whose values of several subjects add up to that of all."""
+RATIO, DIFFERENCE, VALUE = COMPARED = "ratio", "difference", "value"
+"""How a changed answer, or a number that is found, is told: compared with what it is in the scene, or by itself."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
 
@@ -35,8 +42,10 @@ SYMBOL = "x"  # of a number that is looked for and has no other symbol
 class PosedQuestion:
     """A query; if the question asks for a number of the scene, also that number and the query's required answer.
 
-    If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks for
-    a difference between two moments, `less` is the question for the second one.
+    If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks
+    for a difference between two moments, `less` is the question for the second one. Of several values of a number,
+    the `end` of the range that is asked for is told, if one is. With a `varied` scene the answer is the one there.
+    `compare` says whether an answer is told as a ratio or a difference to what is so in the scene.
     """
 
     query: Query
@@ -44,12 +53,15 @@ class PosedQuestion:
     given: float = 0.0
     others: tuple[Query, ...] = ()
     less: "PosedQuestion | None" = None
+    end: str = ""
+    varied: SceneChange | None = None
+    compare: str = VALUE
 
     def unit(self, words: Words) -> str:
         """Return the unit of the answer."""
-        return (
-            self.unknown.unit if self.unknown else words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
-        )
+        if self.compare == RATIO:
+            return ""
+        return self.unknown.unit if self.unknown else self.given_unit(words)
 
     def given_unit(self, words: Words) -> str:
         """Return the unit of the given result."""
@@ -57,20 +69,49 @@ class PosedQuestion:
 
     def followed(self, motion: FollowedMotion) -> Followed:
         """Return the answer with the motion that leads to the answer, or the reason why there is none."""
+        if self.compare != VALUE or self.varied is not None:
+            return self._compared(motion)
         if self.less is not None:
             return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
         if self.unknown is None:
             found = [follow(query, motion) for query in (self.query, *self.others)]
             missing = next((each for each in found if each.answer is None), None)
             return missing or found[0]._replace(answer=sum(each.answer or 0.0 for each in found))
-        values = values_giving(self.query, self.given, self.unknown, motion.study)
+        values = sorted(values_giving(self.query, self.given, self.unknown, motion.study))
+        if self.end and values:
+            values = [values[0 if self.end == EXTREMES[1] else -1]]
         reason = why_not_one(self.unknown, values, motion.study.scene)
         return Followed(motion.study, None if reason else values[0], reason)
+
+    def _compared(self, motion: FollowedMotion) -> Followed:
+        """Return the answer in the varied scene, or the answer compared with that, or the number, in the scene."""
+        plain, scene = replace(self, varied=None, compare=VALUE), motion.study.scene
+        try:
+            there = motion if self.varied is None else motion_of(self.varied.applied(scene))
+        except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
+            return Followed(motion.study, None, f"with the change there is no such motion: {error}")
+        after = plain.followed(there)
+        if self.compare == VALUE or after.answer is None:
+            return after
+        path = self._number
+        before = plain.followed(motion).answer if not path else number_at(scene, path)
+        if before is None or (self.compare == RATIO and not before):
+            return Followed(motion.study, None, "in the scene as it is there is nothing to compare it with")
+        return after._replace(answer=after.answer / before if self.compare == RATIO else after.answer - before)
+
+    @property
+    def _number(self) -> str:
+        """Return the address of the number that is asked for; empty if none is."""
+        if self.unknown is not None:
+            return self.unknown.path
+        return self.query.parameter if isinstance(self.query, ThresholdQuery) else ""
 
     def sentence(self, words: Words) -> str:
         """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
+        if self.compare != VALUE or self.varied is not None:
+            return ""
         if self.unknown is not None or self.others or self.less or (target is not None and noun is None):
             return ""
         shapes = KINDS[self.query.kind].shapes(self.query, words, noun)
@@ -86,21 +127,30 @@ def findable(words: Words) -> tuple[str, ...]:
 def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the query for a structured question about a scene; TextError for a part that has no meaning there."""
     if asked.given:
-        return _reversed(asked, motion, words)
+        return replace(_reversed(asked, motion, words), compare=compared_as(asked, VALUE))
     find = one_of("find", asked.find, findable(words))
     if MINUS in asked.when:
         return _between(asked, motion, words)
-    if PLUS in asked.of:
+    if PLUS in asked.of and not asked.change:
         return _summed(asked, motion, words)
     if asked.change:
-        inner = posed(replace(asked, change=""), motion, words).query
-        return PosedQuestion(_changed(inner, asked, motion.study, words))
+        return _changed(asked, motion, words)
     kinds = (kind for kind in KINDS.values() if find in kind.finds(words))
     query = next((query for kind in kinds if (query := kind.posed(asked, motion.study, words)) is not None), None)
     if query is None:
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
         raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
-    return PosedQuestion(query)
+    return PosedQuestion(query, compare=compared_as(asked, VALUE) if asked.find in numbers(words) else VALUE)
+
+
+def numbers(words: Words) -> frozenset[str]:
+    """Return the addresses of the numbers of a scene that can be found."""
+    return frozenset(unknown.path for unknown in words.unknowns)
+
+
+def compared_as(asked: StructuredQuestion, usual: str) -> str:
+    """Return how an answer is told: as a ratio, a difference or by itself; TextError for anything else."""
+    return one_of("compare", asked.compare or usual, COMPARED)
 
 
 def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
@@ -132,33 +182,57 @@ def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> 
 def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the query for the value of a number of the scene that leads to a given result or an extreme value."""
     scene = motion.study.scene
-    paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
-    offered = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
+    offered = numbers_offered(scene, words)
     unknown = offered[one_of("find", asked.find, offered)]
     result, _, value = (part.strip() for part in asked.given.partition("="))
     if value in EXTREMES:
-        inner = posed(replace(asked, find=result, given=""), motion, words).query
+        inner = posed(replace(asked, find=result, given="", compare=""), motion, words).query
         return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == EXTREMES[0]))
-    if result == "time":
-        query = posed(replace(asked, find="time", given=""), motion, words).query
-        return PosedQuestion(query, unknown, measured("given", value, words.units.time))
-    target, wanted = stated(asked, asked.given, words, "given")
-    along = target.sense.positive if target.sense is not None else ""
-    inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="")
-    return PosedQuestion(posed(inner, motion, words).query, unknown, wanted)
+    value, _, end = value.partition(", ")
+    end = one_of("given", end, EXTREMES) if end else ""
+    if not value or result in quantities_named(words.mechanism) or " of " in result or " along " in result:
+        target, wanted = stated(asked, f"{result} = {value}" if value else asked.given, words, "given")
+        along = target.sense.positive if target.sense is not None else ""
+        inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="", compare="")
+        return PosedQuestion(posed(inner, motion, words).query, unknown, wanted, end=end)
+    query = posed(replace(asked, find=result, given="", compare=""), motion, words).query
+    unit = words.units.spell(KINDS[query.kind].measured(query).unit)
+    return PosedQuestion(query, unknown, measured("given", value, unit), end=end)
 
 
-def _changed(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> Query:
-    """Return the query for an answer's change with a number, limit for a large or small mass, or extreme value."""
+def numbers_offered(scene: Scene, words: Words) -> Mapping[str, Unknown]:
+    """Return all numbers of a scene that a question may ask for, derived ones included, by address."""
+    paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
+    found = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
+    for path, number in derived_numbers(scene).items():
+        found[path] = Unknown(path, "speed", number.unit, f"${SYMBOL}$", (f"${SYMBOL}$",))
+    return found
+
+
+def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+    """Return the question for an answer's change with a number, limit for a large or small mass, or extreme value."""
+    inner, study = posed(replace(asked, change="", compare=""), motion, words), motion.study
+    compare = compared_as(asked, RATIO)
     number, _, value = (part.strip() for part in asked.change.partition("="))
     if value in (*LIMITS, *EXTREMES):
         held = {p.path: p for p in study.scene.parameters if p.value}
         path = resolved("change", number, {path: words.named.get(path, path) for path in held})
         if value in EXTREMES:
-            return _optimum(inner, path, study, greatest=value == EXTREMES[0], asks_place=False)
+            return PosedQuestion(_optimum(inner.query, path, study, greatest=value == EXTREMES[0], asks_place=False))
         if held[path].measure.unit == MASS:
-            return LimitQuery("limit", inner.target, inner.moment, stripped(inner), path, large=LIMITS[value])
-    return compared(inner, asked, study, words)
+            query, large = inner.query, LIMITS[value]
+            return PosedQuestion(LimitQuery("limit", query.target, query.moment, stripped(query), path, large=large))
+    varied = variation(asked.change, study.scene, words)
+    if compare == VALUE or inner.others or inner.less or not _is_plain_change(varied, study.scene):
+        return replace(inner, varied=varied, compare=compare)
+    return PosedQuestion(compared(inner.query, asked, study, words))
+
+
+def _is_plain_change(varied: SceneChange, scene: Scene) -> bool:
+    """Return whether a variation multiplies a single declared number by a factor other than zero."""
+    path, value = varied.values[0] if varied.values else ("", 0.0)
+    alone = len(varied.values) == 1 and not varied.fixed and path not in derived_numbers(scene)
+    return alone and bool(value) and bool(number_at(scene, path))
 
 
 def _optimum(inner: Query, path: str, study: Study, *, greatest: bool, asks_place: bool = True) -> OptimumQuery:

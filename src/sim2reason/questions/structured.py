@@ -30,11 +30,14 @@ class StructuredQuestion:
     `find` is a quantity, a functional such as *greatest speed*, *time*, *period*, or the address of a number of the
     scene. `along` names a component. With `given`, such as *velocity = 2 m/s*, the question asks for the value of a
     number of the scene that leads to this result; with *velocity = greatest*, for the value at which the velocity is
-    greatest. With `change`, such as *ramp.speed = 5 m/s*, it asks how the answer changes: `compare` is the *ratio* of
-    the new value to the original one, or their *difference*. With *ramp.angle = greatest* it asks for the answer's
-    greatest value; with *left.block.mass = infinity*, or *0*, for the limit that the answer approaches. `of` may name
-    several subjects of an energy or a mass, as *block A + block B*, for the sum; `when` may name two moments, as
-    *second bounced minus bounced*, for the value at the first less that at the second.
+    greatest. Where several values of the number do, *velocity = 2 m/s, least* asks for the least of them. With
+    `change`, such as *ramp.speed = 5 m/s*, or *ramp.speed × 2, box fixed*, it asks how the answer changes: `compare` is
+    the *ratio* of the new value to the original one, which is the default, their *difference*, or the new *value*
+    itself. A number of the scene that is asked for is compared with the number that the scene has, if `compare` says
+    so. With *ramp.angle = greatest* it asks for the answer's greatest value; with *left.block.mass = infinity*, or *0*,
+    for the limit that the answer approaches. `of` may name several subjects of an energy or a mass, as *block A + block
+    B*, for the sum; `when` may name two moments, as *second bounced minus bounced*, for the value at the first less
+    that at the second.
     """
 
     find: str
@@ -43,7 +46,7 @@ class StructuredQuestion:
     along: str = ""
     given: str = ""
     change: str = ""
-    compare: str = "ratio"
+    compare: str = ""
 
     @classmethod
     def read(cls, parts: Mapping[str, object]) -> Self:
@@ -62,7 +65,7 @@ class StructuredQuestion:
     def told(self) -> str:
         """Return the parts of the question as one text, for use where no sentence is available."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
-        parts |= {"change": self.change, "compare": self.compare if self.change else ""}
+        parts |= {"change": self.change, "compare": self.compare or ("ratio" if self.change else "")}
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 

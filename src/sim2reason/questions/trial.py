@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.study import COARSE, ENOUGH, Study
 from sim2reason.questions.unknown import range_of, usual_range
@@ -67,7 +68,7 @@ class Trial:
 
         At first it is as long as so many doublings make it.
         """
-        scene = self._scene.having(self._path, value)
+        scene = with_number(self._scene, self._path, value)
         duration = self._outcome.duration(scene)
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
         for doublings in range(begin, LONGER):

@@ -11,6 +11,7 @@ from sim2reason.dsl.model import FieldType, Model, Parameter, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError
+from sim2reason.questions.derived_numbers import derived_numbers
 
 WIDER = 10.0  # times the range that it is drawn from, at either end
 POINTS = 64
@@ -101,6 +102,9 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     declaration does. They are evenly spaced for angles, else on the logarithmic scale: of either sign, and with zero,
     if both can be.
     """
+    if (derived := derived_numbers(scene).get(path)) is not None:
+        size = derived.value(scene)
+        return tuple(np.geomspace(size / WIDER, size * WIDER, POINTS).tolist()) if size else ()
     held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
     assert held.drawn is not None
     low, high = held.drawn.low, held.drawn.high
@@ -130,6 +134,8 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
     The values begin at the ends of that range, and extend to at most a ten thousandth of the lower end and ten thousand
     times the upper end. There are none for angles, whose range is complete, nor for numbers of either sign.
     """
+    if path in derived_numbers(scene):
+        return ()
     unit = next(p.measure.unit for p in scene.parameters if p.path == path)
     values = range_of(scene, path)
     if unit == "deg" or values[0] <= 0.0:

@@ -162,7 +162,7 @@ def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words
     path = resolved("change", change[1], {path: words.named.get(path, path) for path in held})
     factor = measured("change", change[3], held[path].measure.unit if change[2] == "=" else "")
     factor /= float(held[path].value or 0.0) if change[2] == "=" else 1.0
-    ratio = one_of("compare", asked.compare, ("ratio", "difference")) == "ratio"
+    ratio = one_of("compare", asked.compare or "ratio", ("ratio", "difference")) == "ratio"
     return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor, ratio)
 
 

@@ -94,7 +94,7 @@ def hear(sentence: str, words: Words) -> Heard:
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
-        text = _FROM_REST.sub("", _RELEASED.sub("", text))
+        text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
     text = without_asides(" ".join(_without_pronouns(text, subjects).split()))
     return Heard(reworded(text), tuple(subjects), numbers)

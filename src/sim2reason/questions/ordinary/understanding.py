@@ -1,6 +1,5 @@
 """Understanding of a question in ordinary English about a motion: all its readings must have the same answer."""
 
-from dataclasses import dataclass
 from math import isclose
 
 from sim2reason.errors import TextError
@@ -8,12 +7,16 @@ from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
-from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.ordinary.hearing import Heard, hear
+from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.multiples import in_numbers
 from sim2reason.questions.ordinary.placing import numbers_wanted, placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
+from sim2reason.questions.ordinary.whatif.making_so import number_making_so
+from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
+from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion
@@ -24,24 +27,45 @@ SPEED = "speed"  # which has no sign
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
-@dataclass(frozen=True)
-class Understood:
-    """A sentence understood: the structured question, the posed question, and the answer with its motion."""
-
-    asked: StructuredQuestion
-    posed: PosedQuestion
-    followed: Followed
-
-
 def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the question that a sentence asks, and its answer; None if the sentence is not understood.
+
+    The question may be about the scene as it is, about a changed scene, or about a number that makes something so.
 
     Raises:
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
+    found = understood_as_it_is(heard, motion, words)
+    found = found or of_small_oscillations(heard, motion, words, READER)
+    return (
+        found
+        or in_changed_scene(heard, motion, words, understood_as_it_is)
+        or number_making_so(heard, motion, words, READER)
+    )
+
+
+def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+    """Return the question about the scene as it is that a heard sentence asks, and its answer; None if there is none.
+
+    Raises:
+        TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
+    """
+    return first_of(questions_of(heard, motion, words), motion, words)
+
+
+def questions_of(heard: Heard, motion: FollowedMotion, words: Words) -> list[Reading]:
+    """Return all readings of a heard sentence that name what the scene has."""
     events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
-    questions = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
+    return [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
+
+
+def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> Understood | None:
+    """Return the question of the least rank that the scene answers; None if there is none.
+
+    Raises:
+        TextError: there are several readings with different answers, or a presumption fails.
+    """
     for rank in sorted({reading.rank for reading in questions}):
         found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
         answered = [each for each in found if each.followed.answer is not None]
@@ -51,6 +75,9 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         if answered or any(not isinstance(each.posed.query.moment, WholeMotion) for each in found):
             return next(iter([*answered, *found]))
     return None
+
+
+READER = Reader(understood_as_it_is, questions_of, first_of)
 
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:

@@ -1,0 +1,140 @@
+"""Questions for the answer in a changed scene: the question itself, what is supposed, and how the answer is told."""
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.whatif.suppositions import Supposition, adjunct, suppositions
+
+_IF = (
+    r"(?:if|supposing(?: that)?|assuming(?: that)?|suppose(?: that)?|imagine(?: that)?|assume(?: that)?"
+    r"|provided(?: that)?|were it that)"
+)
+_MORE = (
+    "(?:increase|grow|rise|be larger|be greater|be increased|go up|become larger|become greater|be higher|be"
+    " multiplied|be longer|be raised)"
+)
+_LESS = (
+    "(?:decrease|fall|shrink|be smaller|be less|be reduced|go down|become smaller|drop|be lower|be shorter|be"
+    " lowered|be decreased)"
+)
+_CHANGE = "(?:change|be changed|differ)"
+_FAR = {
+    "further": "far",
+    "farther": "far",
+    "longer": "long",
+    "faster": "fast",
+    "higher": "high",
+    "less far": "far",
+    "sooner": "long",
+    "later": "long",
+    "slower": "fast",
+    "shorter": "long",
+    "less high": "high",
+}
+_FEWER = frozenset({"less far", "sooner", "slower", "shorter", "less high"})
+_DIMENSIONS = "(?:larger|greater|higher|bigger|more|stronger|smaller|less|lower)"
+RATIO, DIFFERENCE, VALUE = "ratio", "difference", "value"
+
+
+class ChangedQuestion(NamedTuple):
+    """A question, the changes supposed, how the answer is told, and whether it is presumed to grow, if anything is."""
+
+    question: str
+    supposed: tuple[Supposition, ...]
+    compare: str = VALUE
+    grows: bool | None = None
+
+
+def changed_questions(text: str, heard: Heard) -> Iterator[ChangedQuestion]:
+    """Yield each way to read a sentence as a question about a changed scene."""
+    for question, supposed in _split(text, heard):
+        for asked, compare, grows in _compared(question):
+            yield ChangedQuestion(_plainly(asked), supposed, compare, grows)
+
+
+def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+    """Yield the question and the suppositions of a sentence."""
+    leading = re.match(rf"{_IF} ", text)
+    if leading is not None:
+        for found in re.finditer(r"(?: ,|\.) (?:then )?", text):
+            if supposed := suppositions(text[leading.end() : found.start()], heard):
+                yield text[found.end() :], supposed
+        return
+    for found in re.finditer(rf" ?,? {_IF} ", text):
+        if supposed := suppositions(text[found.end() :], heard):
+            yield text[: found.start()], supposed
+    first, parted, second = text.partition(". ")
+    if parted and (supposed := suppositions(first, heard)):
+        yield second, supposed
+    yield from _with_adjunct(text, heard)
+
+
+def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+    """Yield the question and the suppositions of a sentence that ends, or begins, with a phrase for them."""
+    for found in re.finditer(r" (?=without |with |in absence |on )", text):
+        if supposed := adjunct(text[found.end() :], heard):
+            yield text[: found.start()], supposed
+    for found in re.finditer(r" , ", text):
+        if supposed := adjunct(text[: found.start()], heard):
+            yield text[found.end() :], supposed
+
+
+def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
+    """Yield a question with how its answer is compared, and whether the answer is presumed to grow."""
+    question = re.sub(r"\bthen \b", "", question)
+    for told, compare in ((r"by (?:what|which) factor|how many times", RATIO), ("by how much|how much", DIFFERENCE)):
+        found = re.fullmatch(
+            rf"(?:{told}) (?:would|does|will|do) (?P<x>.+?) (?:(?P<more>{_MORE})|(?P<less>{_LESS})"
+            rf"|(?P<change>{_CHANGE}))",
+            question,
+        )
+        if found is not None and not (compare == RATIO and found["less"]):
+            x = found["x"]
+            grows = True if found["more"] else False if found["less"] else None
+            high = re.search(r"higher$", found[0]) is not None
+            yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
+    found = re.fullmatch(
+        r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
+        question,
+    )
+    if found is not None:
+        yield from ((asked, RATIO, None) for asked in _of_phrase(found["x"]))
+    found = re.fullmatch(
+        rf"(?:by )?how (?:much|many (?:seconds|metres|times)) (?P<how>{'|'.join(_FAR)}) (?P<rest>(?:would|does"
+        rf"|will|is|do) .+)",
+        question,
+    )
+    if found is not None:
+        yield f"how {_FAR[found['how']]} {found['rest']}", DIFFERENCE, found["how"] not in _FEWER
+    found = re.fullmatch(rf"(?:by )?how much (?P<how>{_DIMENSIONS}) (?:would|will) (?P<x>.+) be", question)
+    if found is not None:
+        grows = found["how"] not in ("smaller", "less", "lower")
+        yield from ((asked, DIFFERENCE, grows) for asked in _of_phrase(found["x"]))
+    yield question, VALUE, None
+
+
+def _of_phrase(phrase: str) -> Iterator[str]:
+    """Yield the questions for what a noun phrase names."""
+    yield f"what is {phrase}"
+
+
+def _plainly(question: str) -> str:
+    """Return a question about what would be so as one about what is so."""
+    said = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
+    said = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", said)
+    said = re.sub(
+        r"^how (?:large|great|big|strong) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$",
+        r"what is \g<x>\g<rest>",
+        said,
+    )
+    said = re.sub(r"^(?P<ask>what|which) would be (?P<x>.+)$", r"\g<ask> is \g<x>", said)
+    said = re.sub(
+        r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", said
+    )
+    said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) be\b", r"is \g<s>", said)
+    said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) (?P<verb>have|then have)\b", r"does \g<s> have", said)
+    said = re.sub(r"\b(?:would|will) be\b", "is", said)
+    said = re.sub(r"\bwould\b", "does", said)
+    return " ".join(said.split())

@@ -1,0 +1,56 @@
+"""Forms of conditions in ordinary English, each with the outcome that it tells."""
+
+from collections.abc import Mapping
+
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+
+RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
+TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
+"""What a condition may say comes about: *holds* is that nothing slips, *stays* that it rests where it first stops."""
+_S = r"@\d+@"
+_ROUND = "(?:turn|circle|revolution|loop|round|rotation)"
+_ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S}))?"
+_AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d]?|put|still|where (?:it|they|{S}))"
+PHRASES: Mapping[str, str] = {
+    r"(?:stay|remain|keep|rest|lie|hold|stop)(?: at rest)? (?:for good )?(?:at|on|in) (?:its )?(?:highest point"
+    r"|top|turning point|upper turning point|highest position)"
+    r"|(?:stay|remain)(?: at rest)? (?:there|where it stop|after it stop)(?: for good)?|not (?:slide|slip|move"
+    r"|come) (?:back|down)(?: again)?(?: (?:down|after it stop))?": STAYS,
+    rf"(?:not|without) (?:begin |start )?(?:to )?(?:pull|move|slide|go|climb|rise|lift|haul|drag|draw)(?: {_S})?"
+    rf" (?:up|upwards|uphill)(?: (?:{GROUNDS}))?": SINKS,
+    rf"(?:not (?:begin |start )?(?:to )?(?:slip|slide|skid)|without (?:slip|slide|skid)(?:ping)?|(?:no|never)"
+    rf" (?:slip|slide|skid)(?:ping)?)"
+    rf"{_ON}|roll(?: purely| without (?:slip|slide|skid)(?:ping)?){_ON}|roll rather than slide|move together"
+    rf"|stick together": HOLDS,
+    rf"(?:(?:remain|stay|keep|hold|leave|be|lie|sit|hang) )?{_AT_REST}{_ON}|(?:not (?:begin |start )?(?:to )?"
+    rf"|nothing (?:will |would )?)(?:move|accelerate|happen){_ON}|remain where"
+    rf"|(?:hold|keep|stay|remain|leave)(?: {_S})? (?:where|in place)(?: (?:it|they|{_S}))?"
+    rf"|balance(?: {_S})?|(?:move|go|rise|fall|descend|climb|slide)(?: (?:up|down)(?: (?:{GROUNDS}))?)? (?:at"
+    rf"|with) constant (?:speed|velocity)"
+    r"|not accelerate|no acceleration|without acceleration": RESTS,
+    rf"(?:(?:begin|start|be able) (?:to )?)?(?:move|slide|go|climb|rise|lift|haul|drag|pull) (?:up|upwards"
+    rf"|uphill)(?: (?:{GROUNDS}))?"
+    r"|(?:begin|start) (?:to )?(?:rise|climb|ascend|lift)": RISES,
+    rf"(?:begin|start) (?:to )?(?:slip|slide|move|skid){_ON}|set in motion|slip{_ON}": SLIPS,
+    rf"(?:(?:go|swing|turn|move|get|carry|travel|come|take|make|complete|perform|describe|execute|rotate|loop) )*"
+    rf"(?:(?:over|past|through|reach|beyond|to|at least) (?:top|highest point|vertical)(?: of (?:circle|path|its"
+    rf" path))?"
+    rf"|(?:all way |right )?(?:round |around )?(?:in |through )?(?:(?:full|complete|whole|one|vertical) )+{_ROUND}"
+    r"|(?:all way|right) (?:round|around)|loop (?:loop|round)|full circle)": ROUND,
+    r"(?:stay|remain|keep|be) (?:always )?taut|not (?:go|become|get) slack|never (?:go|become|get) slack": TAUT,
+    r"(?:go|become|get) slack": SLACK,
+    rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?|"
+    rf" {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely)?"
+    r"|never (?:return|come back)|get infinitely far(?: away)?|reach infinity|unbound|not (?:return|come back)"
+    r"|not bound|move (?:along|on|in) parabola"
+    r"|(?:parabolic|open) (?:orbit|path)": ESCAPES,
+    rf"(?:remain|stay|be|keep)? ?bound(?: to {_S})?|not escape(?: from {_S})?": BOUND,
+    rf"(?:move|go|travel|orbit|revolve|be)?(?: {_S})? ?(?:round|around|about)? ?(?:{_S})? ?(?:in|on|along)?"
+    rf" ?(?:its )?circular (?:orbit|path)"
+    rf"|orbit be circular|(?:move|go|orbit|travel)(?: (?:round|around|about))?(?: {_S})? (?:in|on|along)"
+    rf" circle(?: (?:about|around|round) {_S})?": CIRCULAR,
+    rf"(?:lift off|take off|rise|leave (?:{GROUNDS})|lift|start (?:to )?rise|leave)(?: (?:from )?(?:{GROUNDS}"
+    rf"|pad))?(?: (?:straight away|at once|immediately|right away"
+    r"|as soon as engine (?:start|ignite)|when engine (?:start|ignite)|without delay|on ignition|at ignition))?": LIFTS,
+}
+"""By the base form of a condition, the outcome."""

@@ -1,0 +1,230 @@
+"""Frames of questions for a number of the scene: the number, an end of its range, and the condition that it meets."""
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, named_number, number_pattern
+
+LEAST, GREATEST = "least", "greatest"
+SIZES = {
+    LEAST: "least|minimum|minimal|smallest|lowest|slowest|shortest|lightest",
+    GREATEST: "greatest|maximum|maximal|largest|highest|biggest|longest|heaviest|steepest",
+}
+_SIZE = (
+    rf"(?:(?:(?P<least>{SIZES[LEAST]})|(?P<greatest>{SIZES[GREATEST]})|new|other|required|necessary|possible"
+    rf"|different) )*"
+)
+_BOUND = r"(?: ?,? (?:(?P<atleast>at least|at minimum)|(?P<atmost>at most|at maximum)) ?,?)?"
+_AUX = "(?:would|must|should|does|do|will|can|could|may|is|are|has|have|did)"
+_BE = "(?:have to be|need to be|needs to be|has to be|have been|have had to be|to be|be)"
+_GETS = (
+    "(?:allow|enable|let|make|give|cause|bring|keep|take|carry|get|leave|set|send|lift|prevent|ensure that"
+    "|hold|cause|permit)"
+)
+_GETTING = (
+    f"(?:{_GETS}|allows|enables|lets|makes|gives|causes|brings|keeps|takes|carries|gets|leaves|sets|sends|lifts"
+    f"|prevents"
+    "|ensures that|holds|permits|made|kept|carried|brought|given|taken)"
+)
+_CONN = (
+    "(?:for|and still|and yet|so that|such that|if|to|in order that|in order to|in order for|that|so|before"
+    "|in such way that)"
+)
+_NEED = "(?:(?:just |barely )?(?:needed|required|necessary|enough|sufficient|big enough|large enough|high enough))"
+_FIND = (
+    "(?:find|determine|calculate|compute|what is|which is|what are|work out|give|state|what was|what would be"
+    "|what will be)"
+)
+_LAUNCHED = (
+    "(?:thrown|launched|started|set moving|set in motion|set off|projected|fired|kicked|pushed off|struck"
+    "|sent off|released|set going|pushed)"
+)
+_CONST = f"(?: (?:at start|initially|off|upwards|up {GROUNDS}|down {GROUNDS}))?"
+P = "NUMBER"
+FRAMES = (
+    f"(?:for|with|at|from|by) (?:what|which) {_SIZE}{P} {_AUX} (?P<c>.+)",
+    (
+        f"(?:with )?(?:what|which) {_SIZE}{P} {_AUX} (?P<s>@\\d+@) (?:need|have|require)(?: to have| to be"
+        f" given)?{_BOUND}(?: {_CONN})? (?P<c>.+)"
+    ),
+    (
+        f"(?:with |at )?(?:what|which) {_SIZE}{P} {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be {_LAUNCHED}(?:"
+        f" with)?{_CONST}{_BOUND} {_CONN} (?P<c>.+)"
+    ),
+    f"(?:what|which) (?:would|must|should|does|will) {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
+    f"how (?:large|great|big|strong|high|small|low|much) {_AUX} {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
+    f"(?:what|which) {_SIZE}{P} (?:is|would(?: just)? be|are|was|will be) {_NEED}{_BOUND} {_CONN} (?P<c>.+)",
+    (
+        f"(?:what|which) {_SIZE}{P} (?:(?:would|must|will|does|could|can|should) )?(?:have )?(?:(?:just|still|barely)"
+        f" )*(?P<c>{_GETTING} .+)"
+    ),
+    f"(?:{_FIND}) {_SIZE}{P} (?:for|with|at|by) which (?P<c>.+)",
+    f"(?:{_FIND}) {_SIZE}{P} (?:so that|such that|if|for|to) (?P<c>.+)",
+    f"(?:{_FIND}) {_SIZE}{P} (?:that is )?(?:{_NEED}){_BOUND} {_CONN} (?P<c>.+)",
+    (
+        f"(?:{_FIND}) {_SIZE}{P} that (?:would |will |must |should |can |could )?(?:have )?(?:(?:just|still|barely)"
+        f" )*(?P<c>{_GETTING} .+)"
+    ),
+    (
+        f"(?:{_FIND}) {_SIZE}{P}(?: that| which)? (?P<s>@\\d+@) (?:would |must |should |will |could |can |may"
+        f" )?(?:have )?(?:need|needs|needed|have|has|require|requires|required)"
+        f"(?: to have)?{_BOUND}(?: {_CONN})? (?P<c>.+)"
+    ),
+    (
+        f"(?:{_FIND}) {_SIZE}{P} (?:with|at) which (?P<s>@\\d+@) (?:would|must|should) (?:have to )?be"
+        f" {_LAUNCHED}{_CONST} {_CONN} (?P<c>.+)"
+    ),
+    f"(?:if|for) (?P<c>[^,]+) , (?:what|which) (?:would|must|should) {_SIZE}{P} (?:{_BE})",
+    f"(?P<c>[^.]+)\\. (?:what|which) (?:would|must|should|does) {_SIZE}{P} (?:{_BE})(?: {_CONN} this)?",
+    f"(?P<c>[^.]+)\\. (?:what|which) {_SIZE}{P} (?:is|would be) (?:{_NEED})(?: {_CONN} this)?",
+    f"(?P<c>[^.]+)\\. (?:{_FIND}) {_SIZE}{P}(?: that is)?(?: {_NEED})?",
+    (
+        f"(?P<ratio>how many times) (?:as (?:large|great|high|big)|larger|greater|higher) (?:would|must|should) {P}"
+        f" (?:{_BE}) {_CONN} (?P<c>.+)"
+    ),
+    f"(?P<ratio>by what factor|how many times) (?:would|must|should) {P} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
+    f"(?P<difference>by how much|how much) (?:would|must|should) {P} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
+    f"(?P<difference>how much) {{more}} (?:would|must|should) {P} (?:{_BE}) {_CONN} (?P<c>.+)",
+)
+_MORE = (
+    "(?P<more>larger|greater|higher|increased|raised|bigger|multiplied|faster|stronger|changed)"
+    "|(?P<less>smaller|reduced|lower|lowered|decreased|less)"
+)
+ADJECTIVES = {
+    "(?:heavy|massive)": "mass",
+    "(?:light)": "mass",
+    "(?:stiff|strong|hard)": "stiffness",
+    "long": "length",
+}
+_HOW = tuple(ADJECTIVES)
+SPEEDS = "(?:(?:with|at) what|how) SIZE(?:fast|(?:initial |launch |starting )?(?:speed|velocity))"
+OTHERS = (
+    (f"how (?P<adj>{'|'.join(_HOW)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
+    (
+        (
+            f"(?:what|which) SIZE(?:initial )?(?:speed|velocity) {_AUX} (?:blow|kick|push|hammer) (?:have to |need to"
+            f" )?(?:give|impart to) (?P<s>@\\d+@){_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "speed",
+    ),
+    (f"how long {_AUX} (?P<s>@\\d+@) {_BE} (?:at start|initially){_BOUND} {_CONN} (?P<c>.+)", "initial length"),
+    (
+        (
+            f"how (?:hard|strongly) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug)(?: on @\\d+@)?{_BOUND} {_CONN}"
+            f" (?P<c>.+)"
+        ),
+        "force",
+    ),
+    (
+        (
+            f"(?:with )?what SIZE(?:force|pull) {_AUX} (?:hand )(?:have to |need to )?(?:exert|apply|provide|pull"
+            f" with|use)(?: on @\\d+@)?{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "force",
+    ),
+    (
+        (
+            f"(?:with what SIZE(?:force|pull)) {_AUX} (?:hand )(?:have to |need to )?(?:pull|tug){_BOUND} {_CONN}"
+            f" (?P<c>.+)"
+        ),
+        "force",
+    ),
+    (
+        (
+            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be going|be"
+            f" travelling|move|travel|go|be){_CONST}{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "speed",
+    ),
+    (
+        (
+            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?(?:start|set off|begin)(?:"
+            f" out)?{_CONST}{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "speed",
+    ),
+    (
+        (
+            f"(?:with what SIZEangular (?:speed|velocity)) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?(?:be"
+            f" {_LAUNCHED}|start){_CONST} {_CONN} (?P<c>.+)"
+        ),
+        "angular speed",
+    ),
+    (
+        (
+            f"(?:at|under|from) what SIZE(?:angle|elevation)(?: (?:above|to) horizontal)? {_AUX} (?P<s>@\\d+@)"
+            f" (?:have to |need to )?be {_LAUNCHED} {_CONN} (?P<c>.+)"
+        ),
+        "launch angle",
+    ),
+    (f"from what SIZE(?:height) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be {_LAUNCHED} {_CONN} (?P<c>.+)", "height"),
+    (f"how (?:high) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be when {_LAUNCHED} {_CONN} (?P<c>.+)", "height"),
+    (
+        (
+            f"how far from (?:axle|axis|pivot) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be(?: (?:fixed|attached"
+            f"|mounted|placed|put))? {_CONN} (?P<c>.+)"
+        ),
+        "distance",
+    ),
+    (f"how (?:steep) {_AUX} (?:{GROUNDS}) {_BE}{_BOUND} {_CONN} (?P<c>.+)", "slope"),
+    (f"how (?:rough) {_AUX} (?:{GROUNDS}) {_BE}{_BOUND} {_CONN} (?P<c>.+)", "friction"),
+    (
+        (
+            f"(?:by )?how (?:much|far) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:compressed|stretched"
+            f"|extended)(?: at start| initially) {_CONN} (?P<c>.+)"
+        ),
+        "strain",
+    ),
+)
+"""Frames in which a verb or an adjective tells the number."""
+
+
+class WantedFrame(NamedTuple):
+    """What a sentence wants: a number, an end of its range, how it is told, its condition and the subject of that."""
+
+    number: NamedNumber
+    end: str
+    compare: str
+    condition: str
+    subject: str
+    grows: bool | None = None
+
+
+def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
+    """Yield the number that a sentence wants with the condition for it, in every way in which it has them."""
+    subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
+    for told in FRAMES:
+        found = _frame(told).fullmatch(text)
+        if found is not None:
+            yield _wanted(found, named_number(found, subject))
+    for told, kind in OTHERS:
+        found = _frame(told).fullmatch(text)
+        if found is not None:
+            groups = found.groupdict()
+            owner = subject.get(groups.get("s") or "")
+            yield _wanted(found, NamedNumber(kind or _adjective(groups["adj"], owner or ""), (owner,) if owner else ()))
+
+
+def _adjective(said: str, owner: str) -> str:
+    name = next(name for told, name in ADJECTIVES.items() if re.fullmatch(told, said))
+    return "mass" if name == "mass" else name if "spring" in owner or name == "length" else "mass"
+
+
+def _wanted(found: re.Match[str], number: NamedNumber) -> WantedFrame:
+    groups = found.groupdict()
+    least, greatest = (groups.get("least") or groups.get("atleast")), (groups.get("greatest") or groups.get("atmost"))
+    end = LEAST if least else GREATEST if greatest else ""
+    compare = "ratio" if groups.get("ratio") else "difference" if groups.get("difference") else "value"
+    said = groups.get("s") or ""
+    grows = True if groups.get("more") else False if groups.get("less") else None
+    return WantedFrame(number, end, compare, groups["c"].strip(" ,"), said, grows)
+
+
+@cache
+def _frame(told: str) -> re.Pattern[str]:
+    sized = told.replace("SIZE", _SIZE).replace("{more}", f"(?:{_MORE})")
+    return re.compile(sized.replace(P, number_pattern()))

@@ -1,0 +1,209 @@
+"""Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from math import isclose, isfinite
+
+from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.derived_numbers import number_at, with_number
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.inversion import values_giving
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.meaning import Reader, Understood
+from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
+from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
+from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
+from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.understanding import of_all
+from sim2reason.questions.posing import MINUS, PosedQuestion, posed
+from sim2reason.questions.structured import StructuredQuestion, measured
+from sim2reason.questions.study import COARSE
+from sim2reason.questions.unknown import range_of
+from sim2reason.questions.variation import words_in
+from sim2reason.questions.words import Words
+
+SAME = 1e-6  # relative: a result that differs by less is the stated one
+TRIED = 6  # values of a number, to see whether a question has an answer with any
+MOST = 4  # readings of a result whose numbers are looked for
+_NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
+_SAME = "(?:same|unchanged|present|given|original)"
+_ELSE = (
+    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing"
+    "|rest|other data)"
+)
+_CONSTANT = re.compile(
+    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME}"
+    rf" (?:(?:{_NOUNS}|position|place"
+    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= "
+    rf"|$)(?: ,)?"
+    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay "
+    rf"|stays |kept |left )*"
+    r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
+    r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
+    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial)"
+    r" (?:position|point|place|height)(?= |$)"
+    r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
+    r"|^ ?suppose (?:that )?@\d+@ (?:could be|were|is|was) (?:swapped|replaced|exchanged|changed)[^.]*\. "
+    r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
+)
+"""What says only that all else stays as it is."""
+
+
+def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the meaning of a sentence that asks for a number by what it brings about; None if it does not.
+
+    Raises:
+        TextError: the sentence has readings with different answers, or the number does not lead to what is said.
+    """
+    text = " ".join(_CONSTANT.sub(" ", f" {heard.text}").split()).strip(" ,")
+    told = replace(heard, text=text)
+    found: list[Understood] = []
+    for frame in framed(text, told):
+        for condition in conditions(frame.condition, frame.subject, told):
+            meant = _meant(frame, condition, told, motion, words, reader)
+            if meant is not None:
+                found.append(_checked(frame, meant, motion))
+        if found:
+            break
+    answers = [each.followed.answer for each in found]
+    known = [answer for answer in answers if answer is not None]
+    if any(not isclose(answer, known[0], rel_tol=SAME) for answer in known):
+        told_ways = dict.fromkeys(each.asked.told for each in found)
+        raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
+    return next((each for each in found if each.followed.answer is not None), next(iter(found), None))
+
+
+def _meant(
+    frame: WantedFrame, condition: StatedCondition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
+    number = frame.number
+    if not number.owners and number.kind == "mass" and frame.subject:
+        number = number._replace(owners=(heard.subject(frame.subject),))
+    paths = paths_of(number, motion.study, words)
+    path = paths[0] if len(paths) == 1 else ""
+    frame = frame._replace(number=number)
+    if condition.outcome:
+        readings = list(by_outcome(frame, condition, path, motion, words))
+        found = reader.first_of(readings, motion, words) if readings else None
+        if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
+            return None
+        return found
+    return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
+
+
+def _by_result(
+    frame: WantedFrame,
+    condition: StatedCondition,
+    path: str,
+    heard: Heard,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
+) -> Understood | None:
+    """Return the question for the number with which a question has the stated answer."""
+    told = replace(heard, text=condition.question)
+    found: list[Understood] = []
+    for asked, unit in _askable(told, motion, words, reader):
+        stated = condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+        given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
+        wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
+        try:
+            question = posed(wanted, motion, words)
+        except TextError:
+            continue
+        unknown = question.unknown
+        if unknown is None or not _ever(question, motion):
+            continue
+        values = sorted(values_giving(question.query, question.given, unknown, motion.study))
+        if frame.end:
+            values = [values[0 if frame.end == LEAST else -1]] if values else []
+        leading = [value for value in values if _leads(value, path, told, condition, motion, words, reader)]
+        if len(leading) > 1:
+            several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
+            raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
+        if len(values) > 1 and leading:
+            end = LEAST if leading[0] == values[0] else GREATEST if leading[0] == values[-1] else ""
+            wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
+        if leading or not values:
+            found.append(Understood(wanted, question, question.followed(motion)))
+    answered = [each for each in found if each.followed.answer is not None]
+    if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
+        raise TextError("question", "it can be read in several ways", answered[0].asked.told)
+    return next(iter(answered or found), None)
+
+
+def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
+    """Return whether a question has an answer with some value of the number; else the value is not looked for."""
+    assert question.unknown is not None
+    scene, path = motion.study.scene, question.unknown.path
+    dependence = Dependence(question.query, motion.study, path, COARSE)
+    values = range_of(scene, path)
+    return any(
+        isfinite(dependence(value) or 0.0) and dependence(value) is not None
+        for value in (number_at(scene, path), *values[:: len(values) // TRIED])
+    )
+
+
+def _askable(
+    heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> Iterator[tuple[StructuredQuestion, str]]:
+    """Yield the questions in parts that a question may mean, with their units: in the scene as it is, or else any."""
+    try:
+        plain = of_all(reader.read, heard, motion, words)
+    except TextError:
+        plain = None
+    if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
+        if MINUS not in plain.asked.when:
+            yield plain.asked, plain.posed.unit(words)
+        return
+    seen = dict.fromkeys(reading.asked for reading in reader.readings(heard, motion, words))
+    for asked in list(seen)[:MOST]:
+        try:
+            question = posed(asked, motion, words)
+        except TextError:
+            continue
+        if question.unknown is None and question.less is None:
+            yield asked, question.unit(words)
+
+
+def _leads(
+    value: float,
+    path: str,
+    heard: Heard,
+    condition: StatedCondition,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
+) -> bool:
+    """Return whether with a number the question has the stated answer, all that it presumes included."""
+    try:
+        there = with_number(motion.study.scene, path, value)
+        found = of_all(reader.read, heard, motion_of(there), words_in(there, words))
+    except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
+        return False
+    if found is None or found.followed.answer is None:
+        return False
+    stated = measured("question", condition.stated, found.posed.unit(words))
+    return isclose(abs(found.followed.answer), abs(stated), rel_tol=SAME, abs_tol=1e-9)
+
+
+def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
+    """Return a meaning, compared with the scene's number if that is asked; TextError if it is on the other side."""
+    answer, path = meant.followed.answer, meant.asked.find
+    if frame.compare == "value" or answer is None:
+        return meant
+    question: PosedQuestion = meant.posed
+    if question.compare != frame.compare:
+        question = replace(question, compare=frame.compare)
+        meant = Understood(replace(meant.asked, compare=frame.compare), question, question.followed(motion))
+        answer = meant.followed.answer
+    if answer is None:
+        return meant
+    larger = answer > (1.0 if frame.compare == "ratio" else 0.0)
+    if frame.compare == "ratio" and frame.grows is False:
+        raise TextError("question", "a factor by which a number is less may be read in two ways", "ask for the number")
+    if frame.grows is not None and larger != frame.grows:
+        raise TextError("question", f"it is not so: {path} changes the other way", "ask for the number itself")
+    return meant

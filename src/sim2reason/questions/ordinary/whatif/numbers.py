@@ -1,0 +1,224 @@
+"""Names of a scene's numbers in ordinary English, and the addresses that they mean in a scene."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from math import isclose
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.scene import Scene
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.derived_numbers import derived_numbers
+from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+EVERY_MASS = "every mass"  # of all bodies that the text has
+NEVER_ZERO = "friction", "mass", "speed", "angular speed"
+EXACT = 1e-9  # relative: an initial speed that a body has
+
+
+class NumberKind(NamedTuple):
+    """A kind of number: how people call it, the last parts of its addresses, and its units, if only some are meant."""
+
+    nouns: str
+    fields: tuple[str, ...]
+    units: tuple[str, ...] = ()
+
+
+_STARTING = "(?:initial|launch|launching|starting|start|release|throwing|firing|original|take-off)"
+_FIELD = "(?:field|field strength|induction|flux density)"
+NUMBERS: Mapping[str, NumberKind] = {
+    "empty mass": NumberKind("mass without (?:its )?fuel|dry mass|empty mass|mass when empty", ("dry",)),
+    "mass": NumberKind(f"(?:(?:total|{_STARTING}) )?mass", ("mass",), ("kg", "mg", "Msun")),
+    "angular speed": NumberKind(
+        f"(?:{_STARTING} )?(?:angular (?:speed|velocity)|rate of rotation|spin|rotation rate)",
+        ("rate", "spin"),
+        ("rad/s",),
+    ),
+    "exhaust speed": NumberKind(
+        "(?:exhaust|ejection|gas|outflow|effective exhaust) (?:speed|velocity)|(?:speed|velocity) of (?:exhaust"
+        "|exhaust gas(?:es)?"
+        "|gas(?:es)?|ejected gas(?:es)?)|(?:speed|velocity) (?:with|at) which (?:exhaust )?gas(?:es)? (?:is|are)"
+        " ejected",
+        ("exhaust",),
+    ),
+    "drag": NumberKind(
+        "(?:drag|resistance|damping) (?:coefficient|constant)|coefficient of (?:drag|resistance)",
+        ("coefficient", "damping"),
+    ),
+    "burn rate": NumberKind(
+        "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate"
+        "|rate of (?:fuel consumption"
+        "|burning(?: of fuel)?|combustion|fuel burn)|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
+        "|(?:it|@\\d+@|engine) burns (?:its )?fuel)|fuel consumption",
+        ("rate",),
+        ("kg/s",),
+    ),
+    "speed": NumberKind(f"(?:{_STARTING} )?(?:speed|velocity)(?: of (?:projection|launch|throw|release))?", ("speed",)),
+    "friction": NumberKind(
+        "coefficient of (?:(?:static|kinetic|sliding|static and kinetic|static or kinetic) )?friction"
+        "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient|coefficient of (?:static |kinetic"
+        " )?friction",
+        ("friction", "top_friction"),
+    ),
+    "restitution": NumberKind("coefficient of restitution|restitution(?: coefficient)?", ("restitution",)),
+    "stiffness": NumberKind("(?:spring )?stiffness|(?:spring|force) constant|stiffness constant", ("stiffness",)),
+    "natural length": NumberKind(
+        "(?:natural|unstretched|relaxed|free|unstrained) length", ("length",), ("natural length",)
+    ),
+    "initial length": NumberKind(f"{_STARTING} length", ("start",), ("length",)),
+    "strain": NumberKind(f"{_STARTING} (?:compression|extension|stretch|elongation)", ("by",)),
+    "length": NumberKind("length", ("length",), ("length",)),
+    "height": NumberKind(
+        f"(?:{_STARTING} )?height(?: of (?:tower|cliff|launch|launch point|release|thrower|throw|starting point))?",
+        ("height",),
+    ),
+    "slope": NumberKind(
+        f"(?:inclination|slope angle|tilt|gradient|steepness|angle of inclination|angle of (?:{GROUNDS})"
+        f"|(?:{GROUNDS}) angle)"
+        f"(?: of (?:{GROUNDS}))?",
+        ("angle", "tilt"),
+        ("plane",),
+    ),
+    "launch angle": NumberKind(
+        "(?:launch|throwing|elevation|projection|launching|firing) angle|angle of (?:projection|launch|elevation|throw)"
+        "|angle (?:above|to|with) horizontal|angle of elevation",
+        ("angle",),
+        ("launch",),
+    ),
+    "swing angle": NumberKind(f"(?:{_STARTING}|release) angle|amplitude", ("angle",), ("swing",)),
+    "angle": NumberKind("angle", ("angle", "tilt"), ("plane", "launch", "swing")),
+    "radius": NumberKind("radius", ("radius",)),
+    "distance": NumberKind(
+        "distance from (?:its )?(?:axle|axis|pivot)|distance of @\\d+@ from (?:axle|axis|pivot)", ("distance",)
+    ),
+    "magnetic field": NumberKind(f"(?:strength of )?magnetic {_FIELD}(?: strength)?", ("magnetic.strength",)),
+    "electric field": NumberKind(f"(?:strength of )?electric {_FIELD}(?: strength)?", ("electric.strength",)),
+    "field": NumberKind("(?:strength of )?field(?: strength)?", ("magnetic.strength", "electric.strength")),
+    "charge": NumberKind("(?:magnitude of )?charge|amount of charge", ("charge",)),
+    "gravity": NumberKind(
+        "(?:acceleration due to gravity|g|(?:free-fall|free fall|gravitational|gravity) acceleration|acceleration"
+        " of free fall"
+        "|gravitational field strength|gravity)(?: there)?",
+        ("gravity",),
+    ),
+    "force": NumberKind("(?:pulling |applied |constant |steady |hand 's )?(?:force|pull)(?: of hand)?", ("force",)),
+}
+"""By its name, each kind of number that a question may vary or ask for; the more specific ones first."""
+
+
+class NamedNumber(NamedTuple):
+    """A number as a sentence names it: its kind, and the text's phrases for those whose number it is."""
+
+    kind: str
+    owners: tuple[str, ...] = ()
+
+
+@cache
+def number_pattern(prefix: str = "") -> str:
+    """Return a pattern of a phrase for a number, with groups for its kind and its owners, whose names have a prefix."""
+    nouns = "|".join(f"(?P<{prefix}n{index}>{kind.nouns})" for index, kind in enumerate(NUMBERS.values()))
+    told = r"(?: ?,? (?:relative to|with respect to) @\d+@ ?,?)?"
+    owner = (
+        rf"(?: (?:of|for|between|on|in) (?:both )?(?P<{prefix}of>@\d+@)(?: and (?:(?P<{prefix}and>@\d+@)"
+        rf"|(?:{GROUNDS})|its (?:{GROUNDS})))?"
+        rf"|(?: (?:of|on|for|between) (?:{GROUNDS}|hand|wall|pulling hand|hand 's pull))(?: and"
+        rf" (?P<{prefix}too>@\d+@))?)?"
+    )
+    start = r"(?: (?:at start|at launch|at release|initially))?"
+    return rf"(?:(?P<{prefix}own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){told}{owner}{start}"
+
+
+def named_number(found: re.Match[str], subject: Mapping[str, str], prefix: str = "") -> NamedNumber:
+    """Return the number that a match of `number_pattern` names; `subject` has the text's phrase for each token."""
+    kinds = list(NUMBERS)
+    kind = next(name for index, name in enumerate(kinds) if found[f"{prefix}n{index}"] is not None)
+    tokens = (found[f"{prefix}{key}"] for key in ("own", "of", "and", "too"))
+    return NamedNumber(kind, tuple(subject[token] for token in tokens if token))
+
+
+def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
+    """Return the addresses of a scene's numbers that a name may mean; more than one only if it names several owners."""
+    owners = tuple(each for said in named.owners for each in _each(said))
+    if named.kind == EVERY_MASS:
+        return tuple(path for path, _ in _of_kind("mass", study.scene))
+    every = list(_of_kind(named.kind, study.scene))
+    if not owners:
+        return tuple(path for path, _ in every) if len(every) == 1 else ()
+    if named.kind == "friction":
+        return _rubbing(every, owners, study, words)
+    found = [
+        [path for path, held in every if _belongs(path, held, owner, study, words, len(every))] for owner in owners
+    ]
+    return tuple(paths[0] for paths in found) if all(len(paths) == 1 for paths in found) else ()
+
+
+def _each(said: str) -> Sequence[str]:
+    return said.removeprefix(f"{ALL} ").split(" & ") if said.startswith(f"{ALL} ") else (said,)
+
+
+def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
+    """Yield the addresses and values of a scene's numbers of a kind; of most kinds only those that are not zero."""
+    kind = NUMBERS[name]
+    held = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
+    for parameter in held:
+        if parameter.value or (parameter.value is not None and name not in NEVER_ZERO):
+            yield parameter.path, parameter.value
+    if name == "speed":
+        for path, number in derived_numbers(scene).items():
+            yield path, number.value(scene)
+
+
+def _is_of(parameter: Parameter, kind: NumberKind) -> bool:
+    if not any(f".{parameter.path}".endswith(f".{field}") for field in kind.fields):
+        return False
+    measure = parameter.measure
+    if parameter.measure.unit == "deg":
+        return _place(parameter) in kind.units
+    return not kind.units or measure.unit in kind.units or measure.noun in kind.units
+
+
+def _place(parameter: Parameter) -> str:
+    """Return what an angle is that of: a *plane*, a *launch* or a *swing*; empty for any other."""
+    part, name = parameter.path.split(".")[-2], parameter.measure.name
+    if name == "elevation" or part == "start":
+        return "launch"
+    return "swing" if name == "deflection" else "plane" if part in ("plane", "track", "table") else ""
+
+
+def _belongs(path: str, value: float, owner: str, study: Study, words: Words, count: int) -> bool:
+    """Return whether a number is that of an owner: of a body at its address, or an initial speed that the body has."""
+    head = path.rpartition(".")[0]
+    held = words.mentions.get(head, words.mentions.get(f"{head}.body"))
+    if held is not None and held.split()[-1] != "start":
+        return held == owner
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    if path.endswith((".speed", ".spin")) and owner in bodies:
+        speed = float(np.linalg.norm(Velocity.evaluate(study.trace.at(0.0), bodies[owner])[0]))
+        return path.endswith(".spin") or isclose(speed, value, rel_tol=EXACT)
+    return count == 1
+
+
+def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
+    """Return the only coefficient of friction, if the owners named rub on one another, or on the fixed surface."""
+    if len(every) != 1:
+        alone = [path for path, _ in every if words.mentions.get(path.rpartition(".")[0]) in owners]
+        return tuple(alone) if len(alone) == 1 else ()
+    mechanism = study.mechanism
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    names = [bodies[said] for said in owners if said in bodies]
+    rubs = {name for name, contact in mechanism.contacts.items() if contact.friction > 0.0}
+    faces = {mechanism.body[name].parent or "" for name in rubs}
+    if len(names) == 2:
+        one, other = names
+        pairs = ((one, other), (other, one))
+        fits = any(a in rubs and mechanism.body[a].parent == b for a, b in pairs)
+    else:
+        fits = all(name in rubs or name in faces for name in names)
+    return (every[0][0],) if fits else ()

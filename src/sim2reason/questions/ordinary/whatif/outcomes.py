@@ -1,0 +1,188 @@
+"""Readings of conditions that come about or not: thresholds, balances, and shapes of orbits."""
+
+from collections.abc import Iterator, Sequence
+from math import inf
+
+import numpy as np
+
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.pairs import AND
+from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.questions.derived_numbers import with_number
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.ordinary.addresses import addresses
+from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.meaning import Understood
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.whatif.condition_rows import (
+    BOUND,
+    CIRCULAR,
+    ESCAPES,
+    HOLDS,
+    LIFTS,
+    RESTS,
+    RISES,
+    ROUND,
+    SINKS,
+    SLACK,
+    SLIPS,
+    STAYS,
+    TAUT,
+)
+from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
+from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
+from sim2reason.questions.ordinary.whens import AFTER
+from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.unknown import limits_of
+from sim2reason.questions.words import Words
+
+NEEDED = "coefficient of friction needed"
+NEARLY = 1.0 - 1e-9
+STILL = 1e-6  # of g: a smaller acceleration is none
+SQUARE = 1e-9  # the cosine of a right angle
+THRESHOLDS = {
+    HOLDS: (("slides", False), ("slips rolling", False)),
+    SLIPS: (("slides", True), ("slips rolling", True)),
+    RISES: (("rises", True), ("lifts off", True)),
+    SINKS: (("rises", False),),
+    LIFTS: (("lifts off", True), ("rises", True)),
+    ROUND: (("goes round", True), ("circles", True)),
+    TAUT: (("goes slack", False),),
+    SLACK: (("goes slack", True),),
+}
+"""By the outcome that a sentence tells, those of the library, and whether each happens."""
+
+
+def by_outcome(
+    frame: WantedFrame, condition: StatedCondition, path: str, motion: FollowedMotion, words: Words
+) -> Iterator[Reading]:
+    """Yield the readings of a sentence that asks for a number, whose address may be empty, by an outcome."""
+    who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
+    who = "" if " & " in who else who
+    friction = frame.number.kind == "friction"
+    if outcome == RESTS and (friction or (frame.end and _rubs(words))):
+        outcome = HOLDS
+    if friction and outcome in (HOLDS, STAYS):
+        of = who or next(iter(frame.number.owners), "")
+        if frame.end != GREATEST:
+            yield from _needed(path, of, motion, words, stopped=outcome == STAYS)
+    elif path and outcome == RESTS:
+        yield from _balanced(path, who, words)
+    elif path and outcome in (ESCAPES, BOUND, CIRCULAR):
+        for pair in _orbits(who, words):
+            yield from _orbiting(outcome, path, pair, motion, words)
+    elif path and outcome in THRESHOLDS:
+        yield from _thresholds(frame, condition, THRESHOLDS[outcome], path, who)
+
+
+def _thresholds(
+    frame: WantedFrame, condition: StatedCondition, rows: Sequence[tuple[str, bool]], path: str, who: str
+) -> Iterator[Reading]:
+    """Yield the questions for where an outcome changes, first for the subject that is named, then for the only one."""
+    least = {LEAST: True, GREATEST: False}.get(frame.end)
+    rows = rows[1:] if condition.outcome == ROUND and condition.taut else rows
+    for rank, (does, happens) in enumerate(rows):
+        for after, of in enumerate(dict.fromkeys((who, ""))):
+            asked = StructuredQuestion(path, when=f"{of} {does}".strip())
+            yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
+
+
+def _rubs(words: Words) -> bool:
+    contacts = words.mechanism.contacts
+    return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
+
+
+def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stopped: bool) -> Iterator[Reading]:
+    """Yield the question for the least coefficient with which what is released rests or rolls, however rough it is.
+
+    What is *stopped* is not released, but set moving, and is to rest where it first stops.
+    """
+    if words.released if stopped else not words.released and not _rolling(words):
+        return
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
+    if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
+        return  # the scene has a coefficient, but not the one that is meant
+    of = (
+        bodies.get(who, "")
+        if who in bodies and bodies[who] in rough
+        else next(iter(rough), "")
+        if len(rough) == 1
+        else ""
+    )
+    if of:
+        change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
+        slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
+        when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
+        asked = StructuredQuestion(NEEDED, of, when, change=change, compare="value" if change else "")
+        yield Reading(asked, side=AFTER, steady=not change)
+
+
+def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
+    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found."""
+    value, path = found.followed.answer, found.asked.find
+    if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):
+        return False
+    study = motion_of(with_number(motion.study.scene, path, value)).study
+    start, said = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
+    named = {name for name, phrase in words.called(Bodies()).items() if phrase in said}
+    arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
+    names = named or ({found.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
+    largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
+    moving = (float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) for name in names or words.called(Bodies()))
+    return any(size > STILL * largest for size in moving)
+
+
+def slips_nevertheless(found: Understood) -> bool:
+    """Return whether what is needed is more than the greatest coefficient of friction that a scene can have."""
+    if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
+        return False
+    _, most = found.posed.varied.values[0]
+    return found.followed.answer >= NEARLY * most
+
+
+def _rolling(words: Words) -> bool:
+    return any(rolls(words, name) for name in words.mechanism.contacts)
+
+
+def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
+    """Yield the questions for the number with which a body, or each, is not accelerated; none on rough faces."""
+    if _rubs(words):
+        return  # within a whole range of numbers
+    alone = addresses(words).get(who)
+    bodies = words.called(Bodies())
+    senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
+    for name in (alone,) if alone is not None and len(senses) == 1 else bodies:
+        senses = Bodies().senses(words.mechanism, name)
+        if len(senses) == 1:
+            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given))
+
+
+def _orbits(who: str, words: Words) -> Iterator[str]:
+    """Yield the pairs of a body, or of any, with what draws it."""
+    name = addresses(words).get(who, "")
+    for pull in words.mechanism.attractions:
+        if not name or name in (pull.a, pull.b):
+            yield f"{pull.a} & {pull.b}"
+
+
+def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
+    """Yield the question for the number with which an orbit is a parabola, or is a circle.
+
+    It is a circle where its semi-major axis is the distance at the start, if the velocity is at right angles to the
+    line between the two.
+    """
+    if outcome != CIRCULAR:
+        yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
+        return
+    study, (a, b) = motion.study, pair.split(AND)
+    start = study.trace.at(0.0)
+    place = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
+    velocity = Velocity.evaluate(start, a)[0] - Velocity.evaluate(start, b)[0]
+    sizes = float(np.linalg.norm(place) * np.linalg.norm(velocity))
+    if abs(float(place @ velocity)) <= SQUARE * sizes:
+        distance = f"{float(np.linalg.norm(place)):.15g} {words.units.spell('m')}"
+        yield Reading(StructuredQuestion(path, pair, START, given=f"semi-major axis = {distance}"))

@@ -1,0 +1,48 @@
+"""Questions for the period that small oscillations would have, whatever the motion is."""
+
+import re
+
+from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.meaning import Reader, Understood
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
+from sim2reason.questions.words import Words
+
+_MEASURE = "(?P<q>period|frequency|angular frequency)"
+_SMALL = (
+    "(?:(?:very )?small (?:oscillations?|swings?|vibrations?|angles?|amplitudes?|displacements?)"
+    "|small-amplitude oscillations?)"
+)
+_ABOUT = (
+    r"(?: ?(?:about|around) (?:its |@\d+@ 's |position of )?(?:equilibrium(?: position)?|lowest position"
+    r"|rest position|lowest point))"
+)
+_OF = r"(?: of (?:this |that )?(?:@\d+@|pendulum|system))?"
+FORMS = (
+    rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}",
+    rf"what would be {_MEASURE} (?:of|for) {_SMALL}{_OF}{_ABOUT}?",
+    rf"what would {_MEASURE}{_OF} be (?:for|with|in case of) {_SMALL}{_OF}{_ABOUT}?",
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |pendulum |system )?(?:were|was) (?:only |just"
+        rf" )?(?:swinging|oscillating|vibrating)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |it )?(?:only )?(?:swung|oscillated|vibrated)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+)
+
+
+def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the question for the period, or a frequency, of the only small oscillations about the equilibrium."""
+    for told in FORMS:
+        found = re.fullmatch(told, heard.text)
+        if found is not None:
+            reading = Reading(StructuredQuestion(found["q"], "", EQUILIBRIUM))
+            meant = reader.first_of([reading], motion, words)
+            query = meant.posed.query if meant is not None else None
+            return meant if isinstance(query, PeriodQuery) and query.modes == 1 else None
+    return None

@@ -1,0 +1,95 @@
+"""Suppositions in ordinary English: clauses that say how a scene is changed, as other values of its numbers."""
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import NamedTuple
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, named_number, number_pattern
+from sim2reason.questions.ordinary.whatif.supposed_rows import (
+    ADJUNCTS,
+    DONE,
+    MULTIPLES,
+    OTHERS,
+    ROWS,
+    SWAPPED,
+    TIMES,
+    P,
+)
+
+
+class Supposition(NamedTuple):
+    """A change of a number, or of a body: how, to or by how much, of what; the number has the unit that is told.
+
+    A speed may be told with the `way`, *up* or *down*.
+    """
+
+    how: str
+    number: NamedNumber
+    value: str = ""
+    factor: float = 1.0
+    sign: int = 0
+    way: str = ""
+
+
+def suppositions(text: str, heard: Heard) -> tuple[Supposition, ...]:
+    """Return the changes that a clause supposes, which *and* may join; none if a part of it is not understood."""
+    whole = tuple(_one(text, heard, (*((told, "", how) for told, how in ROWS), *OTHERS)))
+    if whole:
+        return whole[:1]
+    for found in re.finditer(r" (?:,? ?and|,) (?:if )?", text):
+        one, other = suppositions(text[: found.start()], heard), suppositions(text[found.end() :], heard)
+        if one and other:
+            return (*one, *other)
+    return ()
+
+
+def adjunct(text: str, heard: Heard) -> tuple[Supposition, ...]:
+    """Return the change that a phrase such as *without friction* supposes; none if it is not understood."""
+    return tuple(_one(text, heard, ADJUNCTS))[:1]
+
+
+def _one(text: str, heard: Heard, rows: tuple[tuple[str, str, str], ...]) -> Iterator[Supposition]:
+    subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
+    said = re.sub(r"\b(?:just|instead only|only)\b ?", "", text).strip(" ,")
+    for told, kind, how in rows:
+        found = _compiled(told).fullmatch(said)
+        if found is None:
+            continue
+        groups = found.groupdict()
+        number = named_number(found, subject) if P in told else NamedNumber(kind or f"{groups.get('e')} field")
+        owners = tuple(subject[groups[key]] for key in ("s", "t") if groups.get(key))
+        if owners and not number.owners and how != SWAPPED:
+            number = number._replace(owners=owners[:1])
+        elif how == SWAPPED:
+            number = number._replace(owners=owners)
+        yield _changed(how, number, groups, heard)
+
+
+MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic": "1", "plastic": "0"}
+"""By the group of a form, the value that its words mean."""
+
+
+def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: Heard) -> Supposition:
+    token = groups.get("n")
+    value = heard.number(token) if token else ""
+    value = next((told for name, told in MEANT.items() if groups.get(name)), value)
+    sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
+    if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
+        return Supposition(TIMES, number, factor=1.0 + sign * float(value.partition(" ")[0].rstrip("%")) / 100.0)
+    return Supposition(how, number, value, _factor(groups, heard), sign, groups.get("way") or "")
+
+
+def _factor(groups: Mapping[str, str | None], heard: Heard) -> float:
+    done, multiple = groups.get("done"), groups.get("mult")
+    if done:
+        return DONE[done]
+    if multiple and multiple.startswith("#"):
+        return float(heard.number(multiple.partition(" ")[0]).partition(" ")[0])
+    return next((value for told, value in MULTIPLES.items() if multiple and re.fullmatch(told, multiple)), 1.0)
+
+
+@cache
+def _compiled(told: str) -> re.Pattern[str]:
+    return re.compile(told.replace(P, number_pattern()))
