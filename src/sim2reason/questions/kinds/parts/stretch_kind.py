@@ -75,7 +75,7 @@ class StretchKind(Kind):
 
     def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
-        offered = list(self._offered(words))
+        offered = [found for found in self._offered(words) if found[0].weight > 0.0]  # others are asked by people alone
         if not self.ends_matter:
             ends = [moment for moment in ends if not moment.stated]
         for _ in range(TRIES):
