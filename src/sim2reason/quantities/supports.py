@@ -83,11 +83,11 @@ def _held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
     together = carried_by(mechanism, chain(mechanism, name)[-1].name)
     held = {body.name for body in together}
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
-    wound = {wheel.body for line in mechanism.lines for wheel in line.wheels}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
     stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
-    hinges = sum(len(body.coordinates) for body in together)
-    return hinges == 1 and not held & (pulled | wound | acted | stands | mechanism.contacts.keys())
+    hinges = [c.name for body in together for c in body.coordinates]
+    wound = any(wheel.coordinate in hinges for line in mechanism.lines for wheel in line.wheels)
+    return len(hinges) == 1 and not wound and not held & (pulled | acted | stands | mechanism.contacts.keys())
 
 
 @quantity

@@ -1,10 +1,9 @@
 """What main clauses ask for, in base forms, each with the plain main clause that says the same."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 from sim2reason.questions.ordinary.clause_heads import HOME
+from sim2reason.questions.ordinary.force_rows import FORCE_ROWS
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
@@ -27,7 +26,6 @@ _LOST = (
     "|absorb|release|do)"
 )
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
-_FORCE = "how (?:hard|strongly)|(?:what|how much|how large a|how great a) force|force"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
 _ONCE = (
     f"(?:(?:one|a|single|full|complete|whole|each|entire) )+{_ROUND}|(?:once )?(?:around|round) once|once"
@@ -43,14 +41,6 @@ SIZES = {
     "|start) its motion",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
-
-
-class WantedRow(NamedTuple):
-    """Patterns that must all occur, in any order, and the plain main clause with the same meaning."""
-
-    parts: Sequence[str]
-    plain: str
-    subjects: int = 1
 
 
 ROWS = (
@@ -165,23 +155,7 @@ ROWS = (
          "?each other|one another|other", "?each"), "what impulse does {s} give"),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
-    # forces
-    WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
-    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),
-        "what upward force of ground on {s}"),
-    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})",
-         "?by|from|of|on"),
-        "what whole force of ground on {s}"),
-    WantedRow((_FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
-    WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
-    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", ("(?:fixed )?(?:wall|stop|support"
-    "|peg)"), "?by|on|of|from"),
-        "what is force of {s}"),
-    WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
-    WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
-    WantedRow(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
-    WantedRow(("thrust(?: force)?", "?engine|motor|rocket|its engine", "?produce|provide|deliver|develop"),
-        "what is thrust of {s}"),
+    *FORCE_ROWS,
     # angles, periods and counts
     WantedRow(("radius", "?of (?:circle|circular path|path|orbit|trajectory|curvature|circular orbit|curve)",
          "?(?:on|along|in) which|(?:on|along)(?= )", f"?{MOTION}|describe|follow|trace",

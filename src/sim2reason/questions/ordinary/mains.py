@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from sim2reason.questions.ordinary import change_readers as change
+from sim2reason.questions.ordinary import force_readers as force
 from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
@@ -147,6 +148,10 @@ FRAMES: Mapping[str, Reader] = {
     " right) "
     "(?:direction )?~(?:counted |taken )?as positive": read.signed,
     "how much mechanical energy ~{s} lose": change.lost_in_impact,
+    "what force of guide on[ {s}]": of_one("force of the guide"),
+    "what force of string on pulley {s}[ {t}]": force.on_pulley,
+    "what force bears axle[ {s}][ {t}]": force.on_axle,
+    "what force on hook[ {s}]": force.on_hook,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

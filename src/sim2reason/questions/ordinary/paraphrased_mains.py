@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from functools import cache
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S, WantedRow
+from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
+from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 _ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
 _SUPPOSES = re.compile(

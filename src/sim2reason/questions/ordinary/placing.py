@@ -17,9 +17,11 @@ from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
+from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE, each_of, fixed_end
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
@@ -67,7 +69,9 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if asked.of == EVERYTHING:
-        return _together(asked.find, words)
+        return _together(asked.find, words) or each_of(asked.find, words)
+    if asked.of == FIXED_END:
+        return fixed_end(words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
@@ -87,8 +91,10 @@ def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and asked.find in ANGULAR:
         return ("", *quantity.subjects(words.mechanism)[:MOST])
-    if asked.find in PERIODS:
+    if asked.find in PERIODS or asked.find == AMPLITUDE:
         return tuple(movers(words))
+    if asked.find == ON_AXLE:
+        return tuple(quantity.subjects(words.mechanism)[:1]) if quantity is not None else ()
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
         return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))

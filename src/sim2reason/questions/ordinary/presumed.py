@@ -11,7 +11,8 @@ from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.afterwards import goes_then
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, alone, named
+from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED
+from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     FIXED_FACE,
@@ -97,7 +98,7 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
                 pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
                 yield "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
             else:
-                told, holds = OTHERS[way]
+                told, holds = PRESUMED[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
 
 

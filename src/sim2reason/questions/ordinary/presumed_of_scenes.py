@@ -1,0 +1,51 @@
+"""What a question takes for granted about the bodies of a scene, and how each is tested."""
+
+from collections.abc import Callable, Mapping
+
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
+from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, LIFTS, LIGHT, SIDEWAYS
+
+
+def _light(case: Case) -> bool:
+    """Return whether a pulley has no mass; true without a pulley named."""
+    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    body = case.words.mechanism.body.get(address)
+    return body is None or body.mass == 0.0
+
+
+def _sideways(case: Case) -> bool:
+    """Return whether a body moves neither straight up or down nor along one line."""
+    return not one_way(case)
+
+
+def _lifts(case: Case) -> bool:
+    """Return whether a body lifts off at the start, as its engine drives it upwards then."""
+    name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
+    burns = any(burn.body == name for burn in case.words.mechanism.burns)
+    return burns and float(Acceleration.evaluate(start, name)[0, 2]) > EVEN
+
+
+def _rising(case: Case) -> bool:
+    return _vertical(case) > 0.0
+
+
+def _falling(case: Case) -> bool:
+    return _vertical(case) < 0.0
+
+
+def _vertical(case: Case) -> float:
+    """Return the vertical velocity of a body at the instant asked about, m/s; zero if no body is meant."""
+    name = named(case.who, case.words)
+    return float(Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0, 2]) if name else 0.0
+
+
+PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    **OTHERS,
+    LIGHT: ("{who} has a weight of its own", _light),
+    SIDEWAYS: ("{who} goes along one line", _sideways),
+    LIFTS: ("{who} does not lift off at first", _lifts),
+    GOES_UP: ("{who} is not on its way up then", _rising),
+    GOES_DOWN: ("{who} is not on its way down then", _falling),
+}
+"""By what is taken for granted: what is said where it is not so, and whether it is."""
