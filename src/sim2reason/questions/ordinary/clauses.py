@@ -1,5 +1,6 @@
 """Clauses of questions in ordinary English that name a moment, each with its reader."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
@@ -8,15 +9,29 @@ from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import Reader
 from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
-from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
 from sim2reason.questions.ordinary.whens import When
+
+
+_ON_THE_WAY = re.compile(r" (?:(?:while|when) )?(?:on (?:its )?way|going|moving) (?P<way>up|down)(?:wards?)?$")
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
+    going = _ON_THE_WAY.search(clause)
+    if going is not None and going.start() > 0:
+        yield from _on_the_way(clause[: going.start()].strip(), going["way"], heard, subject, side)
+        return
     found = list(_of_tables(clause, heard, subject, side))
     plain = dict.fromkeys(paraphrased(clause)) if not found else ()
     yield from found or (when for told in plain for when in _of_tables(told, heard, subject, side))
+
+
+def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
+    who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
+    for when in whens(clause, heard, subject, side):
+        yield replace(when, ways=(*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN)))
 
 
 def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -44,6 +59,14 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} returns to origin": place.back_at_origin,
     "[{s} ]stops on other side": place.across,
     "[{s} ]returns": read.returned,
+    "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,
+    "[{s} ]makes (?P<turns>one|half|two|three|ten) revolutions?": place.revolved,
+    "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
+    "(?:turn|revolution|rotation)": place.revolved,
+    "[{s} ]burns {n} of fuel": place.burnt,
+    "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
+    "|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
+    "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ]finally stops": read.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,

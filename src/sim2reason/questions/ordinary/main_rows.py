@@ -2,6 +2,7 @@
 
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.force_rows import FORCE_ROWS
+from sim2reason.questions.ordinary.shape_rows import SHAPE_ROWS
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
@@ -34,7 +35,7 @@ _ONCE = (
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
-    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
+    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
@@ -156,6 +157,7 @@ ROWS = (
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
     *FORCE_ROWS,
+    *SHAPE_ROWS,
     # angles, periods and counts
     WantedRow(("radius", "?of (?:circle|circular path|path|orbit|trajectory|curvature|circular orbit|curve)",
          "?(?:on|along|in) which|(?:on|along)(?= )", f"?{MOTION}|describe|follow|trace",

@@ -9,8 +9,9 @@ from sim2reason.questions.posing import posed
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
 
-TIMES = " times that at start"
-_MULTIPLE = re.compile(rf"(?P<find>[a-z ]+) of (?P<of>.+) = (?P<factor>\d+){TIMES}")
+TIMES, GREATEST = " times that at start", " times the greatest"
+_MULTIPLE = re.compile(rf"(?P<find>[a-z ]+) of (?P<of>.+) = (?P<factor>[\d.]+)(?P<ref>{TIMES}|{GREATEST})")
+SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # what greatest values are called by
 
 
 def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
@@ -22,9 +23,13 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
     found = _MULTIPLE.fullmatch(asked.when)
     if found is None:
         return asked
-    initial = posed(StructuredQuestion(found["find"], found["of"], START), motion, words)
+    find = found["find"]
+    if found["ref"] == GREATEST:
+        initial = posed(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", found["of"]), motion, words)
+    else:
+        initial = posed(StructuredQuestion(find, found["of"], START), motion, words)
     value = initial.followed(motion).answer
     if not value:
-        raise TextError("when", f"the {found['find']} is zero at the start", "give a value")
+        raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
     told = f"{found['find']} of {found['of']} = {float(found['factor']) * value:.15g} {initial.unit(words)}"
     return replace(asked, when=told)

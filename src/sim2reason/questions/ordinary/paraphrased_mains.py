@@ -35,7 +35,7 @@ def _part(told: str) -> re.Pattern[str]:
     told = told.replace("{quantity}", f"(?P<quantity>{_quantities()})").replace("{motion}", _motions())
     for name in ("friction", "normal"):
         told = told.replace(f"{{{name}}}", either(QUANTITIES[f"{name} force"].split("|")))
-    return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS)})(?![\w@#-])")
+    return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS).replace('GROUNDS', GROUNDS)})(?![\w@#-])")
 
 
 @cache
@@ -113,6 +113,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         quantity=groups.get("quantity", ""),
         toward=groups.get("toward", "").strip("<>"),
         side=_side(row.plain, groups.get("side", "")),
+        line=groups.get("line", ""),
         speed="angular speed" if verb == "turn" else "speed",
     )
-    yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))
+    yield re.sub(r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))

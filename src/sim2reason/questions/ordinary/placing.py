@@ -34,7 +34,7 @@ from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9
 TURNING = "lowest point", "highest point", "stopped"
-SIGNED = ("velocity",)
+SIGNED = ("velocity", "velocity of the centre of mass")
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
 COLLISIONS = ("energy lost in a collision", "impulse of a collision")
 _COLLISION = re.compile(

@@ -11,11 +11,13 @@ from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.afterwards import goes_then
-from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED
+from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, held
 from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     FIXED_FACE,
+    HELD,
     ON,
     ORIGIN,
     ROUND,
@@ -93,6 +95,11 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(THEN_GOES):
                 goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
+            elif way.startswith(HELD):
+                spring = way.removeprefix(HELD)
+                yield "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
+            elif way == ALL:
+                yield "" if _all_bodies(who, words) else f"{who} are not all that moves"
             elif way.startswith(ROUND):
                 center = named(way.removeprefix(ROUND), words)
                 pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
@@ -106,6 +113,12 @@ def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State,
     name = named(who, words)
     found = kind.evaluate(state, name)[0] if name else np.zeros(3)
     return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found))
+
+
+def _all_bodies(who: str, words: Words) -> bool:
+    """Return whether a joint phrase names all bodies that have a mass."""
+    said = {named(each, words) for each in who.removeprefix(f"{ALL} ").split(" & ")}
+    return said == {body.name for body in words.mechanism.bodies if body.mass > 0.0}
 
 
 def _lies(who: str, face: str, words: Words) -> bool:

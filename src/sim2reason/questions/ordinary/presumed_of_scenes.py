@@ -2,9 +2,12 @@
 
 from collections.abc import Callable, Mapping
 
+from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
-from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, LIFTS, LIGHT, SIDEWAYS
+from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, SIDEWAYS
+from sim2reason.questions.words import Words
 
 
 def _light(case: Case) -> bool:
@@ -24,6 +27,22 @@ def _lifts(case: Case) -> bool:
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
     burns = any(burn.body == name for burn in case.words.mechanism.burns)
     return burns and float(Acceleration.evaluate(start, name)[0, 2]) > EVEN
+
+
+def _centered(case: Case) -> bool:
+    """Return whether the centre of mass of a body lies where its axis does."""
+    name = named(case.who, case.words)
+    return bool(name) and case.words.mechanism.body[name].center == ZERO
+
+
+def held(who: str, spring: str, words: Words) -> bool:
+    """Return whether a spring is fixed at one end, and tied to a body at its other one."""
+    known = {said: name for name, said in words.called(Springs()).items()}
+    line, name = words.mechanism.line.get(known.get(spring, "")), named(who, words)
+    if line is None:
+        return False
+    ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
+    return None in ends and (who == spring or name in ends)
 
 
 def _rising(case: Case) -> bool:
@@ -46,6 +65,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SIDEWAYS: ("{who} goes along one line", _sideways),
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),
+    CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
     GOES_DOWN: ("{who} is not on its way down then", _falling),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

@@ -6,6 +6,7 @@ from math import isclose
 from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import hear
@@ -48,7 +49,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(not isinstance(each.posed.query.moment, WholeMotion) for each in found):
+        if answered or any(not isinstance(each.posed.query.moment, WholeMotion | Halted) for each in found):
             return next(iter([*answered, *found]))
     return None
 

@@ -33,6 +33,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     QUANTITIES,
     RESTS,
     ROUND,
+    SIDEWAYS,
     SLOWER,
     SMOOTH,
     SOLE,
@@ -43,6 +44,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
+SINKING = "drop", "drops", "dropped", "descend", "descends", "descended", "sink", "sinks", "sunk", "sank"
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 
@@ -159,6 +161,8 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright else ()))
             yield Main("displacement", of, needs=STRETCH, ways=ways)
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
+            if groups.get("motion") in SINKING:
+                yield Main("displacement", of, "vertical", STRETCH, ((of, "down"), (of, SIDEWAYS)))
 
 
 def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
