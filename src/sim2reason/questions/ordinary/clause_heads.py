@@ -124,8 +124,10 @@ HEADS: Mapping[str, str] = {
     rf" )?(?P<t>{S})"
     "(?: 's top)?": "{s} moves {n} relative to {t}",
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
-    rf"{FALL} {_DISTANCE}": "{s} falls {n}{way}",
-    rf"{RISE} {_DISTANCE}": "{s} rises {n}{way}",
+    rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
+    rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|left|right|sloping|inclined) )+"
+    r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
     rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
@@ -136,8 +138,8 @@ HEADS: Mapping[str, str] = {
     "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go) horizontally": (
         "{s} at its highest point"
     ),
-    "(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)?(?: through)?(?: its| @\\d+@ 's)?(?: (?:first|one"
-    "|single|full|complete|whole|entire))+ (?:turn|revolution|rotation|round)": "{s} makes one revolution",
+    "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one|single"
+    "|full|complete|whole|entire) )+(?:turn|revolution|rotation)": "{s} makes one revolution",
     rf"(?:burn|use|consume|spend)(?: up)? (?P<n>{N}) of (?:its )?fuel|(?P<m>{N}) of (?:its )?fuel (?:burn|use|consume"
     "|spend|go)(?: up)?": "{s} burns {n} of fuel",
     rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"

@@ -65,7 +65,7 @@ CLAUSES: Mapping[str, Reader] = {
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
-    "|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
+    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ]finally stops": read.for_good,
@@ -146,7 +146,7 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} ~{n} from [its ]equilibrium position": place.balanced,
     "{s} (?:goes|go) slack": read.simply("went slack"),
     "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": read.simply("went taut"),
-    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": read.simply("left face"),
+    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": place.lifts_off,
     "{s} (?:enters|enter) (?:field|region)": read.simply("entered region"),
     "{s} (?:leaves|leave|exits) (?:field|region)": read.simply("left region"),
     "{s} (?:begins|starts|begin|start) to (?:slip|slide)": read.simply("began to slip"),

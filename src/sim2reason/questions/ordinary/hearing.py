@@ -43,7 +43,7 @@ _FROM_REST = re.compile(
     r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?"
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
-_OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
+_OWN = re.compile(rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)")
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
@@ -80,7 +80,7 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!")
+    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
@@ -109,7 +109,8 @@ def hear(sentence: str, words: Words) -> Heard:
     if words.released:
         text = _FROM_REST.sub("", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
-    text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers)
+    smooth = all(face.friction == 0.0 for face in words.mechanism.faces)
+    text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
     text = without_asides(text)
     return Heard(reworded(text), tuple(subjects), numbers)
 

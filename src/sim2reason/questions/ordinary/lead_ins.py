@@ -15,6 +15,7 @@ LEADS = tuple(
         r"(?: or otherwise)? ?,? (?=" + _ASK + r"\b|@\d+@)",
         rf"^(?:by )?(?:using|applying|considering|use|with help of|by means of|from|ignoring nothing)(?: {_METHOD})+ ?,"
         rf" (?={_ASK}\b)",
+        rf"^(?:measured|counted|reckoned|counting) from (?:start|release|launch) ,? ?(?={_ASK}\b)",
         r"^(?:show|prove|explain|verify|note|notice|recall|remember|recognise|recognize)(?: \w+)? that"
         r" (?:[a-z ]+ )?(?:simple harmonic|harmonic|periodic|oscillatory|uniformly accelerated)\. ",
         r"^(?:@\d+@|string|strings|they) (?:must|will|does|do) not (?:break|snap|slip off|tear)\. ",
@@ -28,8 +29,23 @@ _POSITIVE = re.compile(r" ?,? ?(?:taking|counting|reckoning|with) (?:up|upwards?
 _REPEATED = re.compile(r"#(\d+)# \(#(\d+)#\)")
 
 
-def without_leads(text: str, numbers: tuple[str, ...]) -> str:
-    """Return a question without words that ask for nothing, and without a number that repeats the one before it."""
+_SMOOTH = re.compile(
+    r"^(?:all |both )?(?:floor|plane|table|track|surface|slope|top|surfaces|faces) (?:is|are) (?:smooth|frictionless)"
+    r"(?: ,? ?(?:so|and so|therefore)(?: that)? [^.#]*)?\. "
+)
+_SEEN_BY = re.compile(
+    r" ?,? (?:as )?(?:measured|seen|judged|viewed|observed) (?:by|from) (?:(?:observer|someone|somebody|person|passenger|ant)"
+    r"(?: who is| that is)? ?(?:sitting|standing|riding|at rest|fixed)? ?(?:on|to|with) )?(?=@)"
+)
+
+
+def without_leads(text: str, numbers: tuple[str, ...], *, smooth: bool) -> str:
+    """Return a question without words that ask for nothing, and without a number that repeats the one before it.
+
+    `smooth` says whether nothing rubs in the scene, of which a sentence may remind.
+    """
+    text = _SMOOTH.sub("", text) if smooth else text
+    text = _SEEN_BY.sub(" relative to ", text)
     for lead in LEADS:
         text = lead.sub("", text)
     if re.search(r"\bvertical component\b|\by[- ]component\b", text):

@@ -35,7 +35,7 @@ _ONCE = (
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
-    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top|at most|most|longest|maximally",
+    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
@@ -134,6 +134,8 @@ ROWS = (
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
     WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
+    WantedRow(("(?:to )?what", "{greatest}", "length", "?stretch|extend|get"), "what is longest length of {s}"),
+    WantedRow(("(?:to )?what", "{least}", "length", "?compress|shorten|get"), "what is shortest length of {s}"),
     WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
     WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
     WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring"),
@@ -188,7 +190,8 @@ ROWS = (
         "what is power of hand"),
     WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
         "what is greatest angle of {s} with vertical"),
-    WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN), "through what angle does {s} turn"),
+    WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN, f"?from {HOME}"),
+        "through what angle does {s} turn"),
     WantedRow(("period(?: of revolution| of oscillation| of rotation)?", f"?{'{motion}'}", "?of"),
         "what is period of {s}"),
     WantedRow(("(?:how long|how much time|time|how many (?:seconds|years))",

@@ -21,7 +21,7 @@ from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.unsaid import AMPLITUDE, each_of, fixed_end
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE, each_of, fixed_end, velocities_equal
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
@@ -60,7 +60,7 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
                 continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for whens in product(*(list(_hung(part, words)) for part in asked.when.split(MINUS))):
-                parts = (_met(_collided(_component(when, words), words, events), words) for when in whens)
+                parts = (_met(_collided(_component(velocities_equal(when, words), words), words, events), words) for when in whens)
                 told = MINUS.join(parts) or (START if reading.steady else "")
                 asked = replace(asked, of=_pair(asked, told, words))
                 yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))

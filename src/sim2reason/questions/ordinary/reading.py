@@ -26,7 +26,7 @@ _AT_EVENT = (
 _REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
 _IMPACT = pattern("(?:its |their |@0@ 's )?(?:ORDINAL )?(?:bounce|impact|collision|rebound)")  # in which nothing falls
 _VALUES = "with what", "at what", "how fast", "what"
-_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
+_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to| for)? (.+)"
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
@@ -40,7 +40,7 @@ _ON_ITS_WAY = pattern(
 )
 _INVERTED = re.compile(r"^(?P<verb>is|has) (?P<who>(?:all )?fuel|engine|@\d+@)(?= )")
 _BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
-_THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
+_THEN = re.compile(r" (?:then|there|at (?:that|this) (?:moment|instant|time|point))$")
 _SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
 _BEGINS = pattern(
     "(?:{s}|system|everything) ~(?:released|let go|launched|thrown|set free|struck|started)[ from rest][ at START]"

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, STRETCH, Main, each
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
 from sim2reason.questions.ordinary.vocabulary import CENTERED, HELD, ON, ORIGIN, RESTS, SIDEWAYS
 from sim2reason.questions.ordinary.whens import AFTER, When
@@ -24,8 +24,8 @@ def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the amplitude of a motion to and fro: of a body on a line in metres, of what swings as an angle."""
     of = heard.subject(found["s"])
-    yield Main(AMPLITUDE, of, needs=STRETCH)
-    yield Main("greatest deflection", of, needs=STRETCH)
+    yield Main(AMPLITUDE, of, needs=FREE)
+    yield Main("greatest deflection", of, needs=FREE)
 
 
 def own_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -30,7 +30,7 @@ SHAPE_ROWS = (
     WantedRow((_FAST, "relative to|with respect to|as seen from|over|past", "?move|slide|go|travel|roll|drift|slip"),
         "what is speed of {s} relative to {t}", 2),
     WantedRow(("acceleration|how quickly accelerate|(?:with|at) what acceleration", ("relative to|with respect to|as seen"
-    " from|over|along|sit on|stand on|down|up"), "?move|slide|go|travel|fall|rise"),
+    " from|over|along"), "?move|slide|go|travel|fall|rise", "?<(?:down|up)>"),
         "what is acceleration of {s} relative to {t}", 2),
     WantedRow(("how (?:fast|quick|quickly)|(?:at )?what (?:rate|speed)|speed", "(?:descend|sink|drop|go <down>|lose height)"),
         "how fast does {s} go down"),

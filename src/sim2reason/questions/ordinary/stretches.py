@@ -32,6 +32,7 @@ from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
+PULLS = "rod force", "tension", "spring force"
 TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
 """By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
 
@@ -42,6 +43,9 @@ def _extreme(size: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
+        if name == "rod force":
+            yield from (Main(f"{size} {force}", heard.subject(found.groupdict().get("s")), needs=STRETCH) for force in PULLS)
+            return
         for of in each(heard, found.groupdict().get("s")):
             if name == "height" and size == "greatest":
                 yield from _gets(found, heard)

@@ -23,6 +23,25 @@ _LANDING = (
 _WHERE = "(?:where|at which|in which|that is|which is|when)"
 
 TURNS: Mapping[str, str] = {
+    f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally )?from"
+    f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",
+    "^with what (?P<q>QUANTITY) (?P<s>@\\d+@) (?=\\w+s )": r"with what \g<q> does \g<s> ",
+    "\\bthis (?=ITS_MOTION)": "",
+    "\\btop (?=(?:speed|velocity) )": "greatest ",
+    "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"
+    "|to moment when) ": "how much time passes until ",
+    "(?P<s>@\\d+@) is (?:vertically|directly|straight|exactly) (?:below|under|underneath|beneath) (?:(?P=s)|axle)": (
+        r"\g<s> is at its lowest point"
+    ),
+    "(?P<s>@1@) (?P<verb>moved|slid|shifted|gone|recoiled|travelled) back (?=along|on|over)": r"\g<s> \g<verb> ",
+    "(?P<s>@\\d+@) then (?=\\w+ing\\b)": r"\g<s> ",
+    "\\bfinal (?=QUANTITY (?:of|does|has|will) .*(?:once|when|after|as soon as) )": "",
+    "^(?P<ask>how far apart are) (?:points|places|spots) where @0@ (?:lands|hits ground|bounces|strikes ground) (?:for )?first"
+    " and (?:for )?second time": r"\g<ask> first and second bounce",
+    "\\bdistance between (?:points|places|spots) of (?=ORDINAL and)": "distance between ",
+    "^(?:ASK) separation of (?=@\\d+@$)": "what is distance between ",
+    "(?:LEAST) length of (?=@)": "shortest length of ",
+    "(?<=what is )greatest length of (?=@)": "longest length of ",
     # places by what is so there
     f"^(?P<ask>how fast|with what speed|at what speed|with what velocity) (?P<aux>does|will|do|did|is|are) {_S} "
     f"(?:first |moving |travelling |going )*(?:{_GO}) ?(?:through|by|over|past|across|along)? {_POINT}"
@@ -82,8 +101,6 @@ TURNS: Mapping[str, str] = {
     f"(?: first time)?$": r"what is range of \g<s>",
     f"^(?P<ask>what is|find|determine|calculate|compute) horizontal (?:distance|displacement) (?:between|from) (?:{_FOOT}"
     f"|{_THROWN_FROM}) (?:and|to) {_LANDING}$": r"what is range",
-    f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally )?from"
-    f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",
     "^where on (?P<axis>x|y)(?: |-)axis (?:does|will|is) (?P<s>@\\d+@) (?P<verb>cross|hit|meet|pass|reach|strike|cut)"
     "(?: through)?(?: (?:it|that axis|axis))?(?P<first> for first time)?(?: after START)?\\. (?:give|find|state"
     "|calculate) its (?P=axis)(?: |-)coordinate(?: there)?$": (

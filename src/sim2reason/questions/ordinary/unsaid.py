@@ -1,16 +1,37 @@
 """Subjects that a sentence does not name itself: those of *the system*, and what is tied to something fixed."""
 
+import re
+
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.questions.ordinary.addresses import all_of
+from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.words import Words
 
 AMPLITUDE = "amplitude"
+_EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
 
 def each_of(find: str, words: Words) -> tuple[str, ...]:
     """Return all heavy bodies, for a quantity that a connected system has as a whole; none for any other."""
     return all_of(find, words) if find in SHARED and words.mechanism.lines else ()
+
+
+def velocities_equal(told: str, words: Words) -> str:
+    """Return the moment when two bodies on one line have the same velocity, by addresses; any other moment unchanged."""
+    found = _EQUAL.fullmatch(told)
+    if found is None:
+        return told
+    by_phrase = {said: name for name, said in words.called(Bodies()).items()}
+    names = [by_phrase.get(found[key], "") for key in ("one", "other")]
+    if not all(names):
+        return told
+    senses = [Bodies().senses(words.mechanism, name) for name in names]
+    if senses[0] != senses[1] or len(senses[0]) != 1:
+        return told
+    return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:

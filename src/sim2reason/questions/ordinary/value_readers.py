@@ -44,7 +44,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
-SINKING = "drop", "drops", "dropped", "descend", "descends", "descended", "sink", "sinks", "sunk", "sank"
+SINKING = "drop", "drops", "dropped", "descend", "descends", "descended", "sink", "sunk", "sank", "descending", "sinking", "dropping"
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 
@@ -99,6 +99,8 @@ def fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         told = ways_of(found, of)
         sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
         yield Main(find, of, along, ways=() if along else (*told, *sideways))
+        if groups.get("motion") in SINKING:
+            yield Main(find, of, "vertical", ways=((of, "down"), (of, SIDEWAYS)))
 
 
 def far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
