@@ -46,7 +46,7 @@ HEADS: Mapping[str, str] = {
     "(?: up| down)?": "{s} stops",
     "(?:turn|swing|go|move|slide|roll|come|fall|start|head)(?: (?:move|slide|roll|go|fall|swing|come))? "
     "(?:back|round|around)(?: down)?": "{s} stops",
-    "turning point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
+    "turn(?:ing)? point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
     " travel)?"
     "|change (?:its )?(?:direction|sense)(?: of motion| of travel)?|stationary|stand still|motionless"
     "|lose all (?:of )?(?:its )?(?:speed|velocity|motion)|(?:speed|velocity) (?:become |drop to |fall to |reach |vanish"
@@ -126,7 +126,7 @@ HEADS: Mapping[str, str] = {
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
     rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
     rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
-    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|left|right|sloping|inclined) )+"
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline) )+"
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
@@ -166,6 +166,14 @@ HEADS: Mapping[str, str] = {
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
     r"|(?:from|after|of|since|following|past)(?: (?:[a-z]+|@\d+@))?(?: both| all)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
+    "(?:very )?end(?: of (?:its )?(?:motion|slide|run|movement))?": "{s} finally stops",
+    "(?:stretch|extension|elongation)(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum|greatest))": (
+        "{s} most stretched"
+    ),
+    "compression(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum|greatest))": (
+        "{s} most compressed"
+    ),
+    "(?:their )?(?:velocity|velocities) (?:be |become )?(?:equal|same)": "they move together",
     "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic"
     " energy) (?:be |become "
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as"

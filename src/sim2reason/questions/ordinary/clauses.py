@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.hearing import Heard
@@ -31,7 +32,10 @@ def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) ->
     """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
     who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
     for when in whens(clause, heard, subject, side):
-        yield replace(when, ways=(*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN)))
+        ways = (*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN))
+        yield replace(when, ways=ways)
+        if " = " in when.told:
+            yield replace(when, told=f"{AGAIN}{when.told}", ways=ways)
 
 
 def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -81,7 +85,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[very ]START[ of motion]": place.begun,
     "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.moved,
     "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": read.moved,
-    "first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
+    "[{s} ]first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
     "{s} has first {motion=MOTION} {n}": read.moved,
     "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.simply("stopped"),
     "[{s} ]~[first ]LANDS[ FIRST_TIME]": read.landed,

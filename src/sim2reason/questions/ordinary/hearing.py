@@ -100,7 +100,7 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
     text = _SIZES.sub("", text)
-    if not any(subject.startswith(f"{ALL} ") for subject in subjects):
+    if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)

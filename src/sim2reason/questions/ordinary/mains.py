@@ -163,7 +163,7 @@ FRAMES: Mapping[str, Reader] = {
     "how far does {s} move along {t}": shape.far_on,
     "how fast does {s} go down": shape.down,
     "how much energy is lost to drag[ by {s}]": of_one("energy lost to drag", needs=STRETCH),
-    "how much work does spring {s} do on {t}": shape.spring_work,
+    "how much work does spring {s} do on {t}": shape.work_of_spring,
     "how long is {s} moving": shape.moving,
     "TIME": read.time,
 }

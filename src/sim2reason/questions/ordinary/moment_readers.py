@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from math import tau
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import (
@@ -234,7 +235,12 @@ def angle(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 def turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has turned through a given angle."""
-    yield When(f"{subject_of(found, heard, subject)} turned through {heard.number(found['n'])}", side)
+    who, number = subject_of(found, heard, subject), heard.number(found["n"])
+    yield When(f"{who} turned through {number}", side)
+    value, _, unit = number.partition(" ")
+    if unit in ("°", "rad"):  # of what rolls
+        turns = float(value) / (360.0 if unit == "°" else tau)
+        yield When(f"revolutions made of {who} = {turns:.15g}", side, rank=LAST)
 
 
 def apsis(name: str) -> Reader:

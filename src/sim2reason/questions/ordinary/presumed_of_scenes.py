@@ -6,7 +6,7 @@ from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
-from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, SIDEWAYS
+from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, PLACED, SIDEWAYS
 from sim2reason.questions.words import Words
 
 
@@ -45,6 +45,11 @@ def held(who: str, spring: str, words: Words) -> bool:
     return None in ends and (who == spring or name in ends)
 
 
+def _placed(case: Case) -> bool:
+    """Return whether what is asked for is a place, or a length."""
+    return case.query.target is not None and case.query.target.quantity in ("displacement", "extension", "spring length")
+
+
 def _rising(case: Case) -> bool:
     return _vertical(case) > 0.0
 
@@ -63,6 +68,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     **OTHERS,
     LIGHT: ("{who} has a weight of its own", _light),
     SIDEWAYS: ("{who} goes along one line", _sideways),
+    PLACED: ("that is not a matter of the place alone", _placed),
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),

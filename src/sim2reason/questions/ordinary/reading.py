@@ -19,7 +19,7 @@ from sim2reason.questions.structured import StructuredQuestion
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
 _DOES = "(?:does |is |has |do |will |are |have |did |can )"
 _AT_EVENT = (
-    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|large [a-z ]+?|great [a-z ]+?|(?:far"
+    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|steeply|large [a-z ]+?|great [a-z ]+?|(?:far"
     rf"|high){_PLACE}?))"
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
@@ -48,6 +48,7 @@ _BEGINS = pattern(
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
 INCLINATION = "angle with the horizontal"  # of a velocity
+TURNED = "revolutions made", "angle rolled", "angle turned"
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
@@ -173,7 +174,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
     """Yield readings for a stretch of the way up or down, until the body turns back, or until slipping stops."""
     alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
-    if side not in (DURING, THEN) or main.needs != STRETCH or not (main.of or alone):
+    adds_up = main.needs == STRETCH or main.find in TURNED
+    if side not in (DURING, THEN) or not adds_up or not (main.of or alone):
         return
     slips = _SLIPPING.fullmatch(clause)
     if slips is not None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from sim2reason.questions.ordinary.turns_of_phrase import TURNS
+from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
 
 REWORDINGS: Mapping[str, str] = {
@@ -62,6 +62,6 @@ REWORDINGS: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in {**TURNS, **REWORDINGS}.items():
+    for told, plain in {**TURNS, **REWORDINGS, **LATER_TURNS}.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

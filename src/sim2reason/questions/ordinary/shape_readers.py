@@ -69,7 +69,12 @@ def moving(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("time", needs=FREE, when=When(f"{of} stopped", ways=((of, RESTS),)), rank=1)
 
 
-def spring_work(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def work_of_spring(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the work of a spring, as the first subject, on a body, as the second one."""
+    yield from spring_work(found["s"], found["t"], heard)
+
+
+def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
     """Yield the work of a spring that is fixed at its other end: the energy that it gives away."""
-    of, other = heard.subject(found["s"]), heard.subject(found["t"])
+    of, other = heard.subject(spring), heard.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))

@@ -11,6 +11,7 @@ _CENTER = "(?:centre|center) of (?:mass|gravity)"
 _FAST = "how (?:fast|quick|quickly)|(?:what|which|how large) (?:speed|velocity)|speed|velocity"
 
 SHAPE_ROWS = (
+    WantedRow(("friction|frictional force", "?force", "on|upon"), "what is friction force on {s}"),
     WantedRow(("amplitude", "?(?:of )?{motion}"), "what is amplitude of {s}"),
     WantedRow(("how eccentric|how elongated|how flat", "?orbit|path|ellipse"), "what is eccentricity of {s}"),
     WantedRow((_FAST, _CENTER, "?(?:of )?(?:both|two|whole|entire system|pair)", "?move|travel|go|drift|slide|advance"),
@@ -43,7 +44,7 @@ SHAPE_ROWS = (
         "how far vertically above its start is {s}"),
     WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "decrease|diminish|fall|drop|lose"),
         "how far vertically below its start is {s}"),
-    WantedRow(("(?:through |by )?(?:what|which|how large an) angle|angle|by how much", "turn|change|swing|bend|rotate",
+    WantedRow(("(?:through |by )?(?:what|which|how large an) angle|angle", "turn|change|swing|bend|rotate",
          "(?:from )?(?:its )?(?:original |initial |first |old )?(?:direction|direction of motion|direction of travel|velocity)",
          "?from its (?:original|initial) direction"), "what angle {s} is deflected through"),
     WantedRow(("angle", "(?:velocity|direction of motion|path)", "(?:make|form|enclose)? ?(?:with|to|and|from) horizontal"),

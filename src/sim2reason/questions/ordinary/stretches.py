@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.readers import (
     of_one,
     of_pair,
 )
+from sim2reason.questions.ordinary.shape_readers import spring_work
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     ONLY,
@@ -161,6 +162,12 @@ def _most(name: str) -> Reader:
     return read
 
 
+def _work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
+    yield Main("work of a tension", needs=STRETCH)
+    yield from spring_work(found["t"], found["s"], heard)
+
+
 def _count(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the number of all collisions, or of those up to a moment."""
     yield from implied("number of collisions", "last collision")(found, heard)
@@ -227,7 +234,8 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
-    "how much work ~{t} ~DONE on {s}": of_none("work of a tension", needs=STRETCH),
+    "how much work ~{t} ~DONE on {s}": _work_on,
+    "how much energy is lost in all collisions": implied("energy lost in collisions", "last collision"),
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
     "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),

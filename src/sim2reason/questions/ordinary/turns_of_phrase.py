@@ -8,6 +8,10 @@ _S = r"(?P<s>@\d+@)"
 _POINT = "(?:point|position|place|spot|location|stage|state|moment|instant)"
 _GO = "(?:pass|passes|go|goes|come|comes|move|moves|fly|flies|swing|swings|run|runs|slide|slides|travel|travels|roll)"
 _OBSTACLE = "(?:(?:thin|vertical|high|tall|low|narrow|upright) )*(?:wall|post|fence|net|pole|tree|building|hedge|bar|screen)"
+_HOME = (
+    f"(?:{HOME}|(?:(?:point|place|position|spot) )?(?:where|from which|at which) @\\d+@ (?:(?:was|is|has been|had been) )?"
+    "(?:first )?(?:thrown|launched|released|started|began|set off|left|projected|starts)(?: from)?)"
+)
 _FOOT = (
     "(?:foot|base|bottom) of (?:cliff|tower|building|wall|table|(?:throwing|launch|launching|release|starting) point"
     "|thrower|point of (?:throw|projection|launch|release|throwing)|launch position)"
@@ -25,7 +29,6 @@ _WHERE = "(?:where|at which|in which|that is|which is|when)"
 TURNS: Mapping[str, str] = {
     f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally )?from"
     f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",
-    "^with what (?P<q>QUANTITY) (?P<s>@\\d+@) (?=\\w+s )": r"with what \g<q> does \g<s> ",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"
@@ -39,7 +42,7 @@ TURNS: Mapping[str, str] = {
     "^(?P<ask>how far apart are) (?:points|places|spots) where @0@ (?:lands|hits ground|bounces|strikes ground) (?:for )?first"
     " and (?:for )?second time": r"\g<ask> first and second bounce",
     "\\bdistance between (?:points|places|spots) of (?=ORDINAL and)": "distance between ",
-    "^(?:ASK) separation of (?=@\\d+@$)": "what is distance between ",
+    "\\b(?:ASK) separation of (?=@\\d+@$)": "what is distance between ",
     "(?:LEAST) length of (?=@)": "shortest length of ",
     "(?<=what is )greatest length of (?=@)": "longest length of ",
     # places by what is so there
@@ -55,7 +58,11 @@ TURNS: Mapping[str, str] = {
     " (?:in|within|after) which ": "how long does it take until ",
     "\\blast (?:bit |drop |rest )?of (?:its )?fuel\\b": "all fuel",
     "\\b(?:fuel )?tanks are\\b": "tank is",
-    "\\bat end of (?:its )?(?:burn|burning|powered flight|boost)\\b": "at burnout",
+    "\\bat end of (?:its )?(?:burn|burning|powered flight|boost)\\b": "just before burnout",
+    " (?:between|from) (?:its |moment of |instant of )?(?:START|throwing) (?:and|to|until|till) (?=.*(?:land|impact|collision"
+    "|bounce|stop|rest|burnout|ground))": " until ",
+    "\\bmust be (?:burned|burnt|used|consumed) (?:up )?(?:to bring (?P<s>@\\d+@) to|(?:for|before) (?P<t>@\\d+@) (?:to reach"
+    "|reaches|to have)) (?P<n>#\\d+#)$": r"has been burnt when \g<s>\g<t> reaches \g<n>",
     "\\b(?:very )?(?:start|beginning|outset|first instant) of (?:its |@\\d+@ 's )?(?:burn|motion|movement|flight|fall"
     "|slide|run|swing|descent|climb|oscillation|journey|throw)s?\\b": "start",
     "\\b(?:at|in) very (?:start|beginning|outset|first)\\b": "at start",
@@ -94,7 +101,7 @@ TURNS: Mapping[str, str] = {
     f" (?P<b>@\\d+@) (?:just )?(?:pass|clear|fly|go|cross)(?: over| above)? (?:it|@\\d+@|wall|post|net|fence)$": (
         r"how high is \g<b> above ground when \g<b> has moved \g<n> horizontally"
     ),
-    f"(?P<n>#\\d+#) (?:away )?horizontally (?:away )?from {HOME}|(?P<m>#\\d+#) (?:away )?from {HOME} ,?"
+    f"(?P<n>#\\d+#) (?:away )?horizontally (?:away )?from {_HOME}|(?P<m>#\\d+#) (?:away )?from {_HOME} ,?"
     f" (?:measured )?horizontally": r"moved \g<n>\g<m> horizontally",
     f"(?:at what distance|how far|what distance) (?:away )?(?:from (?:{_FOOT})) ?,?(?: measured (?:along|on) ground ,?)?"
     f" (?:does|will) {_S} (?:first )?(?:hit|strike|reach|land|touch|come down|meet|land on)(?: on)?(?: ground)?"
@@ -123,10 +130,6 @@ TURNS: Mapping[str, str] = {
     "\\b(?:pair|set|group|couple) of (?=@)": "",
     "^(?P<ask>.*\\bforce\\b.*?) ?,? (?:in total|in all|altogether)(?=$| ,)": r"\g<ask>",
     "\\b(?:speed|velocity) of (?P<s>@\\d+@) over (?:ground|floor)\\b": r"speed of \g<s>",
-    "^(?:with|at) what (?P<q>QUANTITY) (?:(?:does|is|will) )?(?P<s>@\\d+@) (?P<verb>slides?|rolls?|moves?|falls?"
-    "|comes?|runs?|sliding|rolling|moving) back (?P<way>down|up)(?: SURFACE)?$": (
-        r"what is \g<q> of \g<s> while \g<s> moves \g<way>"
-    ),
     "(?P<who>@\\d+@) (?P<verb>slides|rolls|moves|is sliding|is rolling|is moving|comes|falls) back (?P<way>down|up)"
     "(?: SURFACE)?$": r"\g<who> moves \g<way>",
     "^how (?P<how>far|long)(?P<more> .*?)? must (?P<s>@\\d+@) (?P<verb>\\w+ (?:before|until|to) )": (
@@ -134,3 +137,12 @@ TURNS: Mapping[str, str] = {
     ),
 }
 """By what a part of a question is like, on text without articles: what says the same."""
+
+LATER_TURNS: Mapping[str, str] = {
+    "^(?:with|at) what (?P<q>QUANTITY) (?:(?:does|is|will) )?(?P<s>@\\d+@) (?P<verb>slides?|rolls?|moves?|falls?"
+    "|comes?|runs?|sliding|rolling|moving) back (?P<way>down|up)(?: SURFACE)?$": (
+        r"what is \g<q> of \g<s> while \g<s> moves \g<way>"
+    ),
+    "^(?:with|at) what (?P<q>QUANTITY) (?P<s>@\\d+@) (?=\\w+s )": r"with what \g<q> does \g<s> ",
+}
+"""Turns of phrase that other replacements lead to."""

@@ -44,6 +44,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
+ABOVE = "height above the start"
 SINKING = "drop", "drops", "dropped", "descend", "descends", "descended", "sink", "sunk", "sank", "descending", "sinking", "dropping"
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
@@ -164,7 +165,7 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("displacement", of, needs=STRETCH, ways=ways)
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
             if groups.get("motion") in SINKING:
-                yield Main("displacement", of, "vertical", STRETCH, ((of, "down"), (of, SIDEWAYS)))
+                yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down"), (of, SIDEWAYS)))
 
 
 def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -199,7 +200,7 @@ def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
     for of in each(heard, found["s"]):
-        yield Main("displacement", of, "vertical", STRETCH, ((of, "down" if found["side"] == "below" else "up"),))
+        yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down" if found["side"] == "below" else "up"),))
 
 
 def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
