@@ -1,10 +1,12 @@
 """What a question takes for granted about the bodies of a scene, and how each is tested."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
 from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, PLACED, SIDEWAYS
 from sim2reason.questions.words import Words
@@ -51,17 +53,28 @@ def _placed(case: Case) -> bool:
 
 
 def _rising(case: Case) -> bool:
-    return _vertical(case) > 0.0
+    """Return whether a body goes up at the instant asked about, and did not where it had the same value before."""
+    return _vertical(case, case.then) > 0.0 and not _before(case) > 0.0
 
 
 def _falling(case: Case) -> bool:
-    return _vertical(case) < 0.0
+    """Return whether a body goes down at the instant asked about, and did not where it had the same value before."""
+    return _vertical(case, case.then) < 0.0 and not _before(case) < 0.0
 
 
-def _vertical(case: Case) -> float:
-    """Return the vertical velocity of a body at the instant asked about, m/s; zero if no body is meant."""
+def _vertical(case: Case, time: float) -> float:
+    """Return the vertical velocity of a body at a time, m/s; zero if no body is meant."""
     name = named(case.who, case.words)
-    return float(Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0, 2]) if name else 0.0
+    return float(Velocity.evaluate(case.followed.study.trace.at(time), name)[0, 2]) if name else 0.0
+
+
+def _before(case: Case) -> float:
+    """Return the vertical velocity when a value was reached for the first time, m/s; zero if it is that time."""
+    moment, trace = case.query.moment, case.followed.study.trace
+    if not isinstance(moment, Reached) or moment.number == 1:
+        return 0.0
+    first = replace(moment, number=1).time(trace)
+    return _vertical(case, first) if first is not None else 0.0
 
 
 PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
