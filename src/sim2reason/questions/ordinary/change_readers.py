@@ -3,8 +3,8 @@
 import re
 from collections.abc import Iterator
 
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, Main, each
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, STRETCH, Main, each
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant
 from sim2reason.questions.posing import PLUS
 
@@ -32,4 +32,6 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
-    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found.groupdict().get("s")))
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("kinetic energy", of, needs=JUMP)
+        yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL} {of}", ALL),) if of else ())

@@ -82,7 +82,8 @@ _PEAK = pattern(
     "|landing|rebound)s?"
 )
 _RISE = pattern(
-    "how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "(?:ASK|what) (?:@0@ 's )?GREATEST height(?: of @0@)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "|how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
     "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
 )
 _TOP = pattern(

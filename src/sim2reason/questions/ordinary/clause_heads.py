@@ -182,7 +182,7 @@ HEADS: Mapping[str, str] = {
     " be (?:at start|initially))"
     "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic"
     " energy)": "{q} of {s} {times} times at first",
-    "(?:at )?same (?:height|level) (?:again )?(?:as|from which) (?:at )?(?:START|HOME|throw)(?: again)?"
+    f"(?:at )?level with {HOME}(?: again)?|(?:at )?same (?:height|level) (?:again )?(?:as|from which) (?:at )?(?:START|HOME|throw)(?: again)?"
     "|(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial"
     "|original|start|starting|launch"
     "|same|own|release) (?:height|level)|(?:height|level) (?:from|at|of) (?:which|where) (?:it|@\\d+@) (?:start"

@@ -68,6 +68,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
+    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)[ up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
@@ -105,8 +106,8 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} ~HITS wall[ FIRST_TIME]": read.jump("bounced"),
     "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": read.apsis("farthest"),
     "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": read.apsis("closest"),
-    "{s} ~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
-    "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
+    "[{s} ]~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
+    "[{s} ]~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
     "{s} ~PASSES [its ]GREATEST compression": read.simply("most compressed"),
     "{s} ~PASSES [its ]GREATEST extension": read.simply("most stretched"),
     "all collisions[ ~over]": read.alone("last collision"),

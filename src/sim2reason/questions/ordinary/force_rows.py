@@ -5,7 +5,7 @@ from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 FORCE = (
     "how (?:hard|strongly)|(?:what|how much|how large a|how large|how great a|how big a) (?:total |resultant |net )*force"
-    "|(?:total |resultant |net |whole )*(?:force|pull|load)"
+    "|(?:total |resultant |net |whole )*(?:force|pull|load|reaction)"
 )
 _ACT = "exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
 _HOLDER = "axle|bearing|bracket|mount|mounting|support|suspension|hinge|pivot|(?:fixed )?axis"
@@ -36,6 +36,7 @@ FORCE_ROWS = (
          "?by|from|of|on"),
         "what whole force of ground on {s}"),
     WantedRow((FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
+    WantedRow((FORCE, "on|upon"), "what force acts on {s}"),
     WantedRow((FORCE, "press|push|bear", "?against|on|upon|onto|down on", f"?(?:its |their )?(?:{GROUNDS})"),
         "how hard does {s} press on ground"),
     WantedRow((FORCE, "exert|act|pull|push", "?by|on|of|from", ("(?:fixed )?(?:wall|stop|support"

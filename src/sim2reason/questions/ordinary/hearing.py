@@ -49,7 +49,7 @@ _HIT_IT = re.compile(
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms()))})\b")  # after a letter, *A* is no article
-_CENTERS = re.compile(r"\b(?:centres|centers) (?:of mass )?of (?=@)")
+_CENTERS = re.compile(r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b")
 _RELATIVE_TO = re.compile(r"\bits (?=(?:speed|velocity|acceleration)(?: relative to| with respect to) @(\d)@)")
 _SIZES = re.compile(
     r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"

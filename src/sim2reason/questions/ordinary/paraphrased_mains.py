@@ -22,7 +22,7 @@ _LOOSE = frozenset(
         "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
         "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
         "exist between as from due body thing numerical modulus strength kind sort measured occur happen arise "
-        "prevail",
+        "prevail through",
     )
 )
 

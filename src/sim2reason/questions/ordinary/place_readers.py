@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, is_time, returned, subject_of
-from sim2reason.questions.ordinary.multiples import GREATEST, TIMES
+from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     COMPRESSED,
@@ -152,6 +152,12 @@ def revolved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 def burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when so much fuel has been burnt."""
     yield When(f"fuel burnt of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def share_burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a fraction of the fuel has been burnt."""
+    del heard, subject
+    yield When(f"fuel burnt = {FRACTIONS[found['times']]}{AT_BURNOUT}", side)
 
 
 def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -21,7 +21,7 @@ from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.unsaid import AMPLITUDE, each_of, fixed_end, velocities_equal
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE, ENERGIES, each_of, fixed_end, is_light_arm, velocities_equal
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
@@ -70,6 +70,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if asked.of == EVERYTHING:
         return _together(asked.find, words) or each_of(asked.find, words)
+    if asked.find in ENERGIES and is_light_arm(asked.of, words):
+        return _together(asked.find, words)
     if asked.of == FIXED_END:
         return fixed_end(words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:

@@ -1,5 +1,6 @@
 """What main clauses ask for of shapes, masses, orbits and swings, in base forms, each with a plain main clause."""
 
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 _ROUND = (
@@ -16,7 +17,7 @@ SHAPE_ROWS = (
     WantedRow(("how eccentric|how elongated|how flat", "?orbit|path|ellipse"), "what is eccentricity of {s}"),
     WantedRow((_FAST, _CENTER, "?(?:of )?(?:both|two|whole|entire system|pair)", "?move|travel|go|drift|slide|advance"),
         "how fast does mass centre move {s}"),
-    WantedRow(("how far|what distance|distance", f"{_CENTER}", ("(?:from|off|to|and|away from|between) (?:its )?(?:geometrical"
+    WantedRow(("how far|what distance|distance", f"{_CENTER}", (r"(?:from|off|to|and|away from|between)(?: @\d+@ 's)? (?:its )?(?:geometrical"
     " |geometric |own )?(?:axis|centre|center|middle|axis of symmetry|rolling axis)"), "?lie|be|away|between"),
         "what is centre of mass offset of {s}"),
     WantedRow(("how far|what distance|distance", "(?:from|off|to) (?:its )?(?:own )?(?:axis|centre|center)(?: of symmetry)?",
@@ -40,6 +41,12 @@ SHAPE_ROWS = (
     " <down>|come <down>|lower)", "?vertically"), "how far vertically below its start is {s}"),
     WantedRow(("through (?:what|how great a|how large a) (?:vertical )?(?:height|distance)|(?:what|how great a) (?:vertical"
     " )?height", "rise|climb|ascend|go <up>|lift|raise", "?vertically"), "how far vertically above its start is {s}"),
+    WantedRow(("how far", "vertically higher", "?lie"), "how far vertically above its start is {s}"),
+    WantedRow(("how far", "vertically lower", "?lie"), "how far vertically below its start is {s}"),
+    WantedRow(("impulse", f"(?:(?:{GROUNDS})|wall)", "?give|exert|impart|receive|transfer|get|act", "?to|on|from|by"),
+        "what impulse does ground give {s}"),
+    WantedRow(("impulse", "exchange|transfer|occur", "?between"), "what impulse is exchanged"),
+    WantedRow(("work", "do", "by (?:hand|pull|pulling force)"), "how much work does hand do"),
     WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "increase|grow|rise|gain"),
         "how far vertically above its start is {s}"),
     WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "decrease|diminish|fall|drop|lose"),

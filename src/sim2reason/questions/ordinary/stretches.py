@@ -164,7 +164,7 @@ def _most(name: str) -> Reader:
 
 def _work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
-    yield Main("work of a tension", needs=STRETCH)
+    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
     yield from spring_work(found["t"], found["s"], heard)
 
 
@@ -235,6 +235,7 @@ STRETCHES: Mapping[str, Reader] = {
         "work of an electric field", needs=STRETCH
     ),
     "how much work ~{t} ~DONE on {s}": _work_on,
+    "what impulse is exchanged": _in_collision("impulse of a collision"),
     "how much energy is lost in all collisions": implied("energy lost in collisions", "last collision"),
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),

@@ -21,7 +21,7 @@ _FOOT = (
 ).replace("HOME", HOME)
 _THROWN_FROM = f"(?:thrower|point of (?:throwing|throw|projection|launch|release)|(?:launch|throwing|starting) point|{HOME})"
 _LANDING = (
-    "(?:landing (?:point|place|spot)|impact point|point of (?:impact|landing)|(?:(?:point|place|spot) )?where @\\d+@"
+    "(?:(?:place of )?first (?:bounce|impact|landing)|landing(?: point| place| spot)?|impact point|point of (?:impact|landing)|(?:(?:point|place|spot) )?where @\\d+@"
     " (?:lands?|(?:(?:first )?(?:hits?|strikes?|touches|reaches|meets)) (?:ground|floor)))"
 )
 _WHERE = "(?:where|at which|in which|that is|which is|when)"
@@ -29,6 +29,23 @@ _WHERE = "(?:where|at which|in which|that is|which is|when)"
 TURNS: Mapping[str, str] = {
     f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally )?from"
     f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",
+    "^(?P<prep>at|in|after|by|within|for|with|to) which (?=\\w)": r"\g<prep> what ",
+    "^by what time (?=does|is|has|will|are|do)": "when ",
+    "\\b(?:launch |launching |launch-)?pad\\b": "ground",
+    "^how long does (?:flight|throw) last$": "what is time of flight",
+    "^how long does (?:slipping|sliding|skidding)(?: phase)? (?:last|go on|continue)$": "when does slipping stop",
+    "^how long does (?:motion|movement|slide) (?:last|go on|continue)$": "when does motion stop",
+    "(?P<size>GREATEST|LEAST) (?:separation|distance) of (?=@\\d+@$)": r"\g<size> distance between ",
+    "^(?:ASK|what) work (?=(?:is|does|has|do|did) )": "how much work ",
+    "\\bamplitude with which (?P<s>@\\d+@) (?:oscillates?|vibrates?|moves?|swings?)": r"amplitude of \g<s>",
+    "^(?:up )?(?:to )?what (?:maximum |greatest )?angle does (?P<s>@\\d+@) (?:reach|make|swing|swing out|rise|deflect|get)"
+    "(?: to)?(?: with vertical)? on other side$": (
+        r"what angle does \g<s> make with vertical when \g<s> comes to rest on other side"
+    ),
+    "^(?:at what rate|how fast) (?:does|is) (?P<s>@\\d+@) 's angular (?:speed|velocity) (?P<early>initially )?(?:increase"
+    "|increasing|grow|growing|change|changing|rise)": r"what is \g<early>angular acceleration of \g<s>",
+    "\\b(?<=what is )initially (?=angular)": "initial ",
+    "^how much (?P<than>higher|lower) (?=is @)": r"how far vertically \g<than> ",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"
@@ -79,7 +96,9 @@ TURNS: Mapping[str, str] = {
     " (?:position|point|side))?(?: over| across)? to other side(?: of (?:its )?(?:swing|path|motion))?": (
         "come to rest on other side"
     ),
-    f"(?<= )(?:down |up )?from {HOME} (?=(?:down |up |back )?(?:to|into) )": "",
+    f"(?<!distance)(?<!range)(?<!displacement)(?<!horizontally) (?:down |up )?from {HOME} (?=(?:down |up |back )?(?:to|into) )": (
+        " "
+    ),
     "\\b(?:swing|fall|move|go|travel|sweep|drop|turn)s? (?:down |up )?(?:in)?to (?=(?:lowest|highest|bottom|top|its"
     " lowest|its highest|vertical))": "reach ",
     "(?<=reach )vertical(?: position)?$": "its lowest point",
@@ -103,7 +122,7 @@ TURNS: Mapping[str, str] = {
     ),
     f"(?P<n>#\\d+#) (?:away )?horizontally (?:away )?from {_HOME}|(?P<m>#\\d+#) (?:away )?from {_HOME} ,?"
     f" (?:measured )?horizontally": r"moved \g<n>\g<m> horizontally",
-    f"(?:at what distance|how far|what distance) (?:away )?(?:from (?:{_FOOT})) ?,?(?: measured (?:along|on) ground ,?)?"
+    f"(?:at what distance|how far|what distance) (?:away )?(?:(?:from|in front of|ahead of) (?:{_FOOT})) ?,?(?: measured (?:along|on) ground ,?)?"
     f" (?:does|will) {_S} (?:first )?(?:hit|strike|reach|land|touch|come down|meet|land on)(?: on)?(?: ground)?"
     f"(?: first time)?$": r"what is range of \g<s>",
     f"^(?P<ask>what is|find|determine|calculate|compute) horizontal (?:distance|displacement) (?:between|from) (?:{_FOOT}"

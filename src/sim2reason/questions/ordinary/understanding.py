@@ -91,7 +91,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
-        during, vector = reading.side == DURING, reading.asked.find == VECTOR
+        during, vector = reading.side == DURING, reading.asked.find == VECTOR and not reading.asked.along
         reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
         if reason:
             return reason

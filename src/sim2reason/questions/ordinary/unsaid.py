@@ -11,6 +11,7 @@ from sim2reason.questions.words import Words
 
 AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
+ENERGIES = "kinetic energy", "rotational kinetic energy"
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
 
@@ -32,6 +33,12 @@ def velocities_equal(told: str, words: Words) -> str:
     if senses[0] != senses[1] or len(senses[0]) != 1:
         return told
     return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
+
+
+def is_light_arm(said: str, words: Words) -> bool:
+    """Return whether a phrase means a body without mass on an axle, which moves as what is joined to it."""
+    bodies = [body for body in words.mechanism.bodies if words.mentions.get(body.name) == said]
+    return any(body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates) for body in bodies)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:

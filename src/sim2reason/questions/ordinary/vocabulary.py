@@ -52,7 +52,7 @@ QUANTITIES: Mapping[str, str] = {
     "acceleration": "acceleration",
     "deceleration": "deceleration|retardation",
     "momentum": "momentum",
-    "extension": "extension|elongation|stretch",
+    "extension": "extension|elongation|stretch|deformation",
     "compression": "compression",
     "height": "height|altitude",
     "distance": "distance|separation",
