@@ -11,6 +11,7 @@ from sim2reason.questions.posing import PLUS
 CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
 
 
+IMPULSE = "impulse of a collision"
 ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
 
 
@@ -28,6 +29,11 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
     if name in UNDIRECTED:
         yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
+
+
+def exchanged(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the momentum that a body gets in a collision with one other body: the impulse of that collision."""
+    yield from (Main(IMPULSE, of, needs=JUMP) for of in each(heard, found["s"]))
 
 
 def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -137,7 +137,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ][first ]ROLLS[ on {t}]": read.simply("stopped slipping"),
     "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": read.simply("stopped slipping"),
     "(?:{s}|they) ~(?:move|moves|moving) together": read.joined,
-    "{s} NATURAL[ AGAIN][ FIRST_TIME]": place.natural,
+    "[{s} ]NATURAL[ AGAIN][ FIRST_TIME]": place.natural,
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": read.apsis("farthest"),
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
     "[its |{s} 's ](?:farthest|furthest)[ from {t}]": read.apsis("farthest"),

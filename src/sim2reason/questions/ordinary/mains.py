@@ -165,6 +165,8 @@ FRAMES: Mapping[str, Reader] = {
     "how much energy is lost to drag[ by {s}]": of_one("energy lost to drag", needs=STRETCH),
     "how much work does spring {s} do on {t}": shape.work_of_spring,
     "how long is {s} moving": shape.moving,
+    "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
+    "how much momentum does {s} exchange": change.exchanged,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

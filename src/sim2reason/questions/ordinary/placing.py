@@ -21,7 +21,7 @@ from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.unsaid import AMPLITUDE, ENERGIES, each_of, fixed_end, is_light_arm, velocities_equal
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE, DEFLECTIONS, ENERGIES, each_of, fixed_end, is_light_arm, line_of, velocities_equal
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
@@ -40,6 +40,7 @@ COLLISIONS = ("energy lost in a collision", "impulse of a collision")
 _COLLISION = re.compile(
     rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
 )
+_DEFLECTED = re.compile(r"(?P<who>.+?)(?P<rest> deflected .+)")
 _ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
 ANGULAR, MOST = ("angular velocity", "angular acceleration"), 6
 PERIODS = ("period", "frequency", "angular frequency")
@@ -72,6 +73,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return _together(asked.find, words) or each_of(asked.find, words)
     if asked.find in ENERGIES and is_light_arm(asked.of, words):
         return _together(asked.find, words)
+    if asked.find in DEFLECTIONS and asked.of:
+        return (line_of(asked.of, words),)
     if asked.of == FIXED_END:
         return fixed_end(words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
@@ -112,6 +115,9 @@ def _hung(told: str, words: Words) -> Iterator[str]:
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
     who = next((said for said in lines if told.startswith(f"{said} ")), "")
     point, arm = told.removeprefix(f"{who} "), next((said for said in arms if told.startswith(f"{said} ")), "")
+    deflected = _DEFLECTED.fullmatch(told)
+    if deflected is not None:
+        told = f"{line_of(deflected['who'], words)}{deflected['rest']}"
     turned = told.removeprefix(f"{arm} ").removesuffix(" before")
     if arm and turned in TURNING:
         yield from (told.replace(arm, said, 1) for said in bodies)

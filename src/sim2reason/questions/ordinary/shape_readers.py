@@ -23,9 +23,9 @@ def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the amplitude of a motion to and fro: of a body on a line in metres, of what swings as an angle."""
-    of = heard.subject(found["s"])
-    yield Main(AMPLITUDE, of, needs=FREE)
-    yield Main("greatest deflection", of, needs=FREE)
+    for of in each(heard, found["s"]):
+        yield Main(AMPLITUDE, of, needs=FREE)
+        yield Main("greatest deflection", of, needs=FREE)
 
 
 def own_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -25,7 +25,7 @@ SHAPE_ROWS = (
     WantedRow(("moment of inertia", ("(?:about|around|round|with respect to|relative to) (?:its )?(?:own )?(?:axis|central"
     " axis|axis of symmetry|symmetry axis|centre|center|geometrical? axis)")), "what is inertia of {s} about its axis"),
     WantedRow(("how long|how much time|time|how many (?:seconds|years)|duration", f"(?:for |of |to )?{_ONE}",
-         "?last|take|need|require|complete|make"), "what is period of {s}"),
+         "?last|take|need|require|complete|make", "?{motion}"), "what is period of {s}"),
     WantedRow(("period|time of oscillation|period of oscillation", "?(?:of )?(?:small )?(?:swing|swinging|to and fro)+",
          "?motion|movement|back and forth"), "what is period of {s}"),
     WantedRow(("(?:how far|distance|what distance)", "from (?P<line>x|y)[- ]axis", "?away"), "how far is {s} from {line} axis"),
@@ -41,6 +41,11 @@ SHAPE_ROWS = (
     " <down>|come <down>|lower)", "?vertically"), "how far vertically below its start is {s}"),
     WantedRow(("through (?:what|how great a|how large a) (?:vertical )?(?:height|distance)|(?:what|how great a) (?:vertical"
     " )?height", "rise|climb|ascend|go <up>|lift|raise", "?vertically"), "how far vertically above its start is {s}"),
+    WantedRow(("(?:through )?(?:what|how great a|how large a) vertical (?:distance|height)|how far vertically", "move|travel|go"),
+        "how far vertically is {s}"),
+    WantedRow(("common (?:speed|velocity)", "move|go|travel|continue|run", "?on|further|off|along"), "what is common speed of {s}"),
+    WantedRow(("(?:by )?how much|what|change|find|how large", "momentum", ("change|gain|receive|lose|get|take over|pick up|give up"
+    "|pass on|acquire")), "how much momentum does {s} exchange"),
     WantedRow(("how far", "vertically higher", "?lie"), "how far vertically above its start is {s}"),
     WantedRow(("how far", "vertically lower", "?lie"), "how far vertically below its start is {s}"),
     WantedRow(("impulse", f"(?:(?:{GROUNDS})|wall)", "?give|exert|impart|receive|transfer|get|act", "?to|on|from|by"),

@@ -46,6 +46,8 @@ TURNS: Mapping[str, str] = {
     "|increasing|grow|growing|change|changing|rise)": r"what is \g<early>angular acceleration of \g<s>",
     "\\b(?<=what is )initially (?=angular)": "initial ",
     "^how much (?P<than>higher|lower) (?=is @)": r"how far vertically \g<than> ",
+    "^.*\\bforce (?:that is )?(?:exerted |acting )?on (?P<p>@\\d+@) by (?:string|rope|cord) (?:that|which) (?:passes|runs|goes|is"
+    " laid) (?:over|under|round|around) (?P=p)": r"what force of string on pulley \g<p>",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"
@@ -76,7 +78,7 @@ TURNS: Mapping[str, str] = {
     "\\blast (?:bit |drop |rest )?of (?:its )?fuel\\b": "all fuel",
     "\\b(?:fuel )?tanks are\\b": "tank is",
     "\\bat end of (?:its )?(?:burn|burning|powered flight|boost)\\b": "just before burnout",
-    " (?:between|from) (?:its |moment of |instant of )?(?:START|throwing) (?:and|to|until|till) (?=.*(?:land|impact|collision"
+    " (?:between|from) (?:its |moment of |instant of )?(?:START|throwing|throw) (?:and|to|until|till) (?=.*(?:land|impact|collision"
     "|bounce|stop|rest|burnout|ground))": " until ",
     "\\bmust be (?:burned|burnt|used|consumed) (?:up )?(?:to bring (?P<s>@\\d+@) to|(?:for|before) (?P<t>@\\d+@) (?:to reach"
     "|reaches|to have)) (?P<n>#\\d+#)$": r"has been burnt when \g<s>\g<t> reaches \g<n>",

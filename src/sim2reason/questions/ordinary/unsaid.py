@@ -5,6 +5,7 @@ import re
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.quantities.subjects.pulleys import Pulleys
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.ordinary.addresses import all_of
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.words import Words
@@ -12,6 +13,7 @@ from sim2reason.questions.words import Words
 AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
 ENERGIES = "kinetic energy", "rotational kinetic energy"
+DEFLECTIONS = "deflection", "greatest deflection"
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
 
@@ -33,6 +35,14 @@ def velocities_equal(told: str, words: Words) -> str:
     if senses[0] != senses[1] or len(senses[0]) != 1:
         return told
     return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
+
+
+def line_of(said: str, words: Words) -> str:
+    """Return the phrase for the only line that swings where a phrase means a body at its end; else the same phrase."""
+    lines = words.called(SwingingLines())
+    if said in lines.values() or len(lines) != 1 or said not in words.called(Bodies()).values():
+        return said
+    return next(iter(lines.values()))
 
 
 def is_light_arm(said: str, words: Words) -> bool:

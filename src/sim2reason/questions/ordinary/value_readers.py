@@ -61,6 +61,8 @@ def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, groups.get("s")):
         if name == "force" and re.search(rf"\b{GROUNDS} (?:exert|act)", found[0]) is not None:
             yield Main("normal force", of, ways=((of, f"{ON}{FIXED_FACE}"), (of, SMOOTH)))
+        if name == "force" and re.search(r"\b(?:on|acts?|acting|exerted) ", found[0]) is not None:
+            yield Main("net force", of, ways=((of, FIELDS_ALONE),))
         ways = ways_of(found, of) if not along else ()
         yield from named(name, of, along, ways)
 
