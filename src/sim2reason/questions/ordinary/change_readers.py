@@ -33,7 +33,9 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 def exchanged(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the momentum that a body gets in a collision with one other body: the impulse of that collision."""
-    yield from (Main(IMPULSE, of, needs=JUMP) for of in each(heard, found["s"]))
+    of = heard.subject(found["s"])
+    if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
+        yield Main(IMPULSE, of, needs=JUMP)
 
 
 def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -15,6 +15,7 @@ _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
+_ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
         " ",
@@ -52,6 +53,8 @@ def _motions() -> str:
 
 def paraphrased(question: str) -> Iterator[str]:
     """Yield plain main clauses that say what a main clause says, if every word of the clause has its place."""
+    if re.search(r"between (@\d+@) and \1", question) is not None:
+        return
     supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
     if _ASKS.search(question) is None or _SUPPOSES.search(supposes) is not None:
         return
@@ -99,6 +102,9 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
         return
     if row.subjects == 2 and not subjects:
+        return
+    force = row.plain.startswith("what force does") or groups.get("quantity") in ("force", "pull")
+    if force and _ON_GROUND.search(text) is not None:
         return
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"

@@ -21,7 +21,7 @@ from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.unsaid import AMPLITUDE, DEFLECTIONS, ENERGIES, each_of, fixed_end, is_light_arm, line_of, velocities_equal
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE, DEFLECTIONS, ENERGIES, ORBITAL, each_of, fixed_end, is_light_arm, line_of, velocities_equal
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
@@ -78,6 +78,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     if asked.of == FIXED_END:
         return fixed_end(words)
     if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
+        if asked.find in ORBITAL and asked.of not in words.called(Bodies()).values():
+            return ()  # what is fixed has no orbit
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
     if asked.of:
         return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)

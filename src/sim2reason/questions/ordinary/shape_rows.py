@@ -51,7 +51,7 @@ SHAPE_ROWS = (
     WantedRow(("impulse", f"(?:(?:{GROUNDS})|wall)", "?give|exert|impart|receive|transfer|get|act", "?to|on|from|by"),
         "what impulse does ground give {s}"),
     WantedRow(("impulse", "exchange|transfer|occur", "?between"), "what impulse is exchanged"),
-    WantedRow(("work", "do", "by (?:hand|pull|pulling force)"), "how much work does hand do"),
+    WantedRow(("work", "?done|perform", "by (?:hand|pull|pulling force)"), "how much work does hand do"),
     WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "increase|grow|rise|gain"),
         "how far vertically above its start is {s}"),
     WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "decrease|diminish|fall|drop|lose"),
@@ -64,7 +64,7 @@ SHAPE_ROWS = (
     WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate|give", ("(?:to|by|through|in|against) (?:resist(?:ing"
     "|ance)? (?:medium|of medium)|resistance(?: of medium)?|resisting medium|medium|drag|air|air resistance|drag force)")),
         "how much energy is lost to drag by {s}"),
-    WantedRow(("how (?:large|great|big|much)|what|find", "work", "do", "?on|by"), "how much work does spring {s} do on {t}", 2),
+    WantedRow(("how (?:large|great|big|much)|what|find", "work", "?done|perform", "?on|by"), "how much work does spring {s} do on {t}", 2),
     WantedRow(("how long|how much time|(?:for )?how many seconds", "in motion|on move|move|slide", "?altogether|in all"),
         "how long is {s} moving"),
     WantedRow(("how (?:large|big|great)", "{greatest}", "(?P<line>x|y)[- ]coordinate", "?become|get|grow|be"),

@@ -47,7 +47,7 @@ TURNS: Mapping[str, str] = {
     "\\b(?<=what is )initially (?=angular)": "initial ",
     "^how much (?P<than>higher|lower) (?=is @)": r"how far vertically \g<than> ",
     "^.*\\bforce (?:that is )?(?:exerted |acting )?on (?P<p>@\\d+@) by (?:string|rope|cord) (?:that|which) (?:passes|runs|goes|is"
-    " laid) (?:over|under|round|around) (?P=p)": r"what force of string on pulley \g<p>",
+    " laid) (?:over|under|round|around) (?P=p)": r"what force of its string on pulley \g<p>",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"

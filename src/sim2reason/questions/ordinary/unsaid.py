@@ -13,6 +13,7 @@ from sim2reason.questions.words import Words
 AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
 ENERGIES = "kinetic energy", "rotational kinetic energy"
+ORBITAL = "eccentricity", "semi-major axis"
 DEFLECTIONS = "deflection", "greatest deflection"
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
