@@ -22,11 +22,11 @@ from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.whole import ALL
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.area_swept import AreaSwept
-from sim2reason.quantities.subjects.whole import ALL
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.bounced import Bounced

@@ -135,7 +135,9 @@ class InertiaAboutAxis(AboutCenter):
         body = state.mechanism.body[subject]
         _, axis = turning_axes(state.mechanism, subject)[0]
         across = np.cross(np.array(body.center), np.array(axis))
-        return np.full(len(state.times), product(axis, applied(body.inertia, axis)) + body.mass * float(across @ across))
+        return np.full(
+            len(state.times), product(axis, applied(body.inertia, axis)) + body.mass * float(across @ across)
+        )
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names of the bodies that stand on a face and have a hinge of their own."""

@@ -30,8 +30,10 @@ IRREGULAR = {
     "keep": "keeps kept keeping", "hold": "holds held holding", "catch": "catches caught catching",
     "become": "becomes became becoming", "break": "breaks broke broken breaking", "lie": "lies lay lain lying",
     "hang": "hung", "stand": "stands stood standing", "draw": "draws drew drawn drawing", "burn": "burnt",
-    "swap": "swaps swapped swapping", "ride": "rides rode riding", "grow": "grows grew grown growing", "shrink": "shrank shrunk",
-    "bear": "bore borne", "sweep": "sweeps swept sweeping", "bring": "brings brought bringing", "lift": "lifts lifted lifting",
+    "swap": "swaps swapped swapping", "ride": "rides rode riding", "grow": "grows grew grown growing", "shrink": "shr"
+        "ank shrunk",
+    "bear": "bore borne", "sweep": "sweeps swept sweeping", "bring": "brings brought bringing", "lift": "lifts lifted"
+        " lifting",
 }  # fmt: skip
 AUXILIARIES = frozenset(
     re.split(

@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterator
 from itertools import product
 
+from sim2reason.questions.ordinary.change_readers import IMPULSE
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
-from sim2reason.questions.ordinary.change_readers import IMPULSE
 from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, ONCE, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
 from sim2reason.questions.posing import MINUS

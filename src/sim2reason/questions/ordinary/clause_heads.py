@@ -17,7 +17,8 @@ _DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total
 _DROP = "(?:(?:by|through|down|up|over) )*vertical (?:distance|height|drop|depth) (?:of )?"
 _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
-    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) (?:point|position)|(?:point|place|position|location) of"
+    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) (?:point|position)|(?:point|place|position"
+    "|location) of"
     " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch"
     "|thrower|launch point"
     "|release)|foot of (?:cliff|tower)"
@@ -109,7 +110,8 @@ HEADS: Mapping[str, str] = {
     # slipping
     "(?:(?:start|begin) (?:to )?)?(?:pure(?:ly)? )?(?:roll|rolling)(?: purely)?(?: without (?:slip|slide"
     "|skid)(?:ping)?)"
-    "|(?:start|begin) (?:to )?(?:pure |purely )?roll|(?:stop|cease|end|finish|no longer) (?:slip|slide|skid)(?: and (?:start"
+    "|(?:start|begin) (?:to )?(?:pure |purely )?roll|(?:stop|cease|end|finish|no longer) (?:slip|slide|skid)(?: and"
+    " (?:start"
     "|begin|go over)(?: to)? (?:roll|rolling)(?: purely)?(?: without (?:slip|slide|skid)(?:ping)?)?)?"
     "|(?:slip|slide|skid)(?:ping)? (?:stop|cease|end|over)|pure roll(?:ing)?(?: (?:start|begin|set in))?": (
         "{s} rolls without slipping"
@@ -126,7 +128,8 @@ HEADS: Mapping[str, str] = {
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
     rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
     rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
-    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline) )+"
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline)"
+    rf" )+"
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
@@ -135,22 +138,22 @@ HEADS: Mapping[str, str] = {
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
         "{s} moves parallel to {axis} axis"
     ),
-    "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go) horizontally": (
-        "{s} at its highest point"
-    ),
-    "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one|single"
+    "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go)"
+    " horizontally": ("{s} at its highest point"),
+    "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one"
+    "|single"
     "|full|complete|whole|entire) )+(?:turn|revolution|rotation)": "{s} makes one revolution",
     rf"(?:burn|use|consume|spend)(?: up)? (?P<n>{N}) of (?:its )?fuel|(?P<m>{N}) of (?:its )?fuel (?:burn|use|consume"
     "|spend|go)(?: up)?": "{s} burns {n} of fuel",
     rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"
     rf"|(?P<k>{N}) apart": "{s} {n} from {t}",
     rf"(?:(?:incline|inclination|tilt|slant|deflect|deflection|deviate|lean|swing out|out|displace)(?: of)? )?(?:make"
-    rf" |at |reach |by |through |have |enclose |form )*(?:an )?(?:(?:angle|inclination|deflection) of )?(?P<n>{N}) (?:with"
-    rf"|from|to|off|against) (?:downward )?vertical(?: line| direction)?|(?:angle|deflection|inclination) (?:of|between)"
+    rf" |at |reach |by |through |have |enclose |form )*(?:an )?(?:(?:angle|inclination|deflection) of )?(?P<n>{N})"
+    rf" (?:with"
+    rf"|from|to|off|against) (?:downward )?vertical(?: line| direction)?|(?:angle|deflection|inclination) (?:of"
+    rf"|between)"
     rf" {S}(?: and vertical| (?:to|with|from) vertical)? (?:be |become |shrink to |fall to |drop to |decrease to |reach"
-    rf" |grow to |increase to |equal |go down to |rise to )*(?P<m>{N})": (
-        "{s} makes {n} with vertical"
-    ),
+    rf" |grow to |increase to |equal |go down to |rise to )*(?P<m>{N})": ("{s} makes {n} with vertical"),
     # speeds and times
     rf"(?P<fall>{FALL}|{RISE}|move|go|travel)?(?: (?P<down><(?:up|down)>))? ?(?:with|at|have)? ?(?:downward |upward )?"
     rf"(?P<axis>vertical|horizontal) (?:component of )?(?:speed|velocity)(?: component)?(?: of| reach| become)?"
@@ -167,9 +170,8 @@ HEADS: Mapping[str, str] = {
     r"|(?:from|after|of|since|following|past)(?: (?:[a-z]+|@\d+@))?(?: both| all)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
     "(?:very )?end(?: of (?:its )?(?:motion|slide|run|movement))?": "{s} finally stops",
-    "(?:stretch|extension|elongation)(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum|greatest))": (
-        "{s} most stretched"
-    ),
+    "(?:stretch|extension|elongation)(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum"
+    "|greatest))": ("{s} most stretched"),
     "compression(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum|greatest))": (
         "{s} most compressed"
     ),
@@ -182,7 +184,8 @@ HEADS: Mapping[str, str] = {
     " be (?:at start|initially))"
     "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic"
     " energy)": "{q} of {s} {times} times at first",
-    f"(?:at )?level with {HOME}(?: again)?|(?:at )?same (?:height|level) (?:again )?(?:as|from which) (?:at )?(?:START|HOME|throw)(?: again)?"
+    f"(?:at )?level with {HOME}(?: again)?|(?:at )?same (?:height|level) (?:again )?(?:as|from which) (?:at"
+    f" )?(?:START|HOME|throw)(?: again)?"
     "|(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial"
     "|original|start|starting|launch"
     "|same|own|release) (?:height|level)|(?:height|level) (?:from|at|of) (?:which|where) (?:it|@\\d+@) (?:start"

@@ -13,7 +13,6 @@ from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
 from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
 from sim2reason.questions.ordinary.whens import When
 
-
 _ON_THE_WAY = re.compile(r" (?:(?:while|when) )?(?:on (?:its )?way|going|moving) (?P<way>up|down)(?:wards?)?$")
 
 
@@ -68,7 +67,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)[ up]": place.share_burnt,
+    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)["
+    " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,

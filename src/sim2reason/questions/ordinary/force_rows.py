@@ -4,7 +4,8 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 FORCE = (
-    "how (?:hard|strongly)|(?:what|how much|how large a|how large|how great a|how big a) (?:total |resultant |net )*force"
+    "how (?:hard|strongly)|(?:what|how much|how large a|how large|how great a|how big a) (?:total |resultant |net"
+    " )*force"
     "|(?:total |resultant |net |whole )*(?:force|pull|load|reaction)"
 )
 _ACT = "exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"

@@ -43,13 +43,17 @@ _FROM_REST = re.compile(
     r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?"
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
-_OWN = re.compile(rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)")
+_OWN = re.compile(
+    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)"
+)
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms()))})\b")  # after a letter, *A* is no article
-_CENTERS = re.compile(r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b")
+_CENTERS = re.compile(
+    r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b"
+)
 _RELATIVE_TO = re.compile(r"\bits (?=(?:speed|velocity|acceleration)(?: relative to| with respect to) @(\d)@)")
 _SIZES = re.compile(
     r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"

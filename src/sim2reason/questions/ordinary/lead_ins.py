@@ -2,7 +2,9 @@
 
 import re
 
-_ASK = r"(?:what|which|find|determine|calculate|compute|give|state|how|obtain|with|at|after|in|when|by|work|show|to|for)"
+_ASK = (
+    r"(?:what|which|find|determine|calculate|compute|give|state|how|obtain|with|at|after|in|when|by|work|show|to|for)"
+)
 _METHOD = (
     "(?:conservation|energy|momentum|newton|law|laws|second|work|theorem|principle|kinematics|equations?|motion|linear"
     "|mechanical|angular|otherwise|or|of|and|'s|the|considerations?|methods?|arguments?|initial|position|velocity"
@@ -13,15 +15,22 @@ LEADS = tuple(
     for told in (
         r"^(?:okay|ok|hence|thus|therefore|so|now|next|finally|first|also|again|then|and|likewise|please|well)"
         r"(?: or otherwise)? ?,? (?=" + _ASK + r"\b|@\d+@)",
-        rf"^(?:by )?(?:using|applying|considering|use|with help of|by means of|from|ignoring nothing)(?: {_METHOD})+ ?,"
-        rf" (?={_ASK}\b)",
+        (
+            rf"^(?:by )?(?:using|applying|considering|use|with help of|by means of|from)(?: {_METHOD})+ ?,"
+            rf" (?={_ASK}\b)"
+        ),
         rf"^(?:measured|counted|reckoned|counting) from (?:start|release|launch) ,? ?(?={_ASK}\b)",
-        r"^(?:show|prove|explain|verify|note|notice|recall|remember|recognise|recognize)(?: \w+)? that"
-        r" (?:[a-z ]+ )?(?:simple harmonic|harmonic|periodic|oscillatory|uniformly accelerated)\. ",
+        (
+            r"^(?:show|prove|explain|verify|note|notice|recall|remember|recognise|recognize)(?: \w+)? that"
+            r" (?:[a-z ]+ )?(?:simple harmonic|harmonic|periodic|oscillatory|uniformly accelerated)\. "
+        ),
         r"^(?:@\d+@|string|strings|they) (?:must|will|does|do) not (?:break|snap|slip off|tear)\. ",
         r"[.;] (?:mind|note|remember|recall|bear in mind|keep in mind) that [^.@#]+$",
         r" ,? (?:rotation|rotational energy|that of rotation|both parts)(?: being)? (?:included|counted)$",
-        r"(?<=component) ?,? (?:taking|counting|with) (?:up|upwards?|right|up direction) (?:as|being|as being) positive$",
+        (
+            r"(?<=component) ?,? (?:taking|counting|with) (?:up|upwards?|right|up direction) (?:as|being|as being)"
+            r" positive$"
+        ),
     )
 )
 """Patterns of what is removed from a question in lower case, without articles."""
@@ -34,7 +43,8 @@ _SMOOTH = re.compile(
     r"(?: ,? ?(?:so|and so|therefore)(?: that)? [^.#]*)?\. "
 )
 _SEEN_BY = re.compile(
-    r" ?,? (?:as )?(?:measured|seen|judged|viewed|observed) (?:by|from) (?:(?:observer|someone|somebody|person|passenger|ant)"
+    r" ?,? (?:as )?(?:measured|seen|judged|viewed|observed) (?:by|from) (?:(?:observer|someone|somebody|person"
+    r"|passenger|ant)"
     r"(?: who is| that is)? ?(?:sitting|standing|riding|at rest|fixed)? ?(?:on|to|with) )?(?=@)"
 )
 

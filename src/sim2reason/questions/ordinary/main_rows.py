@@ -151,7 +151,8 @@ ROWS = (
     # energies and impulses
     WantedRow((_HEAT, _LOST, f"(?:by|to|through|against|due to|because of|in|between|into|of)? ?{_RUBS}",
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
-    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate", "(?:in|by|during|through) (?:all (?:of )?)?collisions",
+    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate", ("(?:in|by|during|through) (?:all (?:of"
+        " )?)?collisions"),
          "?altogether|in all|in total|(?:taken |take )?together"), "how much energy is lost in all collisions"),
     WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
         "how much mechanical energy does {s} lose"),

@@ -10,7 +10,9 @@ from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
 
 TIMES, GREATEST, AT_BURNOUT = " times that at start", " times the greatest", " times that at burnout"
-_MULTIPLE = re.compile(rf"(?P<find>[a-z ]+?)(?: of (?P<of>.+))? = (?P<factor>[\d.]+)(?P<ref>{TIMES}|{GREATEST}|{AT_BURNOUT})")
+_MULTIPLE = re.compile(
+    rf"(?P<find>[a-z ]+?)(?: of (?P<of>.+))? = (?P<factor>[\d.]+)(?P<ref>{TIMES}|{GREATEST}|{AT_BURNOUT})"
+)
 SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # what greatest values are called by
 
 

@@ -103,7 +103,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         return
     if row.subjects == 2 and not subjects:
         return
-    force = row.plain.startswith("what force does") or groups.get("quantity") in ("force", "pull")
+    force = row.plain.startswith(("what force does", "what force acts")) or groups.get("quantity") in ("force", "pull")
     if force and _ON_GROUND.search(text) is not None:
         return
     size = next((name for name in SIZES if groups.get(name)), "")
@@ -122,4 +122,6 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         line=groups.get("line", ""),
         speed="angular speed" if verb == "turn" else "speed",
     )
-    yield re.sub(r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))
+    yield re.sub(
+        r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
+    )

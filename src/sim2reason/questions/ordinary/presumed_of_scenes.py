@@ -49,7 +49,11 @@ def held(who: str, spring: str, words: Words) -> bool:
 
 def _placed(case: Case) -> bool:
     """Return whether what is asked for is a place, or a length."""
-    return case.query.target is not None and case.query.target.quantity in ("displacement", "extension", "spring length")
+    return case.query.target is not None and case.query.target.quantity in (
+        "displacement",
+        "extension",
+        "spring length",
+    )
 
 
 def _rising(case: Case) -> bool:

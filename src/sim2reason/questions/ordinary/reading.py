@@ -26,7 +26,9 @@ _AT_EVENT = (
 _REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
 _IMPACT = pattern("(?:its |their |@0@ 's )?(?:ORDINAL )?(?:bounce|impact|collision|rebound)")  # in which nothing falls
 _VALUES = "with what", "at what", "how fast", "what"
-_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to| for)? (.+)"
+_TAKES = (
+    r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to| for)? (.+)"
+)
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}

@@ -7,9 +7,12 @@ from sim2reason.questions.ordinary.clause_heads import HOME
 _S = r"(?P<s>@\d+@)"
 _POINT = "(?:point|position|place|spot|location|stage|state|moment|instant)"
 _GO = "(?:pass|passes|go|goes|come|comes|move|moves|fly|flies|swing|swings|run|runs|slide|slides|travel|travels|roll)"
-_OBSTACLE = "(?:(?:thin|vertical|high|tall|low|narrow|upright) )*(?:wall|post|fence|net|pole|tree|building|hedge|bar|screen)"
+_OBSTACLE = (
+    "(?:(?:thin|vertical|high|tall|low|narrow|upright) )*(?:wall|post|fence|net|pole|tree|building|hedge|bar|screen)"
+)
 _HOME = (
-    f"(?:{HOME}|(?:(?:point|place|position|spot) )?(?:where|from which|at which) @\\d+@ (?:(?:was|is|has been|had been) )?"
+    f"(?:{HOME}|(?:(?:point|place|position|spot) )?(?:where|from which|at which) @\\d+@ (?:(?:was|is|has been|had"
+    f" been) )?"
     "(?:first )?(?:thrown|launched|released|started|began|set off|left|projected|starts)(?: from)?)"
 )
 _FOOT = (
@@ -19,15 +22,19 @@ _FOOT = (
     "|(?:throwing|launch|launching|starting|release) point|point of (?:projection|throw|launch|release|throwing)|HOME)"
     "|thrower 's feet|thrower"
 ).replace("HOME", HOME)
-_THROWN_FROM = f"(?:thrower|point of (?:throwing|throw|projection|launch|release)|(?:launch|throwing|starting) point|{HOME})"
+_THROWN_FROM = (
+    f"(?:thrower|point of (?:throwing|throw|projection|launch|release)|(?:launch|throwing|starting) point|{HOME})"
+)
 _LANDING = (
-    "(?:(?:place of )?first (?:bounce|impact|landing)|landing(?: point| place| spot)?|impact point|point of (?:impact|landing)|(?:(?:point|place|spot) )?where @\\d+@"
+    "(?:(?:place of )?first (?:bounce|impact|landing)|landing(?: point| place| spot)?|impact point|point of (?:impact"
+    "|landing)|(?:(?:point|place|spot) )?where @\\d+@"
     " (?:lands?|(?:(?:first )?(?:hits?|strikes?|touches|reaches|meets)) (?:ground|floor)))"
 )
 _WHERE = "(?:where|at which|in which|that is|which is|when)"
 
 TURNS: Mapping[str, str] = {
-    f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally )?from"
+    f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally"
+    f" )?from"
     f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",
     "^(?P<prep>at|in|after|by|within|for|with|to) which (?=\\w)": r"\g<prep> what ",
     "^by what time (?=does|is|has|will|are|do)": "when ",
@@ -38,19 +45,23 @@ TURNS: Mapping[str, str] = {
     "(?P<size>GREATEST|LEAST) (?:separation|distance) of (?=@\\d+@$)": r"\g<size> distance between ",
     "^(?:ASK|what) work (?=(?:is|does|has|do|did) )": "how much work ",
     "\\bamplitude with which (?P<s>@\\d+@) (?:oscillates?|vibrates?|moves?|swings?)": r"amplitude of \g<s>",
-    "^(?:up )?(?:to )?what (?:maximum |greatest )?angle does (?P<s>@\\d+@) (?:reach|make|swing|swing out|rise|deflect|get)"
+    "^(?:up )?(?:to )?what (?:maximum |greatest )?angle does (?P<s>@\\d+@) (?:reach|make|swing|swing out|rise|deflect"
+    "|get)"
     "(?: to)?(?: with vertical)? on other side$": (
         r"what angle does \g<s> make with vertical when \g<s> comes to rest on other side"
     ),
-    "^(?:at what rate|how fast) (?:does|is) (?P<s>@\\d+@) 's angular (?:speed|velocity) (?P<early>initially )?(?:increase"
+    "^(?:at what rate|how fast) (?:does|is) (?P<s>@\\d+@) 's angular (?:speed|velocity) (?P<early>initially"
+    " )?(?:increase"
     "|increasing|grow|growing|change|changing|rise)": r"what is \g<early>angular acceleration of \g<s>",
     "\\b(?<=what is )initially (?=angular)": "initial ",
     "^how much (?P<than>higher|lower) (?=is @)": r"how far vertically \g<than> ",
-    "^.*\\bforce (?:that is )?(?:exerted |acting )?on (?P<p>@\\d+@) by (?:string|rope|cord) (?:that|which) (?:passes|runs|goes|is"
+    "^.*\\bforce (?:that is )?(?:exerted |acting )?on (?P<p>@\\d+@) by (?:string|rope|cord) (?:that|which) (?:passes"
+    "|runs|goes|is"
     " laid) (?:over|under|round|around) (?P=p)": r"what force of its string on pulley \g<p>",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
-    "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START (?:until|till"
+    "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START"
+    " (?:until|till"
     "|to moment when) ": "how much time passes until ",
     "(?P<s>@\\d+@) is (?:vertically|directly|straight|exactly) (?:below|under|underneath|beneath) (?:(?P=s)|axle)": (
         r"\g<s> is at its lowest point"
@@ -58,7 +69,8 @@ TURNS: Mapping[str, str] = {
     "(?P<s>@1@) (?P<verb>moved|slid|shifted|gone|recoiled|travelled) back (?=along|on|over)": r"\g<s> \g<verb> ",
     "(?P<s>@\\d+@) then (?=\\w+ing\\b)": r"\g<s> ",
     "\\bfinal (?=QUANTITY (?:of|does|has|will) .*(?:once|when|after|as soon as) )": "",
-    "^(?P<ask>how far apart are) (?:points|places|spots) where @0@ (?:lands|hits ground|bounces|strikes ground) (?:for )?first"
+    "^(?P<ask>how far apart are) (?:points|places|spots) where @0@ (?:lands|hits ground|bounces|strikes ground)"
+    " (?:for )?first"
     " and (?:for )?second time": r"\g<ask> first and second bounce",
     "\\bdistance between (?:points|places|spots) of (?=ORDINAL and)": "distance between ",
     "\\b(?:ASK) separation of (?=@\\d+@$)": "what is distance between ",
@@ -78,9 +90,11 @@ TURNS: Mapping[str, str] = {
     "\\blast (?:bit |drop |rest )?of (?:its )?fuel\\b": "all fuel",
     "\\b(?:fuel )?tanks are\\b": "tank is",
     "\\bat end of (?:its )?(?:burn|burning|powered flight|boost)\\b": "just before burnout",
-    " (?:between|from) (?:its |moment of |instant of )?(?:START|throwing|throw) (?:and|to|until|till) (?=.*(?:land|impact|collision"
+    " (?:between|from) (?:its |moment of |instant of )?(?:START|throwing|throw) (?:and|to|until|till) (?=.*(?:land"
+    "|impact|collision"
     "|bounce|stop|rest|burnout|ground))": " until ",
-    "\\bmust be (?:burned|burnt|used|consumed) (?:up )?(?:to bring (?P<s>@\\d+@) to|(?:for|before) (?P<t>@\\d+@) (?:to reach"
+    "\\bmust be (?:burned|burnt|used|consumed) (?:up )?(?:to bring (?P<s>@\\d+@) to|(?:for|before) (?P<t>@\\d+@)"
+    " (?:to reach"
     "|reaches|to have)) (?P<n>#\\d+#)$": r"has been burnt when \g<s>\g<t> reaches \g<n>",
     "\\b(?:very )?(?:start|beginning|outset|first instant) of (?:its |@\\d+@ 's )?(?:burn|motion|movement|flight|fall"
     "|slide|run|swing|descent|climb|oscillation|journey|throw)s?\\b": "start",
@@ -88,7 +102,8 @@ TURNS: Mapping[str, str] = {
     "(?<=for first time) after (?:leaving (?:origin|it|HOME)|START)(?=$| ,|\\.)".replace("HOME", HOME): "",
     "(?<=is |es |et |ss ) ?for first time (?=(?:after|since) START$)": "",
     "\\bafter leaving origin\\b": "after start",
-    "^(?P<n>#\\d+#) into (?:its )?(?:burn|motion|flight|fall|swing|slide|run|movement|journey) ,": r"\g<n> after start ,",
+    "^(?P<n>#\\d+#) into (?:its )?(?:burn|motion|flight|fall|swing|slide|run|movement|journey) ,": r"\g<n> after"
+    r" start ,",
     "\\b(?:to complete |for |of )?(?P<one>one (?:complete |full |whole )?ROUND) ,? ?(?:to and fro|there and back"
     "|back and forth|back and fro|forth and back)(?: again)?": r"to complete \g<one>",
     "(?P<ask>^how long does )(?P<one>one ROUND) ,? ?there and back ,? take": r"\g<ask>\g<one> take",
@@ -98,9 +113,8 @@ TURNS: Mapping[str, str] = {
     " (?:position|point|side))?(?: over| across)? to other side(?: of (?:its )?(?:swing|path|motion))?": (
         "come to rest on other side"
     ),
-    f"(?<!distance)(?<!range)(?<!displacement)(?<!horizontally) (?:down |up )?from {HOME} (?=(?:down |up |back )?(?:to|into) )": (
-        " "
-    ),
+    f"(?<!distance)(?<!range)(?<!displacement)(?<!horizontally) (?:down |up )?from {HOME} (?=(?:down |up |back"
+    f" )?(?:to|into) )": (" "),
     "\\b(?:swing|fall|move|go|travel|sweep|drop|turn)s? (?:down |up )?(?:in)?to (?=(?:lowest|highest|bottom|top|its"
     " lowest|its highest|vertical))": "reach ",
     "(?<=reach )vertical(?: position)?$": "its lowest point",
@@ -124,10 +138,12 @@ TURNS: Mapping[str, str] = {
     ),
     f"(?P<n>#\\d+#) (?:away )?horizontally (?:away )?from {_HOME}|(?P<m>#\\d+#) (?:away )?from {_HOME} ,?"
     f" (?:measured )?horizontally": r"moved \g<n>\g<m> horizontally",
-    f"(?:at what distance|how far|what distance) (?:away )?(?:(?:from|in front of|ahead of) (?:{_FOOT})) ?,?(?: measured (?:along|on) ground ,?)?"
+    f"(?:at what distance|how far|what distance) (?:away )?(?:(?:from|in front of|ahead of) (?:{_FOOT})) ?,?(?:"
+    f" measured (?:along|on) ground ,?)?"
     f" (?:does|will) {_S} (?:first )?(?:hit|strike|reach|land|touch|come down|meet|land on)(?: on)?(?: ground)?"
     f"(?: first time)?$": r"what is range of \g<s>",
-    f"^(?P<ask>what is|find|determine|calculate|compute) horizontal (?:distance|displacement) (?:between|from) (?:{_FOOT}"
+    f"^(?P<ask>what is|find|determine|calculate|compute) horizontal (?:distance|displacement) (?:between|from)"
+    f" (?:{_FOOT}"
     f"|{_THROWN_FROM}) (?:and|to) {_LANDING}$": r"what is range",
     "^where on (?P<axis>x|y)(?: |-)axis (?:does|will|is) (?P<s>@\\d+@) (?P<verb>cross|hit|meet|pass|reach|strike|cut)"
     "(?: through)?(?: (?:it|that axis|axis))?(?P<first> for first time)?(?: after START)?\\. (?:give|find|state"

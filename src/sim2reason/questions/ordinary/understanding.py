@@ -11,7 +11,8 @@ from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.multiples import in_numbers
-from sim2reason.questions.ordinary.placing import numbers_wanted, placed
+from sim2reason.questions.ordinary.numbers_placed import numbers_wanted
+from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER

@@ -24,7 +24,7 @@ def each_of(find: str, words: Words) -> tuple[str, ...]:
 
 
 def velocities_equal(told: str, words: Words) -> str:
-    """Return the moment when two bodies on one line have the same velocity, by addresses; any other moment unchanged."""
+    """Return the moment when two bodies on a line have the same velocity, by addresses; any other moment unchanged."""
     found = _EQUAL.fullmatch(told)
     if found is None:
         return told

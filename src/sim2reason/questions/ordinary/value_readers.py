@@ -45,7 +45,9 @@ from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
 ABOVE = "height above the start"
-SINKING = "drop", "drops", "dropped", "descend", "descends", "descended", "sink", "sunk", "sank", "descending", "sinking", "dropping"
+SINKING = frozenset(
+    re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
+)
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 

@@ -28,7 +28,16 @@ from sim2reason.simulation.certify import Certificate
 PLACELESS = frozenset(
     f"{size} {name}"
     for size in ("greatest", "least")
-    for name in ("speed", "kinetic energy", "acceleration", "extension", "compression", "spring energy", "tension", "spring force")
+    for name in (
+        "speed",
+        "kinetic energy",
+        "acceleration",
+        "extension",
+        "compression",
+        "spring energy",
+        "tension",
+        "spring force",
+    )
 )
 """Functionals of what repeats itself where a motion drifts on, as two bodies on a spring do."""
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
