@@ -194,6 +194,8 @@ EXTREMES: Sequence[Case] = (
     Case(kicked().told, "greatest extension", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),  # v√(m/k)
     Case(kicked().told, "greatest compression", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),
     Case(kicked().told, "greatest spring energy", "bench.spring", WholeMotion(), 0.25 * 1.5**2),
+    Case(kicked().told, "greatest spring force", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 * 20.0)),
+    Case(motions.spring_block().told, "amplitude", "bench.block", WholeMotion(), 0.2),
     Case(kicked().told, "greatest acceleration", "bench.block", WholeMotion(), 1.5 * RATE),
     Case(motions.spring_block().told, "greatest displacement", "bench.block", WholeMotion(), 0.4),
     Case(

@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.momentum import Momentum
 from sim2reason.quantities.subjects.bodies import moves
 from sim2reason.quantities.subjects.whole import Whole
 
@@ -30,7 +30,9 @@ class MassCenterVelocity(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Σ m v / Σ m, (n, 3)."""
         del subject
-        heavy = [body.name for body in state.mechanism.bodies if body.mass > 0.0]
-        masses = [np.asarray(state.mass(name)) + np.zeros(len(state.times)) for name in heavy]
-        momentum = sum(m[:, None] * Velocity.evaluate(state, name) for m, name in zip(masses, heavy, strict=True))
-        return np.asarray(momentum / sum(masses)[:, None])
+        mass, momentum = np.zeros((len(state.times), 1)), np.zeros((len(state.times), 3))
+        for body in state.mechanism.bodies:
+            if body.mass > 0.0:
+                mass = mass + np.asarray(state.mass(body.name)).reshape(-1, 1)
+                momentum = momentum + Momentum.evaluate(state, body.name)
+        return momentum / mass

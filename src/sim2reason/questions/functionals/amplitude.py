@@ -11,7 +11,7 @@ from sim2reason.simulation.trace import Trace
 
 
 @functional
-class Amplitude(Extreme):
+class OscillationAmplitude(Extreme):
     """Half the distance between the two ends of the path of a body on a straight line; asked for by people alone."""
 
     name = "amplitude"

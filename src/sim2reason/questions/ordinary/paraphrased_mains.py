@@ -81,21 +81,29 @@ def _side(plain: str, said: str) -> str:
     return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
 
 
-def _filled(row: WantedRow, text: str) -> Iterator[str]:
-    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
-    rest, groups = text, dict[str, str]()
+def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
+    """Return a text without the parts of a row, and note in `groups` what they name; None if it lacks a part."""
     for told in row.parts:
-        found = _part(told.removeprefix("?")).search(rest)
+        found = _part(told.removeprefix("?")).search(text)
         if found is None and told.startswith("?"):
             continue
         if found is None:
-            return
+            return None
         groups |= {name: said for name, said in found.groupdict().items() if said}
         groups["verb"] = next(
             (verb for verb, forms in VERBS.items() if re.fullmatch(forms, found[0])), groups.get("verb", "")
         )
         groups["axis"] = found[0][0] if re.match("[xy][- ]", found[0]) else groups.get("axis", "")
-        rest = f"{rest[: found.start()]} {rest[found.end() :]}"
+        text = f"{text[: found.start()]} {text[found.end() :]}"
+    return text
+
+
+def _filled(row: WantedRow, text: str) -> Iterator[str]:
+    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
+    groups = dict[str, str]()
+    rest = _without_parts(row, text, groups)
+    if rest is None:
+        return
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))
@@ -103,7 +111,9 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         return
     if row.subjects == 2 and not subjects:
         return
-    force = row.plain.startswith(("what force does", "what force acts")) or groups.get("quantity") in ("force", "pull")
+    force = row.plain.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
+        "quantity"
+    ) in ("force", "pull")
     if force and _ON_GROUND.search(text) is not None:
         return
     size = next((name for name in SIZES if groups.get(name)), "")
