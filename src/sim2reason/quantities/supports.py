@@ -37,6 +37,7 @@ class PulleyForce(Quantity):
                     if rim.rpartition(".")[0] == subject and end.rpartition(".")[0] != subject:
                         part = minus(state.frames.site(end).place, state.frames.site(rim).place)
                         length = np.broadcast_to(np.sqrt(product(part, part)), state.times.shape)
+                        length = np.where(length > 0.0, length, np.nan)  # what has no length has no direction
                         total = total + (state.tension[line.name] / length)[:, None] * state.vector(part)
         return total
 

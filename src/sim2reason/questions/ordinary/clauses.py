@@ -67,6 +67,9 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
+    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) of (?:all |its )?fuel": (
+        place.share_burnt
+    ),
     "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)["
     " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"

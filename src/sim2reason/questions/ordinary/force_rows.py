@@ -9,7 +9,7 @@ FORCE = (
     "|(?:total |resultant |net |whole )*(?:force|pull|load|reaction)"
 )
 _ACT = "exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
-_HOLDER = "axle|bearing|bracket|mount|mounting|support|suspension|hinge|pivot|(?:fixed )?axis"
+_HOLDER = "axle|bear(?:ing)?|bracket|mount|mounting|support|suspension|hinge|pivot|(?:fixed )?axis"
 _HOOK = (
     "(?:fixed )?(?:hook|ceiling|beam)|(?:its )?(?:point of suspension|suspension point|fixed point|suspension"
     "|upper end|point of support)"

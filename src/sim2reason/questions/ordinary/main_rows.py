@@ -133,7 +133,7 @@ ROWS = (
     # springs
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten"),
         "how much is {s} compressed"),
-    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate|deform"),
         "how much is {s} stretched"),
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten", "{greatest}"),
         "how much is {s} compressed at most"),
@@ -218,6 +218,8 @@ ROWS = (
         "how many times does {s} reverse"),
     WantedRow(("(?:through )?(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
          "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),
+    WantedRow(("how many times|how often", "(?:turn|rotate|revolve|spin)(?! (?:back|round|around))"),
+        "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),

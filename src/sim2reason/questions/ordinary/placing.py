@@ -90,7 +90,7 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 
 def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subject that a sentence names, or its pair; none where it has no orbit, or is one of two in contact."""
+    """Return the subject that a sentence names, or its pair; none where it has no orbit, or carries others."""
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         if asked.find in ORBITAL and asked.of not in words.called(Bodies()).values():

@@ -58,6 +58,13 @@ TURNS: Mapping[str, str] = {
     "^.*\\bforce (?:that is )?(?:exerted |acting )?on (?P<p>@\\d+@) by (?:string|rope|cord) (?:that|which) (?:passes"
     "|runs|goes|is"
     " laid) (?:over|under|round|around) (?P=p)": r"what force of its string on pulley \g<p>",
+    "(?<=tension )(?P<in>in|of) (?P<s>@\\d+@) (?:(?:that|which) )?(?:connecting|joining|connects|joins|linking|links)"
+    " @\\d+@"
+    "(?=$| ,| when| while| at| just| after)": r"\g<in> \g<s>",
+    "^(?P<ask>what force|how large a force) must (?P<what>axle|support|bearing|hinge|pivot) (?=withstand|bear|carry"
+    "|exert"
+    "|sustain|support|hold)": r"\g<ask> does \g<what> ",
+    "\\bbearing force\\b": "force on axle",
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START"
