@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, is_time, returned, subject_of
+from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
@@ -112,7 +112,7 @@ def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     told = f"extension = {heard.number(number)}" if number else "natural length"
     yield When(told, side, (("", RELAXED),))
     if not number:
-        yield When("equilibrium", side, (("", PLACED),), rank=LAST)
+        yield When("equilibrium", side, (("", PLACED),))
 
 
 def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
