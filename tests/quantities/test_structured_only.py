@@ -42,6 +42,20 @@ def eccentricity() -> float:
     return sqrt(1.0 + 2.0 * energy * turning**2 / strength**2)
 
 
+PULLED = 0.96 * 1.2 * G * (1.0 + sin(radians(32.0))) / (0.96 + 1.2)
+"""The tension between a block that hangs and one on a smooth plane."""
+SWUNG = 2.0 * G * 0.24 / (0.4 * 0.18**2 + 0.24**2)
+"""The square of the angular speed with which a sphere on an arm passes its lowest point, from level."""
+SOLID, HOLE = 3.8 * 0.19**2 / (0.19**2 - 0.12**2), 3.8 * 0.12**2 / (0.19**2 - 0.12**2)
+BORED = 0.5 * SOLID * 0.19**2 - HOLE * (0.5 * 0.12**2 + 0.041**2)
+
+
+def second_time(height: float) -> float:
+    """Return when a ball that is thrown at 4.5 m/s, 69° upwards, is at a height above its start on its way down."""
+    up = 4.5 * sin(radians(69.0))
+    return (up + sqrt(up**2 - 2.0 * G * height)) / G
+
+
 @pytest.mark.parametrize(
     ("name", "find", "of", "when", "value"),
     [
@@ -60,6 +74,21 @@ def eccentricity() -> float:
             "the hemisphere",
             "at start",
             7.9 * (83.0 / 320.0 * 0.16**2 + (0.25 - 0.375 * 0.16) ** 2),
+        ),
+        ("smooth_load", "force on a pulley", "the pulley", "at start", PULLED * sqrt(2.0 + 2.0 * sin(radians(32.0)))),
+        ("swung_sphere", "force on the axle", "the arm", "the sphere lowest point", 6.8 * G + 6.8 * 0.24 * SWUNG),
+        ("free_box", "acceleration relative to its carrier", "block A", "at start", 5.11123584506),
+        ("smooth_box", "force of the guide", "block B", "at start", 2.0 * 1.29366565),
+        ("gliders", "velocity of the centre of mass", "", "2 s", 1.0),
+        ("bored_cylinder", "moment of inertia about the axis", "the cylinder", "at start", BORED),
+        ("lob", "height above the start", "the ball", "0.2 s", 4.5 * sin(radians(69.0)) * 0.2 - 0.5 * G * 0.2**2),
+        ("lob", "time", "", "second height above the start of the ball = 0.5 m", second_time(0.5)),
+        (
+            "compressed_trolley",
+            "velocity",
+            "",
+            "extension along stretched = 0.05 m",
+            sqrt(133.0 / 4.8 * (0.14**2 - 0.05**2)),
         ),
         ("wide_box", "speed relative to its carrier", "block A", "0.4 s", 0.4 * 6.0526071842),
     ],

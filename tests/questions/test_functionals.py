@@ -22,11 +22,11 @@ from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.whole import ALL
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.area_swept import AreaSwept
-from sim2reason.questions.functionals.parts.whole import ALL
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.bounced import Bounced
@@ -194,6 +194,8 @@ EXTREMES: Sequence[Case] = (
     Case(kicked().told, "greatest extension", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),  # v√(m/k)
     Case(kicked().told, "greatest compression", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),
     Case(kicked().told, "greatest spring energy", "bench.spring", WholeMotion(), 0.25 * 1.5**2),
+    Case(kicked().told, "greatest spring force", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 * 20.0)),
+    Case(motions.spring_block().told, "amplitude", "bench.block", WholeMotion(), 0.2),
     Case(kicked().told, "greatest acceleration", "bench.block", WholeMotion(), 1.5 * RATE),
     Case(motions.spring_block().told, "greatest displacement", "bench.block", WholeMotion(), 0.4),
     Case(

@@ -25,6 +25,8 @@ STUDY, WORDS = Study.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(describe(SCE
         ("0.255 m", "0.255 m"),
         ("25 cm", "0.25 m"),
         ("half a metre", "0.50 m"),
+        ("a quarter of a second", "0.25 s"),
+        ("Three tenths of a second", "0.30 s"),
         ("two meters", "2.0 m"),
         ("10m", "10 m"),
         (".5 m", "0.50 m"),

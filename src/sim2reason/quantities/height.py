@@ -1,13 +1,15 @@
-"""The height of a body above the ground, in scenes with a ground."""
+"""The height of a body above the ground, in scenes with a ground, and above its start."""
 
 from math import inf
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.kinematics import Displacement
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
 
 UPRIGHT = 1.0 - 1e-9
 
@@ -34,6 +36,26 @@ class Height(Quantity):
         """Return the names of the bodies that fall to the ground or bounce off the ground."""
         names = self.of.names(mechanism)
         return tuple(name for name in names if _falling(mechanism, name) is not None or _bounces(mechanism, name))
+
+
+@quantity
+class HeightAboveStart(Quantity):
+    """How much higher a body is than it was at the start, whatever its path; never drawn."""
+
+    name, unit, symbol = "height above the start", "m", "h"
+    of = Bodies()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the vertical displacement of the centre of mass in m, (n,)."""
+        return Displacement.evaluate(state, subject)[:, 2]
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies that can go up or down under gravity."""
+        names = self.of.names(mechanism) if mechanism.gravity != ZERO else ()
+        return tuple(name for name in names if center_path(mechanism, name).rises)
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:

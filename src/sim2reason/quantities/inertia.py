@@ -119,3 +119,27 @@ class InertiaAboutAxle(AboutCenter):
 def _on_axle(mechanism: Mechanism, name: str) -> bool:
     kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"]
+
+
+@quantity
+class InertiaAboutAxis(AboutCenter):
+    """The moment of inertia of a round body about its axis, on which its centre of mass need not lie; never drawn."""
+
+    name, unit, symbol = "moment of inertia about the axis", "kg m^2", "I"
+    vector = False
+    drawn_by_recipes = False
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """n·I n + m d², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
+        body = state.mechanism.body[subject]
+        _, axis = turning_axes(state.mechanism, subject)[0]
+        across = np.cross(np.array(body.center), np.array(axis))
+        return np.full(
+            len(state.times), product(axis, applied(body.inertia, axis)) + body.mass * float(across @ across)
+        )
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies that stand on a face and have a hinge of their own."""
+        named = (name for name in self.of.names(mechanism) if name in mechanism.contacts)
+        return tuple(name for name in named if any(c.kind == "hinge" for c in mechanism.body[name].coordinates))

@@ -45,6 +45,18 @@ class RiderVelocity(OfRider):
         return np.asarray(state.v[:, _number(state.mechanism, subject)])
 
 
+@quantity
+class RiderAcceleration(OfRider):
+    """The acceleration of a body along what carries it, relative to that."""
+
+    name, unit, symbol = "acceleration relative to its carrier", "m/s^2", "a"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """q̈, (n,)."""
+        return np.asarray(state.a[:, _number(state.mechanism, subject)])
+
+
 def _number(mechanism: Mechanism, name: str) -> int:
     return mechanism.number[mechanism.body[name].coordinates[0].name]
 

@@ -26,7 +26,18 @@ SPELLINGS: Mapping[str, Mapping[str, str]] = {"m": _LENGTHS, "s": _TIMES, "deg":
 """By the unit in which a text counts: what else people write, and how many of these units one of it is."""
 
 _COUNTED = "one two three four five six seven eight nine ten eleven twelve"
-_WORDS = {"half a": "0.5", "half an": "0.5"} | {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
+_PARTS = {"half": 2, "third": 3, "quarter": 4, "fifth": 5, "tenth": 10}
+_PLAIN = {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
+_SHARES = {
+    f"{word} {part}{'s' if word != 'a' else ''} of {article}": str(Decimal(count) / size)
+    for word, count in ({"a": "1"} | _PLAIN).items()
+    for part, size in _PARTS.items()
+    for article in ("a", "an")
+    if Decimal(count) < size and (part != "half" or word == "a") and word != "one"
+}
+_HALVES = {"half a": "0.5", "half an": "0.5"}
+_WORDS = _SHARES | _HALVES | _PLAIN
+_WORDS |= {word.capitalize(): number for word, number in _WORDS.items()}
 _FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS})?"

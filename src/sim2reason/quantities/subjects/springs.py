@@ -3,9 +3,11 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.quantities.subjects import Subject, is_said
+from sim2reason.dsl.mechanism import ZERO, Elastic, Mechanism
+from sim2reason.quantities.subjects import Sense, Subject, is_said
 from sim2reason.quantities.subjects.lines import ends_label, line_phrases
+
+STRETCHED = "stretched"
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,11 @@ class Springs(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Whether the text says a number of the spring, its ``stiffness`` or its natural ``length``."""
         return is_said(need, mechanism.line[name].whole, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """A stretch, as which an extension and a force count."""
+        del mechanism, name
+        return [Sense(STRETCHED, ZERO)]
 
     def label(self, phrase: str) -> str:
         """Its name, or its ends."""

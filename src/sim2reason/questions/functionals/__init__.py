@@ -31,7 +31,7 @@ class Functional(ABC):
         center: whether it belongs to one point of its subject, the centre of mass of what has a size.
 
     When it is asked:
-        weight: how often, compared with others of its kind.
+        weight: how often, compared with others of its kind; zero where only people ask for it.
         needs: what its subject must have and the text must say, such as ``mass``.
     """
 

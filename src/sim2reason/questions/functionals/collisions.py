@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.whole import Whole
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.functionals.parts.jump import massive
-from sim2reason.questions.functionals.parts.whole import Whole
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.words import Words

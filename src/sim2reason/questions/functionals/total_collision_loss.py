@@ -1,9 +1,9 @@
 """The kinetic energy that is lost in several collisions."""
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects.whole import Whole
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.jump import energies, energy_lost, hits
-from sim2reason.questions.functionals.parts.whole import Whole
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.study import Study

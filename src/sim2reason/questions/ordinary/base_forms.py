@@ -16,7 +16,7 @@ REGULAR = re.split(
     "lower raise join tie attach connect carry hang cease possess reduce increase decrease transform stay "
     "pick remove drain withdraw rob deviate stray shift settle smash bump slam project depart haul progress"
     " proceed displace double triple halve switch emerge escape impinge jump hop skip tension loosen traverse"
-    " experience feel circle encounter contact intersect",
+    " experience feel circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain",
 )
 IRREGULAR = {
     "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",
@@ -30,7 +30,10 @@ IRREGULAR = {
     "keep": "keeps kept keeping", "hold": "holds held holding", "catch": "catches caught catching",
     "become": "becomes became becoming", "break": "breaks broke broken breaking", "lie": "lies lay lain lying",
     "hang": "hung", "stand": "stands stood standing", "draw": "draws drew drawn drawing", "burn": "burnt",
-    "swap": "swaps swapped swapping", "ride": "rides rode riding", "lift": "lifts lifted lifting",
+    "swap": "swaps swapped swapping", "ride": "rides rode riding", "grow": "grows grew grown growing", "shrink": "shr"
+        "ank shrunk",
+    "bear": "bore borne", "sweep": "sweeps swept sweeping", "bring": "brings brought bringing", "lift": "lifts lifted"
+        " lifting",
 }  # fmt: skip
 AUXILIARIES = frozenset(
     re.split(
@@ -66,6 +69,12 @@ def _forms(verb: str) -> Iterator[str]:
 def _bases() -> dict[str, str]:
     found = {form: verb for verb in REGULAR for form in _forms(verb)}
     return found | {form: verb for verb, forms in IRREGULAR.items() for form in forms.split()}
+
+
+def verb_forms() -> frozenset[str]:
+    """Return all inflected forms of verbs, with the auxiliary ones."""
+    bases = _bases()
+    return frozenset(bases) | AUXILIARIES | {"first"}
 
 
 def based(text: str) -> str:

@@ -3,14 +3,15 @@
 import re
 from collections.abc import Iterator
 
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, Main, each
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, STRETCH, Main, each
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant
 from sim2reason.questions.posing import PLUS
 
 CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
 
 
+IMPULSE = "impulse of a collision"
 ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
 
 
@@ -30,6 +31,15 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
 
 
+def exchanged(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the momentum that a body gets in a collision with one other body: the impulse of that collision."""
+    of = heard.subject(found["s"])
+    if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
+        yield Main(IMPULSE, of, needs=JUMP)
+
+
 def lost_in_impact(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
-    yield from (Main("kinetic energy", of, needs=JUMP) for of in each(heard, found.groupdict().get("s")))
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("kinetic energy", of, needs=JUMP)
+        yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL} {of}", ALL),) if of else ())

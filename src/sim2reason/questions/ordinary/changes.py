@@ -4,11 +4,12 @@ import re
 from collections.abc import Iterator
 from itertools import product
 
+from sim2reason.questions.ordinary.change_readers import IMPULSE
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
-from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, pattern
+from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, ONCE, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
 from sim2reason.questions.posing import MINUS
 from sim2reason.questions.spoken import ORDINALS
@@ -82,7 +83,8 @@ _PEAK = pattern(
     "|landing|rebound)s?"
 )
 _RISE = pattern(
-    "how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "(?:ASK|what) (?:@0@ 's )?GREATEST height(?: of @0@)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "|how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
     "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
 )
 _TOP = pattern(
@@ -166,6 +168,8 @@ def changed(main: Main, when: When, side: str) -> When | None:
         return When(told, AFTER, when.ways, when.rank) if jumps and main.find == COLLISION else None
     if main.find == COLLISION:
         return None
+    if main.find == IMPULSE:
+        return When(told, AFTER, (*when.ways, ("", ONCE)), when.rank) if jumps and "collided" in told else None
     later, earlier = (told, f"{told} before") if jumps else (when.told, START)
     both = MINUS.join((earlier, later) if main.needs in (LOSS, JUMP) else (later, earlier))
     ways = (*when.ways, *(() if main.needs == CHANGE else (("", GAINED),)))

@@ -17,11 +17,14 @@ _DISTANCE = rf"(?:(?:by|through|over|(?:total |whole )?distance of|path of|total
 _DROP = "(?:(?:by|through|down|up|over) )*vertical (?:distance|height|drop|depth) (?:of )?"
 _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
-    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) point|(?:point|place|position|location) of"
+    "|(?:release|launch|throw|throwing|launching|starting|kick|projection) (?:point|position)|(?:point|place|position"
+    "|location) of"
     " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch"
     "|thrower|launch point"
     "|release)|foot of (?:cliff|tower)"
     "|(?:original|initial) (?:point|position|place|location)"
+    "|(?:place|point|position|spot) (?:it|@\\d+@) (?:first )?(?:start|begin|set off|leave|throw)(?: from)?"
+    "|where (?:it|@\\d+@) (?:begin|at (?:very )?start|originally|initially)"
     "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
     "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
     "|leave|throw))"
@@ -44,12 +47,13 @@ HEADS: Mapping[str, str] = {
     "(?: up| down)?": "{s} stops",
     "(?:turn|swing|go|move|slide|roll|come|fall|start|head)(?: (?:move|slide|roll|go|fall|swing|come))? "
     "(?:back|round|around)(?: down)?": "{s} stops",
-    "turning point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
+    "turn(?:ing)? point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
     " travel)?"
     "|change (?:its )?(?:direction|sense)(?: of motion| of travel)?|stationary|stand still|motionless"
     "|lose all (?:of )?(?:its )?(?:speed|velocity|motion)|(?:speed|velocity) (?:become |drop to |fall to |reach |vanish"
     "|equal to )?zero|have no (?:speed|velocity)": "{s} stops",
-    "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)": "{s} finally stops",
+    "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)|(?:stay|remain) (?:at rest|still|where it)"
+    "|(?:stay|remain) put": "{s} finally stops",
     # impacts
     "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter|smash"
     "|bump|run|slam)"
@@ -59,7 +63,8 @@ HEADS: Mapping[str, str] = {
     "(?: (?:off|from|against|on|with|at|into)?(?: GROUNDS| (?:fixed )?wall))?"
     "|(?:run|bump|crash|smash|slam|collide|meet|reach|get to)(?: (?:into|with|against|to))? (?:fixed"
     " )?wall": "{s} bounces{count}",
-    "(?:collide|meet|crash|touch|hit|strike|bump|run|smash|slam|catch up|impact|collision|contact|encounter)"
+    "(?:collide|meet|crash|touch|hit|strike|bump|run|smash|slam|catch up|impact|collision|contact|encounter"
+    "|(?:bounce|rebound|spring back) (?:off|from)(?= @))"
     "(?: (?:into|with|each other|one another|against|up))*(?: (?:take place|happen|occur))?"
     "|come (?:into|in) contact|make contact": "{s} and {t} collide{count}",
     "(?:all|every one of) (?:of )?(?:the )?(?:collision|impact)s?(?: (?:over|take place|happen))?|last collision": (
@@ -105,7 +110,9 @@ HEADS: Mapping[str, str] = {
     # slipping
     "(?:(?:start|begin) (?:to )?)?(?:pure(?:ly)? )?(?:roll|rolling)(?: purely)?(?: without (?:slip|slide"
     "|skid)(?:ping)?)"
-    "|(?:start|begin) (?:to )?(?:pure |purely )?roll|(?:stop|cease|end|finish|no longer) (?:slip|slide|skid)"
+    "|(?:start|begin) (?:to )?(?:pure |purely )?roll|(?:stop|cease|end|finish|no longer) (?:slip|slide|skid)(?: and"
+    " (?:start"
+    "|begin|go over)(?: to)? (?:roll|rolling)(?: purely)?(?: without (?:slip|slide|skid)(?:ping)?)?)?"
     "|(?:slip|slide|skid)(?:ping)? (?:stop|cease|end|over)|pure roll(?:ing)?(?: (?:start|begin|set in))?": (
         "{s} rolls without slipping"
     ),
@@ -119,16 +126,34 @@ HEADS: Mapping[str, str] = {
     rf" )?(?P<t>{S})"
     "(?: 's top)?": "{s} moves {n} relative to {t}",
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:along|over|across|on) its top": "{s} moves {n} relative to carrier",
-    rf"{FALL} {_DISTANCE}": "{s} falls {n}{way}",
-    rf"{RISE} {_DISTANCE}": "{s} rises {n}{way}",
+    rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
+    rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
+    rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline)"
+    rf" )+"
+    r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
     rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
+    rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
+    "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
+        "{s} moves parallel to {axis} axis"
+    ),
+    "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go)"
+    " horizontally": ("{s} at its highest point"),
+    "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one"
+    "|single"
+    "|full|complete|whole|entire) )+(?:turn|revolution|rotation)": "{s} makes one revolution",
+    rf"(?:burn|use|consume|spend)(?: up)? (?P<n>{N}) of (?:its )?fuel|(?P<m>{N}) of (?:its )?fuel (?:burn|use|consume"
+    "|spend|go)(?: up)?": "{s} burns {n} of fuel",
     rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"
     rf"|(?P<k>{N}) apart": "{s} {n} from {t}",
-    rf"(?:make |at |reach )?(?:an )?(?:angle of )?(?P<n>{N}) (?:with|from|to|off|against) (?:downward )?vertical": (
-        "{s} makes {n} with vertical"
-    ),
+    rf"(?:(?:incline|inclination|tilt|slant|deflect|deflection|deviate|lean|swing out|out|displace)(?: of)? )?(?:make"
+    rf" |at |reach |by |through |have |enclose |form )*(?:an )?(?:(?:angle|inclination|deflection) of )?(?P<n>{N})"
+    rf" (?:with"
+    rf"|from|to|off|against) (?:downward )?vertical(?: line| direction)?|(?:angle|deflection|inclination) (?:of"
+    rf"|between)"
+    rf" {S}(?: and vertical| (?:to|with|from) vertical)? (?:be |become |shrink to |fall to |drop to |decrease to |reach"
+    rf" |grow to |increase to |equal |go down to |rise to )*(?P<m>{N})": ("{s} makes {n} with vertical"),
     # speeds and times
     rf"(?P<fall>{FALL}|{RISE}|move|go|travel)?(?: (?P<down><(?:up|down)>))? ?(?:with|at|have)? ?(?:downward |upward )?"
     rf"(?P<axis>vertical|horizontal) (?:component of )?(?:speed|velocity)(?: component)?(?: of| reach| become)?"
@@ -144,6 +169,13 @@ HEADS: Mapping[str, str] = {
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
     r"|(?:from|after|of|since|following|past)(?: (?:[a-z]+|@\d+@))?(?: both| all)? (?:START|motion)))?": "t = {n}",
     "START(?: of (?:its )?motion)?": "start",
+    "(?:very )?end(?: of (?:its )?(?:motion|slide|run|movement))?": "{s} finally stops",
+    "(?:stretch|extension|elongation)(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum"
+    "|greatest))": ("{s} most stretched"),
+    "compression(?: of @\\d+@)? (?:be )?(?:greatest|maximum|largest|maximal|at its (?:maximum|greatest))": (
+        "{s} most compressed"
+    ),
+    "(?:their )?(?:velocity|velocities) (?:be |become )?(?:equal|same)": "they move together",
     "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic"
     " energy) (?:be |become "
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as"
@@ -152,7 +184,9 @@ HEADS: Mapping[str, str] = {
     " be (?:at start|initially))"
     "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic"
     " energy)": "{q} of {s} {times} times at first",
-    "(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial"
+    f"(?:at )?level with {HOME}(?: again)?|(?:at )?same (?:height|level) (?:again )?(?:as|from which) (?:at"
+    f" )?(?:START|HOME|throw)(?: again)?"
+    "|(?:return|back|come back|get back|fall back|be back|again)(?: to| at| down| on)* (?:its )?(?:(?:initial"
     "|original|start|starting|launch"
     "|same|own|release) (?:height|level)|(?:height|level) (?:from|at|of) (?:which|where) (?:it|@\\d+@) (?:start"
     "|throw|release|launch"

@@ -1,22 +1,40 @@
 """Clauses of questions in ordinary English that name a moment, each with its reader."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import Reader
 from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
-from sim2reason.questions.ordinary.vocabulary import pattern
+from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
 from sim2reason.questions.ordinary.whens import When
+
+_ON_THE_WAY = re.compile(r" (?:(?:while|when) )?(?:on (?:its )?way|going|moving) (?P<way>up|down)(?:wards?)?$")
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
+    going = _ON_THE_WAY.search(clause)
+    if going is not None and going.start() > 0:
+        yield from _on_the_way(clause[: going.start()].strip(), going["way"], heard, subject, side)
+        return
     found = list(_of_tables(clause, heard, subject, side))
     plain = dict.fromkeys(paraphrased(clause)) if not found else ()
     yield from found or (when for told in plain for when in _of_tables(told, heard, subject, side))
+
+
+def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
+    who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
+    for when in whens(clause, heard, subject, side):
+        ways = (*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN))
+        yield replace(when, ways=ways)
+        if " = " in when.told:
+            yield replace(when, told=f"{AGAIN}{when.told}", ways=ways)
 
 
 def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -44,6 +62,19 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} returns to origin": place.back_at_origin,
     "[{s} ]stops on other side": place.across,
     "[{s} ]returns": read.returned,
+    "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,
+    "[{s} ]makes (?P<turns>one|half|two|three|ten) revolutions?": place.revolved,
+    "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
+    "(?:turn|revolution|rotation)": place.revolved,
+    "[{s} ]burns {n} of fuel": place.burnt,
+    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) of (?:all |its )?fuel": (
+        place.share_burnt
+    ),
+    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)["
+    " up]": place.share_burnt,
+    "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
+    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
+    "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ]finally stops": read.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
@@ -58,7 +89,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[very ]START[ of motion]": place.begun,
     "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.moved,
     "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": read.moved,
-    "first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
+    "[{s} ]first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
     "{s} has first {motion=MOTION} {n}": read.moved,
     "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.simply("stopped"),
     "[{s} ]~[first ]LANDS[ FIRST_TIME]": read.landed,
@@ -78,8 +109,8 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} ~HITS wall[ FIRST_TIME]": read.jump("bounced"),
     "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": read.apsis("farthest"),
     "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": read.apsis("closest"),
-    "{s} ~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
-    "{s} ~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
+    "[{s} ]~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
+    "[{s} ]~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
     "{s} ~PASSES [its ]GREATEST compression": read.simply("most compressed"),
     "{s} ~PASSES [its ]GREATEST extension": read.simply("most stretched"),
     "all collisions[ ~over]": read.alone("last collision"),
@@ -109,7 +140,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ][first ]ROLLS[ on {t}]": read.simply("stopped slipping"),
     "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": read.simply("stopped slipping"),
     "(?:{s}|they) ~(?:move|moves|moving) together": read.joined,
-    "{s} NATURAL[ AGAIN][ FIRST_TIME]": place.natural,
+    "[{s} ]NATURAL[ AGAIN][ FIRST_TIME]": place.natural,
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": read.apsis("farthest"),
     "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
     "[its |{s} 's ](?:farthest|furthest)[ from {t}]": read.apsis("farthest"),
@@ -123,7 +154,7 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} ~{n} from [its ]equilibrium position": place.balanced,
     "{s} (?:goes|go) slack": read.simply("went slack"),
     "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": read.simply("went taut"),
-    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": read.simply("left face"),
+    "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": place.lifts_off,
     "{s} (?:enters|enter) (?:field|region)": read.simply("entered region"),
     "{s} (?:leaves|leave|exits) (?:field|region)": read.simply("left region"),
     "{s} (?:begins|starts|begin|start) to (?:slip|slide)": read.simply("began to slip"),

@@ -8,6 +8,8 @@ from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.asides import without_asides
+from sim2reason.questions.ordinary.base_forms import verb_forms
+from sim2reason.questions.ordinary.lead_ins import without_leads
 from sim2reason.questions.ordinary.named_lines import between, group, named_lines, swinging_lines
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
@@ -41,10 +43,21 @@ _FROM_REST = re.compile(
     r" ?,? ?\b(?:(?:starting|released|beginning|after (?:starting|being released)) )?from rest\b ?,?"
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
-_OWN = re.compile(rf"\bits (?={either('|'.join(QUANTITIES.values()).split('|'))}\b)")
+_OWN = re.compile(
+    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)"
+)
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
+)
+_VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms()))})\b")  # after a letter, *A* is no article
+_CENTERS = re.compile(
+    r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b"
+)
+_RELATIVE_TO = re.compile(r"\bits (?=(?:speed|velocity|acceleration)(?: relative to| with respect to) @(\d)@)")
+_SIZES = re.compile(
+    r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"
+    r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
 _WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
@@ -71,7 +84,7 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!")
+    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
@@ -83,20 +96,26 @@ def hear(sentence: str, words: Words) -> Heard:
     text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
+    text = _CENTERS.sub("", text)
     text, numbers = _with_numbers(_START.sub("start", text))
     text = _ordered(text, subjects)
     text = _INDIRECT.sub("", text)
     if len(subjects) == 2:  # *after B has hit it*: the other
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
-    if not any(subject.startswith(f"{ALL} ") for subject in subjects):
+    text = _SIZES.sub("", text)
+    if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
+    if len(subjects) == 2:
+        text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
-    text = without_asides(" ".join(_without_pronouns(text, subjects).split()))
+    smooth = all(face.friction == 0.0 for face in words.mechanism.faces)
+    text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
+    text = without_asides(text)
     return Heard(reworded(text), tuple(subjects), numbers)
 
 
@@ -152,6 +171,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         names = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
+        found.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern})"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()
         alone = _others(noun, phrase, heads) if unique else set[str]()
@@ -180,7 +200,8 @@ def _movers(words: Words) -> list[str]:
 def _phrases(words: Words) -> list[str]:
     """Return the text's phrases for the subjects of quantities and for all bodies except surfaces."""
     kinds = {quantity.of.name: quantity.of for quantity in REGISTERED.values()}
-    called = [phrase for kind in kinds.values() if kind.name != "pair" for phrase in words.called(kind).values()]
+    kinds = {name: kind for name, kind in kinds.items() if name not in ("pair", "whole")}
+    called = [phrase for kind in kinds.values() for phrase in words.called(kind).values()]
     surfaces = set(WORDS["SURFACE"].split()) | {"start"}
     bodies = [said for said in words.mentions.values() if said.split()[-1] not in surfaces]
     return list(dict.fromkeys([*called, *bodies]))
@@ -201,6 +222,9 @@ def _plurals(nouns: Mapping[str, list[str]], words: Words) -> Iterable[tuple[str
     alike: dict[str, list[str]] = {}
     if len(movers := _movers(words)) > 1:
         yield f"{ALL} {' & '.join(movers)}", "(?:bodies|objects)"
+    heavy = [said for name, said in words.called(Bodies()).items() if words.mechanism.body[name].mass > 0.0]
+    if len(heavy) == 2:
+        yield f"{ALL} {' & '.join(heavy)}", r"(?<=[Tt]he )two(?! (?:\w+ )?[a-z]+s\b)"
     for phrase, said in nouns.items():
         if len(said) == 2:
             alike.setdefault(said[0].lower(), []).append(phrase)

@@ -1,10 +1,10 @@
 """What main clauses ask for, in base forms, each with the plain main clause that says the same."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 from sim2reason.questions.ordinary.clause_heads import HOME
+from sim2reason.questions.ordinary.force_rows import FORCE_ROWS
+from sim2reason.questions.ordinary.shape_rows import SHAPE_ROWS
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
@@ -27,7 +27,6 @@ _LOST = (
     "|absorb|release|do)"
 )
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
-_FORCE = "how (?:hard|strongly)|(?:what|how much|how large a|how great a) force|force"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
 _ONCE = (
     f"(?:(?:one|a|single|full|complete|whole|each|entire) )+{_ROUND}|(?:once )?(?:around|round) once|once"
@@ -36,21 +35,13 @@ _ONCE = (
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
-    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|top(?= speed)|at most|most|longest|maximally",
+    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|longest|maximally",
     "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
     "|start) its motion",
     "final": "final|finally|eventual|ultimate|terminal|in end",
 }
-
-
-class WantedRow(NamedTuple):
-    """Patterns that must all occur, in any order, and the plain main clause with the same meaning."""
-
-    parts: Sequence[str]
-    plain: str
-    subjects: int = 1
 
 
 ROWS = (
@@ -118,6 +109,8 @@ ROWS = (
         "how far horizontally does {s} land"),
     WantedRow((_FAR, "apart|between|from each other|from one another", "?(?:centre|center)s?(?: of)?", f"?{MOTION}"),
         "how far apart are {s} and {t}", 2),
+    WantedRow(("(?:how (?:large|great) a )?distance|separation", "separate|lie between|lie|divide", "?between|from"),
+        "how far is {s} from {t}", 2),
     WantedRow((_FAR, "from", "?away", f"?{MOTION}"), "how far is {s} from {t}", 2),
     WantedRow((_FAR, "from", "?away", "get|go|come|stray|recede"), "what is greatest distance between {s} and {t}", 2),
     WantedRow((_FAR, "from|between", "{greatest}|farthest|furthest", "?away", f"?{MOTION}"),
@@ -127,15 +120,20 @@ ROWS = (
     WantedRow(("how (?:close|near)", "to", f"{MOTION}|approach"), "what is least distance between {s} and {t}", 2),
     # heights
     WantedRow((_HIGH, f"(?:above|over|from|off) (?:{GROUNDS})"), "how high is {s} above ground"),
-    WantedRow((_HIGH, f"(?:above|over|from|off) (?:{GROUNDS})", f"{_RISE}|{_GO}|fly|{{greatest}}",
-         "?{greatest}|point"), "how high does {s} rise above ground"),
-    WantedRow((_HIGH, f"(?:above|over|from) {HOME}", f"{_RISE}|{_GO}|fly|{{greatest}}", "?{greatest}|point"),
+    WantedRow((_HIGH, f"(?:above|over|from|off) (?:{GROUNDS})", "{greatest}", f"?{_RISE}|{_GO}|fly",
+         "?point"), "how high does {s} rise above ground"),
+    WantedRow((_HIGH, f"(?:above|over|from|off) (?:{GROUNDS})", f"{_RISE}|{_GO}|fly", "?point"),
+        "how high does {s} rise above ground"),
+    WantedRow((_HIGH, f"(?:above|over|from) {HOME}", "?{greatest}", f"{_RISE}|{_GO}|fly", "?point"),
         "how high above its starting point does {s} rise"),
-    WantedRow((_HIGH, f"{_RISE}|{_GO}|fly|{{greatest}}", "?{greatest}|point"), "how high does {s} rise"),
+    WantedRow((_HIGH, f"(?:above|over|from) {HOME}", "{greatest}", f"?{_RISE}|{_GO}|fly", "?point"),
+        "how high above its starting point does {s} rise"),
+    WantedRow((_HIGH, "?{greatest}", f"{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
+    WantedRow((_HIGH, "{greatest}", f"?{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
     # springs
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten"),
         "how much is {s} compressed"),
-    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate|deform"),
         "how much is {s} stretched"),
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten", "{greatest}"),
         "how much is {s} compressed at most"),
@@ -143,13 +141,19 @@ ROWS = (
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
     WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
+    WantedRow(("(?:to )?what", "{greatest}", "length", "?get", "?stretch|extend"), "what is longest length of {s}"),
+    WantedRow(("(?:to )?what", "{least}", "length", "?compress|shorten|get"), "what is shortest length of {s}"),
     WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
     WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
-    WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring"),
+    WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring",
+         "?together|in all|altogether|in total"),
         "how much energy is stored in {s}"),
     # energies and impulses
     WantedRow((_HEAT, _LOST, f"(?:by|to|through|against|due to|because of|in|between|into|of)? ?{_RUBS}",
          "?friction|into heat|between|force of friction", f"?{_IN_ALL}"), "how much energy is lost to friction"),
+    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate", ("(?:in|by|during|through) (?:all (?:of"
+        " )?)?collisions"),
+         "?altogether|in all|in total|(?:taken |take )?together"), "how much energy is lost in all collisions"),
     WantedRow(("(?:mechanical )?energy", "?by how much|how much", "lose|loss|dissipate"),
         "how much mechanical energy does {s} lose"),
     WantedRow(("heat|thermal energy|internal energy", ("generate|produce|develop|create|dissipate|lose|release"
@@ -165,23 +169,8 @@ ROWS = (
          "?each other|one another|other", "?each"), "what impulse does {s} give"),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
-    # forces
-    WantedRow((_FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
-    WantedRow((_FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),
-        "what upward force of ground on {s}"),
-    WantedRow((_FORCE, "?total|whole", "exert|act|push|press|apply", "?by|from|of", f"(?P<face>{GROUNDS})",
-         "?by|from|of|on"),
-        "what whole force of ground on {s}"),
-    WantedRow((_FORCE, "act|experience|feel|exert", "?on"), "what force acts on {s}"),
-    WantedRow((_FORCE, "press|push|bear"), "how hard does {s} press on ground"),
-    WantedRow((_FORCE, "exert|act|pull|push", "?by|on|of|from", ("(?:fixed )?(?:wall|stop|support"
-    "|peg)"), "?by|on|of|from"),
-        "what is force of {s}"),
-    WantedRow((_FORCE, "?pull|tug|exert|act"), "what force does {s} exert on {t}", 2),
-    WantedRow((_FORCE, "pull|tug|stretch"), "what is force of {s}"),
-    WantedRow(("friction|{friction}", "?force", "between"), "what friction force acts between {s} and {t}", 2),
-    WantedRow(("thrust(?: force)?", "?engine|motor|rocket|its engine", "?produce|provide|deliver|develop"),
-        "what is thrust of {s}"),
+    *FORCE_ROWS,
+    *SHAPE_ROWS,
     # angles, periods and counts
     WantedRow(("radius", "?of (?:circle|circular path|path|orbit|trajectory|curvature|circular orbit|curve)",
          "?(?:on|along|in) which|(?:on|along)(?= )", f"?{MOTION}|describe|follow|trace",
@@ -212,7 +201,8 @@ ROWS = (
         "what is power of hand"),
     WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
         "what is greatest angle of {s} with vertical"),
-    WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN), "through what angle does {s} turn"),
+    WantedRow(("(?:through |by )?(?:what|how large a|how big a)? ?angle", _TURN, f"?from {HOME}"),
+        "through what angle does {s} turn"),
     WantedRow(("period(?: of revolution| of oscillation| of rotation)?", f"?{'{motion}'}", "?of"),
         "what is period of {s}"),
     WantedRow(("(?:how long|how much time|time|how many (?:seconds|years))",
@@ -228,6 +218,8 @@ ROWS = (
         "how many times does {s} reverse"),
     WantedRow(("(?:through )?(?:how many|number of) (?:full |complete |whole )?(?:revolution|turn|rotation)s?",
          "?make|complete|perform|do|turn|through|go|undergo|spin|roll|execute"), "how many turns does {s} make"),
+    WantedRow(("how many times|how often", "(?:turn|rotate|revolve|spin)(?! (?:back|round|around))"),
+        "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),

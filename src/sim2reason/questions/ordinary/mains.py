@@ -4,11 +4,13 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from sim2reason.questions.ordinary import change_readers as change
+from sim2reason.questions.ordinary import force_readers as force
+from sim2reason.questions.ordinary import shape_readers as shape
 from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, STRETCH, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
@@ -83,7 +85,7 @@ FRAMES: Mapping[str, Reader] = {
     "what normal force of ground on {s}": read.of_ground("normal force"),
     "what is moment of inertia of {s} about axle": of_one("moment of inertia about the axle"),
     "how fast does {s} move[ {way=WAY}] relative to {t}": read.relatively("speed"),
-    "how far does {s} move relative to {t}": read.relatively("displacement"),
+    "how far does {s} move relative to {t}": shape.far_on,
     "what angle {s} makes (?P<side>with|above|below) horizontal": read.steep,
     "what angle {s} is deflected through": of_one("angle of deflection"),
     "how much (?P<fuel>left|burnt) fuel[ {s}]": read.fuel,
@@ -147,6 +149,25 @@ FRAMES: Mapping[str, Reader] = {
     " right) "
     "(?:direction )?~(?:counted |taken )?as positive": read.signed,
     "how much mechanical energy ~{s} lose": change.lost_in_impact,
+    "what force of guide on[ {s}]": of_one("force of the guide"),
+    "what force of string on pulley {s} {t}": force.on_pulley,
+    "what force of its string on pulley {s}": force.on_that_pulley,
+    "what force bears axle[ {s}][ {t}]": force.on_axle,
+    "what force on hook[ {s}]": force.on_hook,
+    "how fast does mass centre move[ {s}]": shape.mass_center,
+    "what is amplitude[ of {s}]": shape.amplitude,
+    "what is inertia of {s} about its axis": shape.own_axis,
+    "what is centre of mass offset of {s}": of_one("centre of mass offset"),
+    "how far is {s} from (?P<axis>x|y) axis": shape.from_axis,
+    "what is speed of {s} relative to {t}": read.relatively("speed"),
+    "what is acceleration of {s} relative to {t}": shape.acceleration_on,
+    "how far does {s} move along {t}": shape.far_on,
+    "how fast does {s} go down": shape.down,
+    "how much energy is lost to drag[ by {s}]": of_one("energy lost to drag", needs=STRETCH),
+    "how much work does spring {s} do on {t}": shape.work_of_spring,
+    "how long is {s} moving": shape.moving,
+    "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
+    "how much momentum does {s} exchange": change.exchanged,
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

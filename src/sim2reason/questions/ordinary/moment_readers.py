@@ -3,10 +3,12 @@
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from math import tau
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
+    COMPRESSED,
     ON,
     ORIGIN,
     QUANTITIES,
@@ -124,8 +126,10 @@ def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
     """Yield the moment from which bodies move together, as nothing slips any more."""
-    del found, heard, subject
     yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
+    both = _both(subject_of(found, heard, subject), heard)
+    if both:
+        yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", asked, rank=LAST)
 
 
 def rather(reader: Reader) -> Reader:
@@ -197,6 +201,8 @@ def at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity named by a noun has a value."""
     name, who = meant(QUANTITIES, found["q"]), subject_of(found, heard, subject)
+    if name == "compression":
+        yield When(f"extension of {who} along stretched = -{heard.number(found['n'])}", side, ((who, COMPRESSED),))
     if name not in ("height", "distance", "length", "force", "compression", "deceleration"):
         yield When(f"{name} of {who} = {heard.number(found['n'])}", side)
     elif name == "height":
@@ -229,7 +235,12 @@ def angle(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 def turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has turned through a given angle."""
-    yield When(f"{subject_of(found, heard, subject)} turned through {heard.number(found['n'])}", side)
+    who, number = subject_of(found, heard, subject), heard.number(found["n"])
+    yield When(f"{who} turned through {number}", side)
+    value, _, unit = number.partition(" ")
+    if unit in ("°", "rad"):  # of what rolls
+        turns = float(value) / (360.0 if unit == "°" else tau)
+        yield When(f"revolutions made of {who} = {turns:.15g}", side, rank=LAST)
 
 
 def apsis(name: str) -> Reader:

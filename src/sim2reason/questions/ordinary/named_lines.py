@@ -29,7 +29,7 @@ _CARRYING = (
     "|(?:pulling|pulls|dragging|drags|acting|acts|tugging|tugs)(?: on| up| along| at)?"
 )
 _FROM = (
-    "(?:from|by|on) which (?:{end}) (?:hangs|is hung|is suspended|is held)"
+    "(?:from|by|on) which (?:{end}) (?:hangs|is hanging|is tied|is hung|is suspended|is held)"
     "(?: from (?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?pulley(?: [A-Z])?)?"
 )
 _OVER = (
@@ -97,7 +97,7 @@ def swinging_lines(words: Words) -> Iterable[Ranked]:
     mechanism = words.mechanism
     for name, phrase in words.called(SwingingLines()).items():
         body = mechanism.body.get(name)
-        if body is None or not phrase.startswith("the line from"):
+        if body is None:
             continue
         heavy = load_center(mechanism, body)
         for part in welded_to(mechanism, name):
@@ -151,6 +151,7 @@ def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
             continue
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {told}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_FROM.format(end=told)}"
+        yield 1450, line.phrase, rf"{string} (?:(?:that|which) )?{told} (?:hangs|is hanging|is hung) (?:from|on|by)\b"
         tied = told if not axle else rf"(?:the )?axle of {told}"
         if not axle:
             yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"

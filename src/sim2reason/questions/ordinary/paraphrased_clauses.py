@@ -18,7 +18,8 @@ WAY = re.compile(
 )
 PLACES = re.compile(
     rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
-    r"|(?:(?:uniform |electric |magnetic )*field|straight line|air|vertical guide|guide|track|its path|path|its"
+    r"|(?:(?:left|leave|right|sloping|incline|slant|its) )+face|(?:(?:uniform |electric |magnetic )*field|straight"
+    r" line|air|vertical guide|guide|track|its path|path|its"
     r" (?:flight|motion|swing|orbit|arc|trajectory"
     r"|journey|way|climb|rise|fall|descent|ascent)))"
     r"|(?<![\w@])'s (?:(?:circular|elliptical) )?(?:orbit|path|trajectory|motion|flight|swing)"

@@ -69,6 +69,15 @@ def _mass(found: re.Match[str]) -> str:
 _ALL = re.compile(r"\b(?:everything|system|all|equilibrium|balance|balanced)\b")
 
 
+_WISHES = re.compile(
+    r"\b(?:would|must|should|could|may|need|needs|needed|requires?|required|necessary|which|such|so that|so|enough"
+    r"|sufficient"
+    r"|least|minimum|minimal|smallest|lowest|greatest|maximum|maximal|largest|highest|biggest|have to|has to|does"
+    r" @\d+@ have"
+    r"|(?:for|with|at|from|above|below|beyond) what|just|to)\b"
+)
+
+
 class DecidingNumber(NamedTuple):
     """A number by its name, its owner, the outcome, whether it happens, of what, and which end of the range."""
 
@@ -86,6 +95,8 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
     asked = _parameter(tuple(numbers.values())).search(text)
     if asked is None or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None:
         return
+    if _WISHES.search(text) is None:
+        return  # *the length of the spring in equilibrium* is what it is there
     rest = f"{text[: asked.start()]} {text[asked.end() :]}"
     has = _HAS.search(rest) if not (asked["own"] or asked["of"]) else None
     owner = heard.subject(asked["own"] or asked["of"] or (has["who"] if has is not None else None))

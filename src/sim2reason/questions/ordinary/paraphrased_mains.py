@@ -5,15 +5,17 @@ from collections.abc import Iterator
 from functools import cache
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S, WantedRow
+from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
+from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 _ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
 _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
+_ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
         " ",
@@ -21,7 +23,7 @@ _LOOSE = frozenset(
         "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
         "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
         "exist between as from due body thing numerical modulus strength kind sort measured occur happen arise "
-        "prevail",
+        "prevail through",
     )
 )
 
@@ -34,7 +36,7 @@ def _part(told: str) -> re.Pattern[str]:
     told = told.replace("{quantity}", f"(?P<quantity>{_quantities()})").replace("{motion}", _motions())
     for name in ("friction", "normal"):
         told = told.replace(f"{{{name}}}", either(QUANTITIES[f"{name} force"].split("|")))
-    return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS)})(?![\w@#-])")
+    return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS).replace('GROUNDS', GROUNDS)})(?![\w@#-])")
 
 
 @cache
@@ -51,6 +53,8 @@ def _motions() -> str:
 
 def paraphrased(question: str) -> Iterator[str]:
     """Yield plain main clauses that say what a main clause says, if every word of the clause has its place."""
+    if re.search(r"between (@\d+@) and \1", question) is not None:
+        return
     supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
     if _ASKS.search(question) is None or _SUPPOSES.search(supposes) is not None:
         return
@@ -77,27 +81,40 @@ def _side(plain: str, said: str) -> str:
     return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
 
 
-def _filled(row: WantedRow, text: str) -> Iterator[str]:
-    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
-    rest, groups = text, dict[str, str]()
+def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
+    """Return a text without the parts of a row, and note in `groups` what they name; None if it lacks a part."""
     for told in row.parts:
-        found = _part(told.removeprefix("?")).search(rest)
+        found = _part(told.removeprefix("?")).search(text)
         if found is None and told.startswith("?"):
             continue
         if found is None:
-            return
+            return None
         groups |= {name: said for name, said in found.groupdict().items() if said}
         groups["verb"] = next(
             (verb for verb, forms in VERBS.items() if re.fullmatch(forms, found[0])), groups.get("verb", "")
         )
         groups["axis"] = found[0][0] if re.match("[xy][- ]", found[0]) else groups.get("axis", "")
-        rest = f"{rest[: found.start()]} {rest[found.end() :]}"
+        text = f"{text[: found.start()]} {text[found.end() :]}"
+    return text
+
+
+def _filled(row: WantedRow, text: str) -> Iterator[str]:
+    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
+    groups = dict[str, str]()
+    rest = _without_parts(row, text, groups)
+    if rest is None:
+        return
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))
     if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
         return
     if row.subjects == 2 and not subjects:
+        return
+    force = row.plain.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
+        "quantity"
+    ) in ("force", "pull")
+    if force and _ON_GROUND.search(text) is not None:
         return
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"
@@ -112,6 +129,9 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         quantity=groups.get("quantity", ""),
         toward=groups.get("toward", "").strip("<>"),
         side=_side(row.plain, groups.get("side", "")),
+        line=groups.get("line", ""),
         speed="angular speed" if verb == "turn" else "speed",
     )
-    yield re.sub(r" (?:of|in)(?= ?$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split()))
+    yield re.sub(
+        r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
+    )

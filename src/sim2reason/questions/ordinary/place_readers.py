@@ -6,11 +6,13 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
-from sim2reason.questions.ordinary.multiples import TIMES
+from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     COMPRESSED,
+    LIFTS,
     ORIGIN,
+    PLACED,
     QUANTITIES,
     RELAXED,
     SETS_OFF,
@@ -61,6 +63,7 @@ def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> It
     """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
     who = subject_of(found, heard, subject)
     yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
+    yield When("at start", ways=((who, LIFTS),))
 
 
 def back_at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -108,13 +111,17 @@ def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     number = found.groupdict().get("n")
     told = f"extension = {heard.number(number)}" if number else "natural length"
     yield When(told, side, (("", RELAXED),))
+    if not number:
+        yield When("equilibrium", side, (("", PLACED),))
 
 
 def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring is stretched or compressed by a given length."""
     who = subject_of(found, heard, subject)
-    way = COMPRESSED if found["strain"] == "compressed" else STRETCHED
-    yield When(f"extension of {who} = {heard.number(found['n'])}", side, ((who, way),))
+    squeezed = found["strain"] == "compressed"
+    way, sign = (COMPRESSED, "-") if squeezed else (STRETCHED, "")
+    told = f"extension of {who} along {STRETCHED} = {sign}{heard.number(found['n'])}"
+    yield When(told, side, ((who, way),))
 
 
 def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -125,3 +132,36 @@ def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterato
 def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring has its natural length."""
     yield When(f"{subject_of(found, heard, subject)} natural length", side)
+
+
+def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment after the start when a body moves along an axis, one way or the other."""
+    other = "y" if found["axis"] == "x" else "x"
+    yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
+
+
+TURNS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three": "3", "ten": "10"}
+FRACTIONS = {"half": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
+
+
+def revolved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has turned so many times."""
+    yield When(f"revolutions made of {subject_of(found, heard, subject)} = {TURNS[found['turns']]}", side)
+
+
+def burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when so much fuel has been burnt."""
+    yield When(f"fuel burnt of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+
+
+def share_burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a fraction of the fuel has been burnt."""
+    del heard, subject
+    yield When(f"fuel burnt = {FRACTIONS[found['times']]}{AT_BURNOUT}", side)
+
+
+def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a quantity is a fraction of its greatest or its initial value."""
+    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    greatest = re.search(r"maximum|greatest|largest|highest", found["ref"]) is not None
+    yield When(f"{find} of {who} = {FRACTIONS[found['times']]}{GREATEST if greatest else TIMES}", side)

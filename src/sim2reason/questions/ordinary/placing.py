@@ -5,7 +5,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
@@ -15,12 +14,21 @@ from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.vocabulary import FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
+from sim2reason.questions.ordinary.unsaid import (
+    AMPLITUDE,
+    DEFLECTIONS,
+    ENERGIES,
+    ORBITAL,
+    each_of,
+    fixed_end,
+    is_light_arm,
+    line_of,
+    velocities_equal,
+)
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.posing import AXLE, MINUS, PLUS, SUMMED
@@ -32,12 +40,13 @@ from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9
 TURNING = "lowest point", "highest point", "stopped"
-SIGNED = ("velocity",)
+SIGNED = ("velocity", "velocity of the centre of mass")
 BETWEEN = ("friction force", "normal force", "energy dissipated by friction")
 COLLISIONS = ("energy lost in a collision", "impulse of a collision")
 _COLLISION = re.compile(
     rf"(?:(?P<number>{'|'.join(ORDINALS)}) )?(?:(?P<who>(?!the )\w+ [A-Z]|the \w+) )?collided(?P<side> before)?"
 )
+_DEFLECTED = re.compile(r"(?P<who>.+?)(?P<rest> deflected .+)")
 _ALONG = re.compile(r"(?P<find>[a-z ]+) of (?P<of>.+) along (?P<axis>\S+) = (?P<value>.+)")
 ANGULAR, MOST = ("angular velocity", "angular acceleration"), 6
 PERIODS = ("period", "frequency", "angular frequency")
@@ -58,21 +67,36 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
                 continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for whens in product(*(list(_hung(part, words)) for part in asked.when.split(MINUS))):
-                parts = (_met(_collided(_component(when, words), words, events), words) for when in whens)
+                parts = (
+                    _met(_collided(_component(velocities_equal(when, words), words), words, events), words)
+                    for when in whens
+                )
                 told = MINUS.join(parts) or (START if reading.steady else "")
                 asked = replace(asked, of=_pair(asked, told, words))
                 yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    quantity = QUANTITIES.get(asked.find)
+    """Return the subjects that a question may be about; none where what is named cannot have what is asked for."""
+    if not asked.of:
+        return _unsaid(asked, words) or ("",)
     if asked.of == EVERYTHING:
+        return _together(asked.find, words) or each_of(asked.find, words)
+    if asked.of == FIXED_END:
+        return fixed_end(words)
+    if asked.find in ENERGIES and is_light_arm(asked.of, words):
         return _together(asked.find, words)
-    if asked.of and quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
+    return (line_of(asked.of, words),) if asked.find in DEFLECTIONS else _named(asked, words)
+
+
+def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
+    """Return the subject that a sentence names, or its pair; none where it has no orbit, or carries others."""
+    quantity = QUANTITIES.get(asked.find)
+    if quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
+        if asked.find in ORBITAL and asked.of not in words.called(Bodies()).values():
+            return ()  # what is fixed has no orbit
         return (_met(f"{asked.of} closest", words).removesuffix(" closest"),)
-    if asked.of:
-        return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
-    return _unsaid(asked, words) or ("",)
+    return () if asked.find in BETWEEN and _carries(asked.of, words) else (asked.of,)
 
 
 def _together(find: str, words: Words) -> tuple[str, ...]:
@@ -87,8 +111,10 @@ def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and asked.find in ANGULAR:
         return ("", *quantity.subjects(words.mechanism)[:MOST])
-    if asked.find in PERIODS:
+    if asked.find in PERIODS or asked.find == AMPLITUDE:
         return tuple(movers(words))
+    if asked.find == ON_AXLE:
+        return tuple(quantity.subjects(words.mechanism)[:1]) if quantity is not None else ()
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
         return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
@@ -104,6 +130,9 @@ def _hung(told: str, words: Words) -> Iterator[str]:
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
     who = next((said for said in lines if told.startswith(f"{said} ")), "")
     point, arm = told.removeprefix(f"{who} "), next((said for said in arms if told.startswith(f"{said} ")), "")
+    deflected = _DEFLECTED.fullmatch(told)
+    if deflected is not None:
+        told = f"{line_of(deflected['who'], words)}{deflected['rest']}"
     turned = told.removeprefix(f"{arm} ").removesuffix(" before")
     if arm and turned in TURNING:
         yield from (told.replace(arm, said, 1) for said in bodies)
@@ -251,43 +280,3 @@ def _level(of: str, words: Words) -> bool:
 
 def _upright(sense: Sense) -> bool:
     return abs(sense.vector[2]) > 1.0 - EVEN
-
-
-def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
-    """Yield the readings of a sentence that asks for a number of the scene, by the number's address."""
-    for found in wanted(heard):
-        path = _path(found, scene, words)
-        if not path:
-            continue
-        if found.does:
-            for rank, who in enumerate(dict.fromkeys((found.of, ""))):
-                asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
-                yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
-        elif found.given == AT_REST:
-            yield from _balanced(path, found.of, words)
-        else:
-            asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
-            yield Reading(asked, found.when.side, rank=found.when.rank)
-
-
-def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
-    rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
-    if rubs:
-        return  # within a whole range of numbers
-    alone = addresses(words).get(of)
-    for name in words.called(Bodies()) if alone is None else (alone,):
-        senses = Bodies().senses(words.mechanism, name)
-        if len(senses) == 1:
-            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
-            yield Reading(StructuredQuestion(path, name, START, given=given))
-
-
-def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
-    """Return the address of the number that a sentence asks for; empty unless exactly one number of the scene fits."""
-    given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
-    owners = [address for address, said in words.mentions.items() if said == found.owner]
-    named = [path for path in given if path.rpartition(".")[2] == found.name]
-    if found.owner:
-        named = [path for path in named if path.rpartition(".")[0] in owners]
-    return named[0] if len(named) == 1 else ""

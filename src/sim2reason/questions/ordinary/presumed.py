@@ -11,10 +11,13 @@ from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.afterwards import goes_then
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, alone, named
+from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, held
+from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
     FIXED_FACE,
+    HELD,
     ON,
     ORIGIN,
     ROUND,
@@ -92,12 +95,10 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(THEN_GOES):
                 goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
-            elif way.startswith(ROUND):
-                center = named(way.removeprefix(ROUND), words)
-                pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
-                yield "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
+            elif way == ALL or way.startswith((HELD, ROUND)):
+                yield _beside(who, way, words)
             else:
-                told, holds = OTHERS[way]
+                told, holds = PRESUMED[way]
                 yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
 
 
@@ -105,6 +106,24 @@ def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State,
     name = named(who, words)
     found = kind.evaluate(state, name)[0] if name else np.zeros(3)
     return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found))
+
+
+def _beside(who: str, way: str, words: Words) -> str:
+    """Return why what is told of the other bodies of a scene is not so; empty if it is."""
+    if way == ALL:
+        return "" if _all_bodies(who, words) else f"{who} are not all that moves"
+    if way.startswith(HELD):
+        spring = way.removeprefix(HELD)
+        return "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
+    center = named(way.removeprefix(ROUND), words)
+    pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
+    return "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
+
+
+def _all_bodies(who: str, words: Words) -> bool:
+    """Return whether a joint phrase names all bodies that have a mass."""
+    said = {named(each, words) for each in who.removeprefix(f"{ALL} ").split(" & ")}
+    return said == {body.name for body in words.mechanism.bodies if body.mass > 0.0}
 
 
 def _lies(who: str, face: str, words: Words) -> bool:

@@ -202,7 +202,7 @@ def _straight(case: Case) -> bool:
     return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
 
 
-def _one_way(case: Case) -> bool:
+def one_way(case: Case) -> bool:
     """Return whether a body moves straight up or down, or along the only line on which the body can move."""
     name = named(case.who, case.words)
     if not name:
@@ -278,7 +278,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
-    ONE_WAY: ("{who} goes sideways, too", _one_way),
+    ONE_WAY: ("{who} goes sideways, too", one_way),
     STRETCHED: ("{who} is not stretched", _stretched),
     STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),

@@ -67,6 +67,8 @@ def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         groups = found.groupdict()
         named = [said for key in "st" if groups.get(key) for said in each(heard, groups[key])]
+        if len(named) == 2 and named[0] == named[1]:
+            return
         pair = " & ".join(named) if len(named) == 2 else ""
         yield from (
             Main(find, of, needs=needs, rank=rank)

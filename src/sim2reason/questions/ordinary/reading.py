@@ -19,14 +19,16 @@ from sim2reason.questions.structured import StructuredQuestion
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
 _DOES = "(?:does |is |has |do |will |are |have |did |can )"
 _AT_EVENT = (
-    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|large [a-z ]+?|great [a-z ]+?|(?:far"
+    rf"((?:with |at |to |in )?(?:what|which) [a-z ]+?|how (?:fast|quickly|steeply|large [a-z ]+?|great [a-z ]+?|(?:far"
     rf"|high){_PLACE}?))"
     rf" {_DOES}(@\d+@|engine|fuel) (.+)"
 )
 _REBOUNDS = re.compile(r"(?:rebound|bounce|spring back|come off|bounce back|jump up)\b")
 _IMPACT = pattern("(?:its |their |@0@ 's )?(?:ORDINAL )?(?:bounce|impact|collision|rebound)")  # in which nothing falls
 _VALUES = "with what", "at what", "how fast", "what"
-_TAKES = r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to)? (.+)"
+_TAKES = (
+    r"how (?:long|much time|many seconds) (?:does |do |will |would )?(@\d+@) (?:take|need|require)s?(?: to| for)? (.+)"
+)
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
@@ -40,7 +42,7 @@ _ON_ITS_WAY = pattern(
 )
 _INVERTED = re.compile(r"^(?P<verb>is|has) (?P<who>(?:all )?fuel|engine|@\d+@)(?= )")
 _BOTH = re.compile(r"(?:both )?(@\d+@) and (@\d+@)")
-_THEN = re.compile(r" (?:then|at (?:that|this) (?:moment|instant|time|point))$")
+_THEN = re.compile(r" (?:then|there|at (?:that|this) (?:moment|instant|time|point))$")
 _SUPPOSED = re.compile(r"^(?:suppose|consider|imagine)(?: that)? ")
 _BEGINS = pattern(
     "(?:{s}|system|everything) ~(?:released|let go|launched|thrown|set free|struck|started)[ from rest][ at START]"
@@ -48,6 +50,7 @@ _BEGINS = pattern(
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
 INCLINATION = "angle with the horizontal"  # of a velocity
+TURNED = "revolutions made", "angle rolled", "angle turned"
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
 _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
@@ -173,7 +176,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
     """Yield readings for a stretch of the way up or down, until the body turns back, or until slipping stops."""
     alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
-    if side not in (DURING, THEN) or main.needs != STRETCH or not (main.of or alone):
+    adds_up = main.needs == STRETCH or main.find in TURNED
+    if side not in (DURING, THEN) or not adds_up or not (main.of or alone):
         return
     slips = _SLIPPING.fullmatch(clause)
     if slips is not None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
 
 REWORDINGS: Mapping[str, str] = {
@@ -30,8 +31,9 @@ REWORDINGS: Mapping[str, str] = {
     "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
     "^(?:with|at) what rate (?=(?:do|does|is|are|will) @\\d+@ (?:accelerat|speed|los))": "with what acceleration ",
     "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
-    " (?:during|in|over|throughout)(?: its| @0@ 's|) (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
-    "(?:motion|oscillation)(?: that follows)?$": "",
+    "(?<!^how long is @\\d@)(?<!stay)(?<!remain)(?<!set)(?<!put) (?:during|in|over|throughout)(?: its| @0@ 's|)"
+    " (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
+    "(?:motion|oscillation|flight|slide|run|journey)(?: that follows)?$": "",
     "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
     "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
         r"what is final \g<q> of \g<s>"
@@ -61,6 +63,6 @@ REWORDINGS: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in REWORDINGS.items():
+    for told, plain in {**TURNS, **REWORDINGS, **LATER_TURNS}.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

@@ -4,11 +4,10 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary import sum_readers as sums
+from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import (
-    CLAUSED,
     FREE,
-    JUMP,
     STRETCH,
     Main,
     Reader,
@@ -20,8 +19,6 @@ from sim2reason.questions.ordinary.readers import (
 )
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
-    ONLY,
-    OVER,
     QUANTITIES,
     RISING,
     SMALL,
@@ -32,8 +29,7 @@ from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
-TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
-"""By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
+PULLS = "rod force", "tension", "spring force"
 
 
 def _extreme(size: str) -> Reader:
@@ -42,6 +38,11 @@ def _extreme(size: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
+        if name == "rod force":
+            yield from (
+                Main(f"{size} {force}", heard.subject(found.groupdict().get("s")), needs=STRETCH) for force in PULLS
+            )
+            return
         for of in each(heard, found.groupdict().get("s")):
             if name == "height" and size == "greatest":
                 yield from _gets(found, heard)
@@ -49,7 +50,7 @@ def _extreme(size: str) -> Reader:
             if name == "distance":
                 continue
             yield Main(f"{size} {name}", of, needs=STRETCH)
-            if turn := TURNS.get(f"{size} {name}"):
+            if turn := sums.TURNS.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
     return read
@@ -121,48 +122,6 @@ def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
 
 
-def _heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
-    del found, heard
-    yield Main("energy dissipated by friction", needs=STRETCH)
-    yield Main("energy lost in a collision", needs=JUMP)
-    yield Main("kinetic energy", needs=JUMP)
-    for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
-        yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
-
-
-def _in_collision(*finds: str) -> Reader:
-    """Return a reader for quantities of a named collision or, where none is named, of the motion's only collision."""
-
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        groups = found.groupdict()
-        both = " & ".join(heard.subject(groups[key]) for key in "st" if groups.get(key))
-        for find in finds:
-            if " & " in both and not both.startswith(ALL):
-                yield Main(find, needs=FREE, when=When(f"{both} collided", AFTER))
-            yield Main(find, needs=STRETCH)
-            yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
-
-    return read
-
-
-def _most(name: str) -> Reader:
-    """Return a reader for a spring's greatest extension or compression, over the whole motion or up to that extreme."""
-
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        for of in each(heard, found["s"]):
-            yield Main(name, of, needs=STRETCH)
-            yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
-
-    return read
-
-
-def _count(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the number of all collisions, or of those up to a moment."""
-    yield from implied("number of collisions", "last collision")(found, heard)
-    yield Main("number of collisions", needs=CLAUSED)
-
-
 def _at_once(*finds: str) -> Reader:
     """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
     return of_pair(*finds, needs=STRETCH)
@@ -208,13 +167,15 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
     "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": _heat,
-    "how much work ~{s} ~DONE against friction": _heat,
-    "ASK work DONE[ by {s}] against friction": _heat,
-    "how much work ~DONE against friction": _heat,
-    "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": _heat,
-    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": _heat,
-    "ASK HEAT LOST[ by friction| to friction| through friction]": _heat,
+    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": sums.heat,
+    "how much work ~{s} ~DONE against friction": sums.heat,
+    "ASK work DONE[ by {s}] against friction": sums.heat,
+    "how much work ~DONE against friction": sums.heat,
+    "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": (
+        sums.heat
+    ),
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": sums.heat,
+    "ASK HEAT LOST[ by friction| to friction| through friction]": sums.heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
     "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
@@ -223,26 +184,28 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
-    "how much work ~{t} ~DONE on {s}": of_none("work of a tension", needs=STRETCH),
+    "how much work ~{t} ~DONE on {s}": sums.work_on,
+    "what impulse is exchanged": sums.in_collision("impulse of a collision"),
+    "how much energy is lost in all collisions": implied("energy lost in collisions", "last collision"),
     # collisions
-    "how much [kinetic ]energy ~(?:lost|dissipated)": _in_collision("energy lost in a collision"),
-    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": _in_collision("energy lost in a collision"),
-    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": _in_collision(
+    "how much [kinetic ]energy ~(?:lost|dissipated)": sums.in_collision("energy lost in a collision"),
+    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": sums.in_collision("energy lost in a collision"),
+    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": sums.in_collision(
         "impulse of a collision"
     ),
-    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": _in_collision(
+    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": sums.in_collision(
         "impulse of a collision"
     ),
     "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": _in_collision("impulse of a collision"),
+    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": sums.in_collision("impulse of a collision"),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": _count,
-    "how much ~{s} compressed at most": _most("greatest compression"),
-    "how much ~{s} (?:stretched|extended) at most": _most("greatest extension"),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": sums.count,
+    "how much ~{s} compressed at most": sums.most("greatest compression"),
+    "how much ~{s} (?:stretched|extended) at most": sums.most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
     "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH

@@ -5,12 +5,14 @@ from math import isclose
 from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import Heard, hear
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.multiples import in_numbers
-from sim2reason.questions.ordinary.placing import numbers_wanted, placed
+from sim2reason.questions.ordinary.numbers_placed import numbers_wanted
+from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
@@ -72,7 +74,7 @@ def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(not isinstance(each.posed.query.moment, WholeMotion) for each in found):
+        if answered or any(not isinstance(each.posed.query.moment, WholeMotion | Halted) for each in found):
             return next(iter([*answered, *found]))
     return None
 
@@ -117,7 +119,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
         vanishes = any(way == SLOWER for _, way in reading.moving)
-        during, vector = reading.side == DURING, reading.asked.find == VECTOR
+        during, vector = reading.side == DURING, reading.asked.find == VECTOR and not reading.asked.along
         reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
         if reason:
             return reason

@@ -33,6 +33,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     QUANTITIES,
     RESTS,
     ROUND,
+    SIDEWAYS,
     SLOWER,
     SMOOTH,
     SOLE,
@@ -43,6 +44,10 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
+ABOVE = "height above the start"
+SINKING = frozenset(
+    re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
+)
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 
@@ -58,6 +63,8 @@ def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, groups.get("s")):
         if name == "force" and re.search(rf"\b{GROUNDS} (?:exert|act)", found[0]) is not None:
             yield Main("normal force", of, ways=((of, f"{ON}{FIXED_FACE}"), (of, SMOOTH)))
+        if name == "force" and re.search(r"\b(?:on|acts?|acting|exerted) ", found[0]) is not None:
+            yield Main("net force", of, ways=((of, FIELDS_ALONE),))
         ways = ways_of(found, of) if not along else ()
         yield from named(name, of, along, ways)
 
@@ -97,6 +104,8 @@ def fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         told = ways_of(found, of)
         sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
         yield Main(find, of, along, ways=() if along else (*told, *sideways))
+        if groups.get("motion") in SINKING:
+            yield Main(find, of, "vertical", ways=((of, "down"), (of, SIDEWAYS)))
 
 
 def far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -159,6 +168,8 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright else ()))
             yield Main("displacement", of, needs=STRETCH, ways=ways)
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
+            if groups.get("motion") in SINKING:
+                yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down"), (of, SIDEWAYS)))
 
 
 def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -193,7 +204,7 @@ def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
     for of in each(heard, found["s"]):
-        yield Main("displacement", of, "vertical", STRETCH, ((of, "down" if found["side"] == "below" else "up"),))
+        yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down" if found["side"] == "below" else "up"),))
 
 
 def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:

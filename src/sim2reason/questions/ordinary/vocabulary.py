@@ -52,7 +52,7 @@ QUANTITIES: Mapping[str, str] = {
     "acceleration": "acceleration",
     "deceleration": "deceleration|retardation",
     "momentum": "momentum",
-    "extension": "extension|elongation|stretch",
+    "extension": "extension|elongation|stretch|deformation",
     "compression": "compression",
     "height": "height|altitude",
     "distance": "distance|separation",
@@ -100,6 +100,10 @@ RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests",
 SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
 LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE = "level", "smooth", "fields alone", "one line"
 THEN_GOES = "then goes "  # a way, after the moment
+PLACED = "placed"  # asks for a place, whatever the motion
+CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
+LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
+FIXED_END = "the fixed end"  # the only line of which one end is fixed
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 

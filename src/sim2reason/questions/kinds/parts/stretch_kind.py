@@ -28,7 +28,16 @@ from sim2reason.simulation.certify import Certificate
 PLACELESS = frozenset(
     f"{size} {name}"
     for size in ("greatest", "least")
-    for name in ("speed", "kinetic energy", "acceleration", "extension", "compression", "spring energy", "tension")
+    for name in (
+        "speed",
+        "kinetic energy",
+        "acceleration",
+        "extension",
+        "compression",
+        "spring energy",
+        "tension",
+        "spring force",
+    )
 )
 """Functionals of what repeats itself where a motion drifts on, as two bodies on a spring do."""
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
@@ -75,7 +84,7 @@ class StretchKind(Kind):
 
     def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
-        offered = list(self._offered(words))
+        offered = [found for found in self._offered(words) if found[0].weight > 0.0]  # others are asked by people alone
         if not self.ends_matter:
             ends = [moment for moment in ends if not moment.stated]
         for _ in range(TRIES):

@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
-from sim2reason.questions.crossing import first_crossing
+from sim2reason.questions.crossing import crossings, first_crossing
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening, Moment
 from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
@@ -19,6 +19,7 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
+AGAIN = "second "  # before an equation: the second time
 _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 
@@ -30,6 +31,7 @@ class Reached(Happening):
 
     target: Target
     given: StatedResult
+    number: int = 1  # 2 for the second time, from whichever side
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
@@ -72,18 +74,21 @@ class Reached(Happening):
             return self.target.values(state) - self.given.value
 
         found = [first_crossing(trace, excess), first_crossing(trace, lambda state: -excess(state))]
-        return min((time for time in found if time is not None), default=None)
+        if self.number == 1:
+            return min((time for time in found if time is not None), default=None)
+        times = sorted([*crossings(trace, excess), *crossings(trace, lambda state: -excess(state))])
+        return times[self.number - 1] if len(times) >= self.number else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the speed of A is 2.1 m/s for the first time; none where the text has no words for it."""
-        if self.target not in targets(words):
+        if self.target not in targets(words) or self.number > 1:
             return ()
         first = f"{self._noun(words)} is {self._said()} for the first time"
         return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the speed of A is 2.1 m/s for the first time; None where the text has no words for the quantity."""
-        if self.target not in targets(words):
+        if self.target not in targets(words) or self.number > 1:
             return None
         first = f"{self._said()} for the first time"
         return Clause(self._noun(words), "is", first, f"is {first}")
@@ -115,8 +120,12 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
 
 
 def moment_of(asked: StructuredQuestion, words: Words) -> Moment:
-    """Return the moment of a structured question, given by name or by a value that a quantity first reaches."""
+    """Return the moment of a structured question, given by name or by a value that a quantity first reaches.
+
+    *second* before an equation is the second time that the quantity passes through the value.
+    """
     if "=" not in asked.when or _TIME.match(asked.when):
         return moment_named(asked, words)
-    target, value = stated(asked, asked.when, words, "when")
-    return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)))
+    again = asked.when.startswith(AGAIN)
+    target, value = stated(asked, asked.when.removeprefix(AGAIN), words, "when")
+    return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)), 2 if again else 1)

@@ -4,7 +4,8 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.quantities.subjects import Subject, all_said
+from sim2reason.quantities.subjects import Sense, Subject, all_said
+from sim2reason.quantities.subjects.bodies import Bodies
 
 ALL = ""  # its only name
 
@@ -29,3 +30,9 @@ class Whole(Subject):
         """Whether the text says it of everything that has it."""
         del name
         return all_said(need, mechanism, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """The directions that all bodies share."""
+        del name
+        each = [Bodies().senses(mechanism, body.name) for body in mechanism.bodies if body.mass > 0.0]
+        return each[0] if each and all(senses == each[0] for senses in each) else []

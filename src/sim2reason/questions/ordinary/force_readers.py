@@ -1,0 +1,44 @@
+"""Readers of main clauses that ask for what pulleys, axles, guides and hooks bear."""
+
+import re
+from collections.abc import Iterator
+
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.readers import Main
+from sim2reason.questions.ordinary.value_readers import FORCES
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, LIGHT
+
+ON_PULLEY, ON_AXLE = "force on a pulley", "force on the axle"
+
+
+def _named(found: re.Match[str], heard: Heard) -> list[str]:
+    return [heard.subject(found[key]) for key in "st" if found[key]]
+
+
+def _beside_string(said: list[str]) -> list[str]:
+    """Return the other one of two subjects of which one is a string; none if neither is, or both are."""
+    others = [of for of in said if "string" not in of]
+    return others if len(said) == 2 and len(others) == 1 else []
+
+
+def on_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force of a string on a pulley, whichever of the two is named first."""
+    yield from (Main(ON_PULLEY, of) for of in _beside_string(_named(found, heard)))
+
+
+def on_that_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force on a pulley of the string that passes over it."""
+    yield Main(ON_PULLEY, heard.subject(found["s"]))
+
+
+def on_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield what the axle of a light pulley bears, or that of an arm; of the only one, if none is named."""
+    said = _named(found, heard)
+    for of in (_beside_string(said) if len(said) == 2 else said) or ([] if said else [""]):
+        yield Main(ON_PULLEY, of, ways=((of, LIGHT),))
+        yield Main(ON_AXLE, of)
+
+
+def on_hook(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force in the string, rod or spring that is named, or else in the only one with a fixed end."""
+    yield from (Main(force, heard.subject(found["s"]) or FIXED_END) for force in FORCES)

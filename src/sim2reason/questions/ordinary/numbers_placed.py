@@ -1,0 +1,53 @@
+"""Readings of a sentence that asks for a number of the scene, by the number's address."""
+
+from collections.abc import Iterator
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.ordinary.addresses import addresses
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
+from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.words import Words
+
+
+def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
+    """Yield the readings of a sentence that asks for a number of the scene, by the number's address."""
+    for found in wanted(heard):
+        path = _path(found, scene, words)
+        if not path:
+            continue
+        if found.does:
+            for rank, who in enumerate(dict.fromkeys((found.of, ""))):
+                asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
+                yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
+        elif found.given == AT_REST:
+            yield from _balanced(path, found.of, words)
+        else:
+            asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
+            yield Reading(asked, found.when.side, rank=found.when.rank)
+
+
+def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
+    """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
+    rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
+    if rubs:
+        return  # within a whole range of numbers
+    alone = addresses(words).get(of)
+    for name in words.called(Bodies()) if alone is None else (alone,):
+        senses = Bodies().senses(words.mechanism, name)
+        if len(senses) == 1:
+            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+            yield Reading(StructuredQuestion(path, name, START, given=given))
+
+
+def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
+    """Return the address of the number that a sentence asks for; empty unless exactly one number of the scene fits."""
+    given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
+    owners = [address for address, said in words.mentions.items() if said == found.owner]
+    named = [path for path in given if path.rpartition(".")[2] == found.name]
+    if found.owner:
+        named = [path for path in named if path.rpartition(".")[0] in owners]
+    return named[0] if len(named) == 1 else ""

@@ -1,0 +1,94 @@
+"""What a question takes for granted about the bodies of a scene, and how each is tested."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from sim2reason.dsl.mechanism import ZERO
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
+from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, PLACED, SIDEWAYS
+from sim2reason.questions.words import Words
+
+
+def _light(case: Case) -> bool:
+    """Return whether a pulley has no mass; true without a pulley named."""
+    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    body = case.words.mechanism.body.get(address)
+    return body is None or body.mass == 0.0
+
+
+def _sideways(case: Case) -> bool:
+    """Return whether a body moves neither straight up or down nor along one line."""
+    return not one_way(case)
+
+
+def _lifts(case: Case) -> bool:
+    """Return whether a body lifts off at the start, as its engine drives it upwards then."""
+    name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
+    burns = any(burn.body == name for burn in case.words.mechanism.burns)
+    return burns and float(Acceleration.evaluate(start, name)[0, 2]) > EVEN
+
+
+def _centered(case: Case) -> bool:
+    """Return whether the centre of mass of a body lies where its axis does."""
+    name = named(case.who, case.words)
+    return bool(name) and case.words.mechanism.body[name].center == ZERO
+
+
+def held(who: str, spring: str, words: Words) -> bool:
+    """Return whether a spring is fixed at one end, and tied to a body at its other one."""
+    known = {said: name for name, said in words.called(Springs()).items()}
+    line, name = words.mechanism.line.get(known.get(spring, "")), named(who, words)
+    if line is None:
+        return False
+    ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
+    return None in ends and (who == spring or name in ends)
+
+
+def _placed(case: Case) -> bool:
+    """Return whether what is asked for is a place, or a length."""
+    return case.query.target is not None and case.query.target.quantity in (
+        "displacement",
+        "extension",
+        "spring length",
+    )
+
+
+def _rising(case: Case) -> bool:
+    """Return whether a body goes up at the instant asked about, and did not where it had the same value before."""
+    return _vertical(case, case.then) > 0.0 and not _before(case) > 0.0
+
+
+def _falling(case: Case) -> bool:
+    """Return whether a body goes down at the instant asked about, and did not where it had the same value before."""
+    return _vertical(case, case.then) < 0.0 and not _before(case) < 0.0
+
+
+def _vertical(case: Case, time: float) -> float:
+    """Return the vertical velocity of a body at a time, m/s; zero if no body is meant."""
+    name = named(case.who, case.words)
+    return float(Velocity.evaluate(case.followed.study.trace.at(time), name)[0, 2]) if name else 0.0
+
+
+def _before(case: Case) -> float:
+    """Return the vertical velocity when a value was reached for the first time, m/s; zero if it is that time."""
+    moment, trace = case.query.moment, case.followed.study.trace
+    if not isinstance(moment, Reached) or moment.number == 1:
+        return 0.0
+    first = replace(moment, number=1).time(trace)
+    return _vertical(case, first) if first is not None else 0.0
+
+
+PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    **OTHERS,
+    LIGHT: ("{who} has a weight of its own", _light),
+    SIDEWAYS: ("{who} goes along one line", _sideways),
+    PLACED: ("that is not a matter of the place alone", _placed),
+    LIFTS: ("{who} does not lift off at first", _lifts),
+    GOES_UP: ("{who} is not on its way up then", _rising),
+    CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
+    GOES_DOWN: ("{who} is not on its way down then", _falling),
+}
+"""By what is taken for granted: what is said where it is not so, and whether it is."""

@@ -1,0 +1,80 @@
+"""Readers of main clauses that ask about shapes, the centre of mass, swings, and what is relative to a carrier."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sim2reason.questions.ordinary.addresses import EVERYTHING
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, each
+from sim2reason.questions.ordinary.unsaid import AMPLITUDE
+from sim2reason.questions.ordinary.vocabulary import CENTERED, HELD, ON, ORIGIN, RESTS, SIDEWAYS
+from sim2reason.questions.ordinary.whens import AFTER, When
+
+MASS_CENTER = "velocity of the centre of mass"
+
+
+def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the velocity of the centre of mass of everything, if all bodies are named together, or none is."""
+    who = heard.subject(found["s"])
+    if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
+        yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
+
+
+def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the amplitude of a motion to and fro: of a body on a line in metres, of what swings as an angle."""
+    for of in each(heard, found["s"]):
+        yield Main(AMPLITUDE, of, needs=FREE)
+        yield Main("greatest deflection", of, needs=FREE)
+
+
+def own_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the moment of inertia of a body about its axis, through its centre of mass if that is where it lies."""
+    of = heard.subject(found["s"])
+    yield Main("moment of inertia about the axis", of)
+    yield Main("moment of inertia", of, ways=((of, CENTERED),))
+
+
+def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
+    other = "y" if found["axis"] == "x" else "x"
+    for of in each(heard, found["s"]):
+        yield Main("displacement", of, other, needs=CLAUSED, ways=((of, f"{ORIGIN} {other}"),))
+
+
+def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the acceleration of a body relative to what carries it."""
+    of, on = heard.subject(found["s"]), heard.subject(found["t"])
+    yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
+
+
+def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield how far a body slides on what carries it: up to a moment, or until it stops slipping for good."""
+    of, on = heard.subject(found["s"]), heard.subject(found["t"])
+    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"),))
+    yield main
+    yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
+
+
+def down(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the vertical velocity of a body that goes sideways as well, presuming that it goes down."""
+    for of in each(heard, found["s"]):
+        yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
+
+
+def moving(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the time for which a body moves, until it comes to rest for good."""
+    of = heard.subject(found["s"])
+    yield Main("time", needs=FREE, when=When(f"{of} halted"))
+    yield Main("time", needs=FREE, when=When(f"{of} stopped", ways=((of, RESTS),)), rank=1)
+
+
+def work_of_spring(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the work of a spring, as the first subject, on a body, as the second one."""
+    yield from spring_work(found["s"], found["t"], heard)
+
+
+def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
+    """Yield the work of a spring that is fixed at its other end: the energy that it gives away."""
+    of, other = heard.subject(spring), heard.subject(on)
+    yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))

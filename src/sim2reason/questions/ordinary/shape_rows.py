@@ -1,0 +1,90 @@
+"""What main clauses ask for of shapes, masses, orbits and swings, in base forms, each with a plain main clause."""
+
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.ordinary.wanted_row import WantedRow
+
+_ROUND = (
+    "(?:swing|oscillation|vibration|cycle|round|revolution|turn|rotation|loop|lap|circuit|orbit|period)(?: to and fro"
+    "| there and back| back and forth)?"
+)
+_ONE = f"(?:(?:one|a|single|full|complete|whole|each|entire|every) )+{_ROUND}"
+_CENTER = "(?:centre|center) of (?:mass|gravity)"
+_FAST = "how (?:fast|quick|quickly)|(?:what|which|how large) (?:speed|velocity)|speed|velocity"
+
+SHAPE_ROWS = (
+    WantedRow(("friction|frictional force", "?force", "on|upon"), "what is friction force on {s}"),
+    WantedRow(("amplitude", "?(?:of )?{motion}"), "what is amplitude of {s}"),
+    WantedRow(("how eccentric|how elongated|how flat", "?orbit|path|ellipse"), "what is eccentricity of {s}"),
+    WantedRow((_FAST, _CENTER, "?(?:of )?(?:both|two|whole|entire system|pair)", "?move|travel|go|drift|slide|advance"),
+        "how fast does mass centre move {s}"),
+    WantedRow(("how far|what distance|distance", f"{_CENTER}", (r"(?:from|off|to|and|away from|between)(?: @\d+@ 's)?"
+        r" (?:its )?(?:geometrical"
+    " |geometric |own )?(?:axis|centre|center|middle|axis of symmetry|rolling axis)"), "?lie|be|away|between"),
+        "what is centre of mass offset of {s}"),
+    WantedRow(("how far|what distance|distance", ("(?:from|off|to) (?:its )?(?:own )?(?:axis|centre|center)(?: of"
+                                                 " symmetry)?"),
+         f"(?:its )?{_CENTER}", "?lie|away"), "what is centre of mass offset of {s}"),
+    WantedRow(("moment of inertia", ("(?:about|around|round|with respect to|relative to) (?:its )?(?:own )?(?:axis"
+                                     "|central"
+    " axis|axis of symmetry|symmetry axis|centre|center|geometrical? axis)")), "what is inertia of {s} about its axis"),
+    WantedRow(("how long|how much time|time|how many (?:seconds|years)|duration", f"(?:for |of |to )?{_ONE}",
+         "?last|take|need|require|complete|make", "?{motion}"), "what is period of {s}"),
+    WantedRow(("period|time of oscillation|period of oscillation", "?(?:of )?(?:small )?(?:swing|swinging|to and fro)+",
+         "?motion|movement|back and forth"), "what is period of {s}"),
+    WantedRow(("(?:how far|distance|what distance)", "from (?P<line>x|y)[- ]axis", "?away"), "how far is {s} from"
+        " {line} axis"),
+    WantedRow((_FAST, "relative to|with respect to|as seen from|over|past", "?move|slide|go|travel|roll|drift|slip"),
+        "what is speed of {s} relative to {t}", 2),
+    WantedRow(("acceleration|how quickly accelerate|(?:with|at) what acceleration", ("relative to|with respect to|as"
+        " seen"
+    " from|over|along"), "?move|slide|go|travel|fall|rise", "?<(?:down|up)>"),
+        "what is acceleration of {s} relative to {t}", 2),
+    WantedRow(("how (?:fast|quick|quickly)|(?:at )?what (?:rate|speed)|speed", ("(?:descend|sink|drop|go <down>|lose"
+        " height)")),
+        "how fast does {s} go down"),
+    WantedRow((("(?:through |by )?(?:how far|how much|(?:what|how great an?|how large an?) (?:vertical )?(?:distance"
+               "|height"
+    "|drop|depth)|by how much|vertical distance)"), "?vertical|vertically", ("(?P<fall>fall|drop|descend|sink|go <down>"
+        "|move"
+    " <down>|come <down>|lower)"), "?vertically"), "how far vertically below its start is {s}"),
+    WantedRow((("through (?:what|how great a|how large a) (?:vertical )?(?:height|distance)|(?:what|how great a)"
+               " (?:vertical"
+    " )?height"), "rise|climb|ascend|go <up>|lift|raise", "?vertically"), "how far vertically above its start is {s}"),
+    WantedRow(("(?:through )?(?:what|how great a|how large a) vertical (?:distance|height)|how far vertically", ("move"
+        "|travel|go")),
+        "how far vertically is {s}"),
+    WantedRow(("common (?:speed|velocity)", "move|go|travel|continue|run", "?on|further|off|along"), "what is common"
+        " speed of {s}"),
+    WantedRow(("(?:by )?how much|what|change|find|how large", "momentum", ("change|gain|receive|lose|get|take over"
+        "|pick up|give up"
+    "|pass on|acquire")), "how much momentum does {s} exchange"),
+    WantedRow(("how far", "vertically higher", "?lie"), "how far vertically above its start is {s}"),
+    WantedRow(("how far", "vertically lower", "?lie"), "how far vertically below its start is {s}"),
+    WantedRow(("impulse", f"(?:(?:{GROUNDS})|wall)", "?give|exert|impart|receive|transfer|get|act", "?to|on|from|by"),
+        "what impulse does ground give {s}"),
+    WantedRow(("impulse", "exchange|transfer|occur", "?between"), "what impulse is exchanged"),
+    WantedRow(("work", "?done|perform", "by (?:hand|pull|pulling force)"), "how much work does hand do"),
+    WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "increase|grow|rise|gain"),
+        "how far vertically above its start is {s}"),
+    WantedRow(("(?:by )?how much", "height", "?above GROUNDS|of", "decrease|diminish|fall|drop|lose"),
+        "how far vertically below its start is {s}"),
+    WantedRow(("(?:through |by )?(?:what|which|how large an) angle|angle", "turn|change|swing|bend|rotate",
+         ("(?:from )?(?:its )?(?:original |initial |first |old )?(?:direction|direction of motion|direction of travel"
+         "|velocity)"),
+         "?from its (?:original|initial) direction"), "what angle {s} is deflected through"),
+    WantedRow(("angle", "(?:velocity|direction of motion|path)", ("(?:make|form|enclose)? ?(?:with|to|and|from)"
+        " horizontal")),
+        "what angle {s} makes with horizontal"),
+    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate|give", ("(?:to|by|through|in|against)"
+        " (?:resist(?:ing"
+    "|ance)? (?:medium|of medium)|resistance(?: of medium)?|resisting medium|medium|drag|air|air resistance|drag"
+    " force)")),
+        "how much energy is lost to drag by {s}"),
+    WantedRow(("how (?:large|great|big|much)|what|find", "work", "?done|perform", "?on|by"), "how much work does"
+        " spring {s} do on {t}", 2),
+    WantedRow(("how long|how much time|(?:for )?how many seconds", "in motion|on move|move|slide", ("?altogether|in"
+        " all")),
+        "how long is {s} moving"),
+    WantedRow(("how (?:large|big|great)", "{greatest}", "(?P<line>x|y)[- ]coordinate", "?become|get|grow|be"),
+        "what is greatest {line} coordinate of {s}"),
+)  # fmt: skip

@@ -1,0 +1,61 @@
+"""Readers of main clauses that ask for energies, work, impulses and numbers of events over a stretch of the motion."""
+
+import re
+from collections.abc import Iterator
+
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
+from sim2reason.questions.ordinary.shape_readers import spring_work
+from sim2reason.questions.ordinary.vocabulary import ONLY, OVER
+from sim2reason.questions.ordinary.whens import AFTER, When
+
+TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
+"""By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
+
+
+def heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
+    del found, heard
+    yield Main("energy dissipated by friction", needs=STRETCH)
+    yield Main("energy lost in a collision", needs=JUMP)
+    yield Main("kinetic energy", needs=JUMP)
+    for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
+        yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+
+
+def in_collision(*finds: str) -> Reader:
+    """Return a reader for quantities of a named collision or, where none is named, of the motion's only collision."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        groups = found.groupdict()
+        both = " & ".join(heard.subject(groups[key]) for key in "st" if groups.get(key))
+        for find in finds:
+            if " & " in both and not both.startswith(ALL):
+                yield Main(find, needs=FREE, when=When(f"{both} collided", AFTER))
+            yield Main(find, needs=STRETCH)
+            yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
+
+    return read
+
+
+def most(name: str) -> Reader:
+    """Return a reader for a spring's greatest extension or compression, over the whole motion or up to that extreme."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main(name, of, needs=STRETCH)
+            yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
+
+    return read
+
+
+def work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
+    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
+    yield from spring_work(found["t"], found["s"], heard)
+
+
+def count(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the number of all collisions, or of those up to a moment."""
+    yield from implied("number of collisions", "last collision")(found, heard)
+    yield Main("number of collisions", needs=CLAUSED)

@@ -1,0 +1,66 @@
+"""Subjects that a sentence does not name itself: those of *the system*, and what is tied to something fixed."""
+
+import re
+
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.pairs import AND
+from sim2reason.quantities.subjects.pulleys import Pulleys
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.questions.ordinary.addresses import all_of
+from sim2reason.questions.ordinary.whens import ONLY_LINE
+from sim2reason.questions.words import Words
+
+AMPLITUDE = "amplitude"
+_EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
+ENERGIES = "kinetic energy", "rotational kinetic energy"
+ORBITAL = "eccentricity", "semi-major axis"
+DEFLECTIONS = "deflection", "greatest deflection"
+SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
+
+
+def each_of(find: str, words: Words) -> tuple[str, ...]:
+    """Return all heavy bodies, for a quantity that a connected system has as a whole; none for any other."""
+    return all_of(find, words) if find in SHARED and words.mechanism.lines else ()
+
+
+def velocities_equal(told: str, words: Words) -> str:
+    """Return the moment when two bodies on a line have the same velocity, by addresses; any other moment unchanged."""
+    found = _EQUAL.fullmatch(told)
+    if found is None:
+        return told
+    by_phrase = {said: name for name, said in words.called(Bodies()).items()}
+    names = [by_phrase.get(found[key], "") for key in ("one", "other")]
+    if not all(names):
+        return told
+    senses = [Bodies().senses(words.mechanism, name) for name in names]
+    if senses[0] != senses[1] or len(senses[0]) != 1:
+        return told
+    return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
+
+
+def line_of(said: str, words: Words) -> str:
+    """Return the phrase for the only line that swings where a phrase means a body at its end; else the same phrase."""
+    lines = words.called(SwingingLines())
+    if said in lines.values() or len(lines) != 1 or said not in words.called(Bodies()).values():
+        return said
+    return next(iter(lines.values()))
+
+
+def is_light_arm(said: str, words: Words) -> bool:
+    """Return whether a phrase means a body without mass on an axle, which moves as what is joined to it."""
+    bodies = [body for body in words.mechanism.bodies if words.mentions.get(body.name) == said]
+    return any(body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates) for body in bodies)
+
+
+def fixed_end(words: Words) -> tuple[str, ...]:
+    """Return the only line of which one end is fixed and no pulley; none if there are several."""
+    mechanism, wheels = words.mechanism, Pulleys().names(words.mechanism)
+    ends = {
+        line.name: [mechanism.site[site] for site in (line.through[0], line.through[-1])] for line in mechanism.lines
+    }
+    fixed = [
+        name
+        for name, sites in ends.items()
+        if any(site.body is None and site.name.rpartition(".")[0] not in wheels for site in sites)
+    ]
+    return tuple(fixed) if len(fixed) == 1 else ()
