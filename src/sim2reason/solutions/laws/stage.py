@@ -234,10 +234,8 @@ class Stage:
     def _over(self, shared: Shared) -> tuple[Expression, str]:
         """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
-        found = acceleration_over_distance(
-            self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies
-        )
-        return found, "" if found is shared.symbol else f", whichever way {self.setting.called(bodies[0])} moves"
+        begun = self._begun(shared).factored()
+        return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
     def _at_end(self, shared: Shared) -> Polynomial:
         name = shared.symbol.name

@@ -145,8 +145,10 @@ def told_friction(
 def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
     """A force, from a law in which all else has a value by now; None if there is none."""
     named = dynamics.names.get(name)
-    if named is not None and named.names() <= dynamics.book.values.keys():
-        return named.expression()
+    if named is not None:
+        named = named if named.names() <= dynamics.book.values.keys() else named.put(dynamics.bound)
+        if named.names() <= dynamics.book.values.keys():
+            return named.expression()
     for row in rows:
         zero = row.zero.put({key: held for key, held in dynamics.names.items() if key != name})
         others = zero.names() - {name}

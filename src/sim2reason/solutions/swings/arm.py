@@ -178,8 +178,8 @@ class Arm:
         plain = not any(part.negative for part in parts)
         if plain or (self.book.value(place) > 0.0 and not self.book.is_hidden(place)):
             return "Its distance from the axle is"
-        side = f"positive on the side of {self.setting.called(self.bodies[0])}"
-        return f"Along the arm, with the axle at zero and {side}, the centre of mass of {self.setting.called(body)} is at"
+        whose, first = self.setting.called(body), self.setting.called(self.bodies[0])
+        return f"Along the arm, from the axle and positive on the side of {first}, the centre of mass of {whose} is at"
 
     def _own(self, body: str, mass: Expression) -> Expression:
         """The moment of inertia about a line through its centre of mass along the axle."""

@@ -55,7 +55,7 @@ def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
     angle = f"${turned.latex()}$"
     how = f"Since the start it has turned by {angle}"
     if landed:
-        how = f"Just after each landing it has the same direction as at the start; since the last it has turned by {angle}"
+        how = f"Just after each landing it has its first direction again; since the last it has turned by {angle}"
     elif highest:
         how = f"At the start it makes the angle {angle} with the vertical, and in the end it is vertical"
     line = "The velocity of the axis is perpendicular to the line from the lower edge to it."
