@@ -1,7 +1,7 @@
 """Why a body that is launched across a spring is fastest where that has its natural length: it passes that length."""
 
-from collections.abc import Sequence
-from typing import Protocol
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.most_compressed import MostCompressed
@@ -9,7 +9,7 @@ from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.oscillations.lone_spring import LoneSpring
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import JOULES
@@ -17,72 +17,33 @@ from sim2reason.solutions.writing.unit_latex import JOULES
 HALF = Number(0.5)
 
 
-class Launched(Protocol):
-    """A body that is launched across a spring; see `LoneSpring`."""
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """A body that is launched across a spring: its velocity, and what writes its energy and its angular momentum."""
 
-    @property
-    def setting(self) -> Setting:
-        """The scene and the query."""
-        ...
-
-    @property
-    def book(self) -> Book:
-        """Where it is written."""
-        ...
-
-    @property
-    def apart(self) -> Sequence[Expression]:
-        """From the fixed end of the spring to the body at the start, along both axes."""
-        ...
-
-    @property
-    def launch(self) -> Sequence[Expression]:
-        """The velocity at the start."""
-        ...
-
-    @property
-    def natural(self) -> Expression:
-        """The natural length."""
-        ...
-
-    @property
-    def length(self) -> Symbol:
-        """The length at the start."""
-        ...
-
-    @property
-    def mass(self) -> Expression:
-        """Of the body."""
-        ...
-
-    @property
-    def energy(self) -> Symbol:
-        """Of motion and spring."""
-        ...
-
-    @property
-    def swirl(self) -> Expression:
-        """The angular momentum about the fixed end per unit of mass."""
-        ...
+    body: LoneSpring
+    velocity: Sequence[Expression]
+    kept: Callable[[], tuple[Symbol, Expression]]  # the latter per unit of mass
 
 
-def passed_words(body: Launched, step: Writing) -> str:
+def passed_words(launch: Launch, step: Writing) -> str:
     """Return, of a greatest value, that it is taken at the natural length, and why that is passed; else nothing.
 
     Raises:
         UnsolvedError: nothing shows that it is passed.
     """
-    query = body.setting.query
+    query = launch.body.setting.query
     if not isinstance(query, StretchQuery):
         return ""
     what = query.functional.partition(" ")[2]
-    passed = "" if isinstance(query.moment, NaturalLength) else f" {_why_passed(body, step, query)}"
+    passed = "" if isinstance(query.moment, NaturalLength) else f" {_why_passed(launch, step, query)}"
     return f"The {what} is greatest where the spring stores no energy, at its natural length.{passed}"
 
 
-def _why_passed(body: Launched, step: Writing, query: StretchQuery) -> str:
+def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
     """Return the sentences that say why it passes that length before it is stretched, or compressed, the most."""
-    book, (x, y), (u, v) = body.book, body.apart, body.launch
+    body, (u, v) = launch.body, launch.velocity
+    book, (x, y) = body.book, body.apart
     outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
     lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
     sides = (body.length, body.natural) if stretched else (body.natural, body.length)
@@ -96,7 +57,7 @@ def _why_passed(body: Launched, step: Writing, query: StretchQuery) -> str:
         case MostStretched() if not stretched:
             said = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
         case MostStretched() if not lengthens:
-            book.afterwards.append(lambda: _verify_reached(body))
+            book.afterwards.append(lambda: _verify_reached(launch))
             why = "and does not turn back before"
             return _passes(book, step, (ZERO, outward), f"${outward.latex()} < 0$", "shortens at first", why)
         case _:
@@ -128,9 +89,10 @@ def _verify(book: Book, sides: tuple[Expression, Expression], relation: str) -> 
     step.close()
 
 
-def _verify_reached(body: Launched) -> None:
+def _verify_reached(launch: Launch) -> None:
     """Write that a spring that shortens at first does so until it has its natural length."""
-    book, energy, swirl = body.book, body.energy, body.swirl
+    body, (energy, swirl) = launch.body, launch.kept()
+    book = body.book
     across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
     step = book.open("verify")
     exceeds(book, step, energy, across)

@@ -19,7 +19,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
 from sim2reason.solutions.oscillations.lone_spring import LoneSpring, ends, lone_spring, quantity_of
-from sim2reason.solutions.oscillations.natural_passed import passed_words
+from sim2reason.solutions.oscillations.natural_passed import Launch, passed_words
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
@@ -85,11 +85,15 @@ class _Round(LoneSpring):
         step, name = self.book.open("energy"), self.book.fresh("E")
         said = "Energy is conserved; its value is"
         if quantity_of(self.setting) == "kinetic energy" and self.relaxed:
-            step.say(passed_words(self, step))
+            step.say(passed_words(self._launched, step))
             said = "There all energy is kinetic; as it is conserved, its value is"
         step.say(f"{said} {step.result(name, launched + stored, JOULES, law=True)}.")
         step.close()
         return name
+
+    @property
+    def _launched(self) -> Launch:
+        return Launch(self, self.launch, lambda: (self.energy, self.swirl))
 
     @cached_property
     def swirl(self) -> Expression:
@@ -152,7 +156,7 @@ class _Round(LoneSpring):
         if not self.relaxed:
             return self.book.told("speed", "The speed there is", name, self.swirl / self.there, SPEED)
         step = self.book.open("speed")
-        step.say(passed_words(self, step))
+        step.say(passed_words(self._launched, step))
         law = step.law(HALF * self.mass * Power(name, 2), self.energy)
         formula = Root(2.0 * self.energy / self.mass)
         step.say(f"At the natural length all energy is kinetic: {law}, so {step.result(name, formula, SPEED)}.")
