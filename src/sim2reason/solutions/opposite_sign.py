@@ -60,7 +60,9 @@ def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expres
         if isinstance(part, Call) and part.function in SINES and abs(book.value(part.argument)) > 1.0:
             size = book.value(part.argument)
             exceeds(book, step, Absolute(part.argument), ONE)
-            return f"there would be no angle ${name}$, as its {SINES[part.function]} would be ${with_unit(size, '')}$"
+            whose = "its" if part in (formula, -formula) else "the"  # of the angle, or of a sum with it
+            told = f"{whose} {SINES[part.function]} would be ${with_unit(size, '')}$"
+            return f"there would be no angle ${name}$, as {told}"
     return None
 
 

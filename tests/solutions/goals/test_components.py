@@ -37,3 +37,8 @@ def test_the_tension_whose_impulse_is_asked_for_is_named() -> None:
     """The check before it is about another string."""
     text = solution_text("pulley-medium-numeric-301928-0")
     assert r"The impulse of the tension in the string between crate A and crate B is $J = T_1\,t" in text
+
+
+def test_the_motion_that_a_bounce_slows_down_is_perpendicular_to_the_ground() -> None:
+    text = solution_text("projectile-hard-multipart-301929-0")
+    assert "The motion perpendicular to the surface keeps $e^2$ of its energy" in text

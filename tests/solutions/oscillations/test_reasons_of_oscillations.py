@@ -145,3 +145,9 @@ def test_a_dashpot_is_no_part_of_its_spring_and_a_negative_pull_is_a_push() -> N
     assert "Spring 1 and its dashpot together pull with the force $F_1 = " in text
     assert r"= -63.913\ \text{N}$, a negative value being a push." in text
     assert text.count("a negative value") == 1
+
+
+def test_the_half_oscillations_that_take_the_same_time_are_those_before_the_last_one() -> None:
+    text = solution_text("springs-hard-choice-301929-0")
+    assert "The first two half oscillations take the same time, so the remaining time is" in text
+    assert "The net force is proportional to the displacement from the point where it is zero" in text

@@ -97,6 +97,15 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
     return ""
 
 
+def glided_words(dynamics: Dynamics, k: int) -> str:
+    """Return what is said before how far something has come at a constant rate."""
+    coordinate = dynamics.mechanism.coordinates[k]
+    if coordinate.kind != "hinge":
+        return f"{constant_words(dynamics, k)}, which gives"
+    radius = f"the {radius_of(dynamics.setting, coordinate.body)} of {dynamics.setting.called(coordinate.body)}"
+    return f"{constant_words(dynamics, k)}, so {radius} times the angle through which it has turned is"
+
+
 def not_slipping(dynamics: Dynamics, row: Row) -> str:
     """Return that a string does not slip on the bodies that turn with it, as an addition; empty without any."""
     held = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())

@@ -103,8 +103,10 @@ def _needed_words(
     heavy = newton.mass(subject) + newton.turning(k, k)
     load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
     pull, name = over(load, heavy), book.fresh("a", r"\text{roll}")
-    pull = pull if book.value(pull) >= 0.0 else -pull
-    rolls = step.verified(name, pull, ACCELERATION)
+    x, y, z = setting.mechanism.coordinates[_way(setting, subject)].axis
+    sign = 1.0 if book.value(pull) >= 0.0 else -1.0
+    way = setting.towards((sign * x, sign * y, sign * z))
+    rolls = f"{step.verified(name, pull if sign > 0.0 else -pull, ACCELERATION)} {way}"
     told = told_friction(book, step, mark, *forces)
     whole = (
         f"{who} would move like a mass of ${heavy.expression().latex()}$, including the moment of inertia divided by"

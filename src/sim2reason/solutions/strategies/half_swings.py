@@ -239,9 +239,10 @@ class _Swinging(Oscillating):
 
     def _equal_times(self, *more: Symbol) -> str:
         """Begin a sentence with the reason why one time stands for several swings, if one does."""
-        whole = [held for held in (*self._lasting, *more) if held == self._half]
-        every = "both" if len(whole) == 2 else f"all {len(whole)}"
-        return f"{every} half oscillations take the same time, so " if len(whole) > 1 else ""
+        goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
+        every = "both" if number == 2 else f"all {number}"
+        every = f"the first {'two' if number == 2 else number}" if goes_on else every
+        return f"{every} half oscillations take the same time, so " if number > 1 else ""
 
     @property
     def standing(self) -> str:

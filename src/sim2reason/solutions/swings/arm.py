@@ -193,7 +193,7 @@ class Arm:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 line = "the line through its centre of mass parallel to the axle"
                 flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
-                line = f"{line}, which is a diameter," if flat else line
+                line = f"{line}, a diameter of it," if flat else line
                 said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
                 return self.book.told("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
