@@ -169,6 +169,6 @@ def test_the_whole_angle_through_which_something_turns_is_named() -> None:
     assert said in text
 
 
-def test_an_angular_momentum_is_about_an_axis() -> None:
+def test_an_angular_momentum_is_about_a_point() -> None:
     text = solution_text("rolling-hard-multipart-301929-0")
-    assert "The magnitude of the angular momentum of the hoop about its axis is" in text
+    assert "The magnitude of the angular momentum of the hoop about its centre of mass is" in text

@@ -70,7 +70,8 @@ class InertiaTimes(AboutAxis):
         rim = known.rim(self.of, body) if self.of else known.radius(body)
         other = modulus(rim.expression(), known.book)
         size = "magnitude of the " if self.of else ""
-        what = f"the {size}{self.noun.said} of {known.setting.called(body)} about its axis"
+        about = " about its centre of mass" if self.of == "v" else ""
+        what = f"the {size}{self.noun.said} of {known.setting.called(body)}{about}"
         return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
 
 
