@@ -23,7 +23,7 @@ def test_bodies_that_rest_share_a_sentence_and_a_quadratic_is_written_with_its_o
 def test_no_equation_is_copied_in_the_order_of_the_unknowns(problem: str, told: str) -> None:
     text = solution_text(problem)
     assert told in text
-    assert "In order of the unknowns" not in text
+    assert "With numbers for the coefficients" not in text
 
 
 def test_a_normal_force_that_the_weight_gives_is_told_once() -> None:
