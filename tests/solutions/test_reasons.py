@@ -153,7 +153,7 @@ def test_all_energy_is_kinetic_at_a_natural_length_that_is_passed() -> None:
     found = solve_prompt(SPRUNG)[0]
     assert "The kinetic energy is greatest where the spring stores no energy, at its natural length." in found.text
     assert re.search(
-        r"It passes that length, as it is compressed at first, \$\\ell_?\w* < \\ell_0\$, and stretched in the end\.",
+        r"passes that length, as it is compressed at first, \$\\ell_?\w* < \\ell_0\$, and stretched in the end\.",
         found.text,
     )
     assert any(relation.role == "exceeds" for relation in found.relations)

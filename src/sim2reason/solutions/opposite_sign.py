@@ -9,7 +9,7 @@ from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # of no sign
 SINES = {"arcsin": "sine", "arccos": "cosine"}
@@ -35,9 +35,9 @@ def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple
             formula = reduce(lambda whole, pair: put(whole, *pair), values.items(), held)
         except TypeError:  # a number that is not written as a formula
             return
-        reason = _impossible(book, step, name, formula)
+        reason = _impossible(book, step, goal, name, formula)
         if reason is None and number == len(found) - 1:
-            reason = _out_of_range(book, step, name, formula)
+            reason = _out_of_range(book, step, goal, name, formula)
         if reason is not None:
             only = "Only a magnitude is given; with"
             step.say(f"{only} $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
@@ -45,32 +45,65 @@ def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple
         values[name] = formula
 
 
-def _impossible(book: Book, step: Writing, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no value, in words; empty if it has two, as a root of two signs; None if it has one."""
+def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str | None:
+    """Return why a formula has no value, in words; empty if that needs none; None if it has one, or several."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
-            if book.value(part.inside) >= 0.0 or not any(isinstance(held, Sum) for held in _inner_first(part)):
-                return ""  # without a sum, whoever sees the formula sees its sign
+            if goal not in part.symbols():
+                continue
+            if book.value(part.inside) >= 0.0:
+                return None  # of either sign
+            if not any(isinstance(held, Sum) for held in _inner_first(part)):
+                return ""  # whoever sees the formula sees its sign
             exceeds(book, step, ZERO, part.inside)
             return f"${name}$ would not be real, as what stands under the square root would be negative"
         if isinstance(part, Call) and part.function in SINES and abs(book.value(part.argument)) > 1.0:
             size = book.value(part.argument)
             exceeds(book, step, Absolute(part.argument), ONE)
-            return f"there would be no angle ${name}$, as its {SINES[part.function]} would be ${with_unit(size, '')}$"
+            whose = "its" if part in (formula, -formula) else "the"  # of the angle, or of a sum with it
+            told = f"{whose} {SINES[part.function]} would be ${with_unit(size, '')}$"
+            return f"there would be no angle ${name}$, as {told}"
     return None
 
 
-def _out_of_range(book: Book, step: Writing, name: str, formula: Expression) -> str:
+def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str:
     """Return that an unknown would be negative, or a coefficient of restitution more than one; else nothing."""
-    value = book.value(formula)
-    would = f"${name}$ would be ${with_unit(value, book.units[name])}$"
+    try:
+        branches = _of_either_sign(goal, formula)
+        found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
+        value = max(map(book.value, branches))
+    except UnsolvedError:  # a branch has no value, or there are more than two
+        return ""
+    would = f"${name}$ would be {' or '.join(f'${number}$' for number in found)}"
     if value < 0.0 < book.values[name]:
-        exceeds(book, step, ZERO, formula)
-        return f"{would}, which is negative"
+        for branch in branches:
+            exceeds(book, step, ZERO, branch)
+        return f"{would}, which is negative" if len(found) == 1 else f"{would}, both negative"
+    if len(branches) > 1:
+        return ""
     if name.partition("_")[0] == "e" and not book.units[name] and value > 1.0 >= book.values[name]:
         exceeds(book, step, formula, ONE)
         return f"{would}, which is more than 1"
     return ""
+
+
+def _of_either_sign(goal: str, held: Expression) -> list[Expression]:
+    """Return a formula with the square root that holds the goal, if there is one, of both signs.
+
+    Raises:
+        UnsolvedError: there are several.
+    """
+    roots = (part for part in _inner_first(held) if isinstance(part, Root) and goal in part.symbols())
+    found = list(dict.fromkeys(roots))
+    if len(found) > 1:
+        raise UnsolvedError("several roots have more than two branches")
+    return [held, _with(held, found[0], -found[0])] if found else [held]
+
+
+def _with(held: Expression, old: Expression, new: Expression) -> Expression:
+    if held == old:
+        return new
+    return held.built_of([_with(part, old, new) for part in held.parts]) if held.parts else held
 
 
 def _inner_first(held: Expression) -> Iterator[Expression]:

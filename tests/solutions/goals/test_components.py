@@ -31,3 +31,14 @@ def test_the_angular_velocity_counts_in_the_sense_in_which_the_angular_accelerat
 def test_the_energy_that_friction_on_a_rolling_body_dissipates_takes_the_slip_of_its_point_of_contact() -> None:
     text = solution_text("rolling-hard-numeric-301921-2")
     assert "dissipates, which is the friction times the distance that the point of contact slips, is $Q = " in text
+
+
+def test_the_tension_whose_impulse_is_asked_for_is_named() -> None:
+    """The check before it is about another string."""
+    text = solution_text("pulley-medium-numeric-301928-0")
+    assert r"The impulse of the tension in the string between crate A and crate B is $J = T_1\,t" in text
+
+
+def test_the_motion_that_a_bounce_slows_down_is_perpendicular_to_the_ground() -> None:
+    text = solution_text("projectile-hard-multipart-301929-0")
+    assert "The motion perpendicular to the surface keeps $e^2$ of its energy" in text

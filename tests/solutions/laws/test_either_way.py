@@ -1,5 +1,7 @@
 """Problems in symbols in which the numbers decide which way something moves."""
 
+import pytest
+
 from worked import solution_text
 
 
@@ -20,3 +22,17 @@ def test_components_that_have_names_are_said_to_be_horizontal_or_vertical() -> N
     text = solution_text("box-medium-symbolic-301917-4")
     assert "has the components $d$ horizontally and $s_B$ vertically." in text
     assert r"\left|a_M\right|" in text
+
+
+@pytest.mark.parametrize(
+    ("problem", "told"),
+    [
+        ("pulley-hard-symbolic-301926-1", r"$v_B = \sqrt{2\,a_B d}$, as $a_B > 0$ under the assumption made."),
+        ("rolling-medium-symbolic-301932-1", r"$t = \sqrt{\frac{2\,d}{a}}$, as $a > 0$ under the assumption made."),
+    ],
+)
+def test_an_assumption_about_another_body_or_the_slip_fixes_a_sign(problem: str, told: str) -> None:
+    text = solution_text(problem)
+    assert told in text
+    assert r"\left|" not in text
+    assert "whichever way" not in text

@@ -18,7 +18,7 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
-from worked import asked, derived
+from worked import asked, derived, solution_text
 
 G, MASS, RADIUS = 9.8, 2.0, 0.1
 
@@ -152,3 +152,23 @@ def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
     found, _ = solve_prompt(prompt)
     assert "As $s < d$, the pipe covers the distance $d$ only later." in found.text
     assert found.text.count("From then on it rolls, which on level ground needs no friction") == 1
+
+
+def test_the_acceleration_without_slip_has_a_direction() -> None:
+    """That of the shell is counted up the slope."""
+    assert r"2.8507\ \text{m/s}^2$ down the slope. This takes the friction" in solution_text(
+        "rolling-hard-choice-301929-0"
+    )
+
+
+def test_the_whole_angle_through_which_something_turns_is_named() -> None:
+    text = solution_text("rolling-medium-multipart-301929-0")
+    said = (
+        "Then the angular velocity is constant, so the radius of the pipe times the angle through which it has turned"
+    )
+    assert said in text
+
+
+def test_an_angular_momentum_is_about_a_point() -> None:
+    text = solution_text("rolling-hard-multipart-301929-0")
+    assert "The magnitude of the angular momentum of the hoop about its centre of mass is" in text

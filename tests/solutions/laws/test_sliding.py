@@ -146,3 +146,16 @@ def test_what_slides_on_a_body_still_does_when_that_stops_sliding() -> None:
     assert left > 0.0
     assert at["u_{BC}"] == pytest.approx(left, rel=1e-9)
     assert "After the time $t$, slab C still slides on slab B, as their relative speed is $u_{BC} = " in found.text
+
+
+def test_a_direction_is_not_shown_by_an_acceleration_that_a_given_speed_fixes() -> None:
+    """Without friction (7.1 + 2.8) · 9.8 sin 60° − 24 = 60.02 N pull down the slope, by 9.9 kg 6.063 m/s²."""
+    text = solution_text("pulley-hard-reverse-301926-1")
+    assert "Without friction the acceleration would be $a_" in text
+    assert r"6.0628\ \text{m/s}^2$, which is positive; friction can only reduce it, so crates A and B slide" in text
+    assert "Even against friction" not in text
+
+
+def test_the_direction_of_bodies_is_shown_whose_acceleration_a_string_gives() -> None:
+    text = solution_text("hybrid-hard-reverse-301931-0")
+    assert r"Even against friction the acceleration $a_C = a_P + a_A = 2.6095\ \text{m/s}^2$ is positive" in text

@@ -23,7 +23,7 @@ def test_bodies_that_rest_share_a_sentence_and_a_quadratic_is_written_with_its_o
 def test_no_equation_is_copied_in_the_order_of_the_unknowns(problem: str, told: str) -> None:
     text = solution_text(problem)
     assert told in text
-    assert "In order of the unknowns" not in text
+    assert "With numbers for the coefficients" not in text
 
 
 def test_a_normal_force_that_the_weight_gives_is_told_once() -> None:
@@ -55,3 +55,16 @@ def test_what_leads_to_a_formula_that_the_text_has_is_not_told_after_the_answer(
     text = solution_text("pulley-medium-symbolic-301932-0")
     assert "Inserting $v_A$ and $a_A$ into the equation for $K_A$ gives" in text
     assert "In terms of the given quantities" not in text
+
+
+def test_numbers_put_in_for_known_quantities_are_called_so() -> None:
+    """The two equations have their unknowns in different orders."""
+    text = solution_text("pulley-medium-reverse-301928-0")
+    assert r"With numbers for the coefficients: (5) $17.0\,a_A - 7.4\,a_B = 2\,m_C g - m_A g \sin\theta$." in text
+
+
+def test_a_string_on_a_pulley_with_mass_does_not_slip_and_the_sense_of_turning_is_told() -> None:
+    """By a_C = a_P + a_A, A rises relative to P as a_P grows."""
+    text = solution_text("hybrid-hard-reverse-301931-0")
+    assert "does not stretch, nor does it slip on pulley P: $a_C = a_P + a_A$." in text
+    assert "positive when the part of the string between crate A and pulley P runs onto pulley P;" in text

@@ -30,4 +30,10 @@ def test_a_symbol_is_introduced_only_for_what_a_part_uses() -> None:
     last = text[text.index("(c) Given") :]
     assert "Let $a_1$ be the acceleration of slab A" in last
     assert "Let $a$ be" not in last
-    assert "A number in a subscript" not in text
+    assert "The number of a phase, as a subscript" not in text
+
+
+def test_subscripts_that_count_phases_are_explained_without_a_phase_being_called_so_before() -> None:
+    text = solution_text("rolling-medium-multipart-301926-1")
+    assert "This goes on for a time $t_1$, until the tube stops sliding" in text
+    assert "The number of a phase, as a subscript, marks accelerations and forces in that phase" in text

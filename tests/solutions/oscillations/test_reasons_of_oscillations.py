@@ -127,3 +127,27 @@ def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> N
     assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
     assert text.index("the total kinetic energy is") < text.index("effective mass")
     assert r"-\left(-" not in text
+
+
+def test_friction_has_the_first_direction_until_the_first_rest_alone() -> None:
+    text = solution_text("springs-hard-numeric-301930-0")
+    assert "Until the crate first comes to rest, friction acts up the slope." in text
+
+
+def test_a_natural_length_is_assumed_to_be_reached_before_friction_turns() -> None:
+    text = solution_text("springs-hard-symbolic-301928-0")
+    assert "Assume that the block gets to $x$ before it first comes to rest." in text
+    assert r"The spring has its natural length when $x = x_0 - x_0\,\cos" in text
+
+
+def test_a_dashpot_is_no_part_of_its_spring_and_a_negative_pull_is_a_push() -> None:
+    text = solution_text("springs-hard-numeric-301928-0")
+    assert "Spring 1 and its dashpot together pull with the force $F_1 = " in text
+    assert r"= -63.913\ \text{N}$, a negative value being a push." in text
+    assert text.count("a negative value") == 1
+
+
+def test_the_half_oscillations_that_take_the_same_time_are_those_before_the_last_one() -> None:
+    text = solution_text("springs-hard-choice-301929-0")
+    assert "The first two half oscillations take the same time, so the remaining time is" in text
+    assert "The net force is proportional to the displacement from the point where it is zero" in text

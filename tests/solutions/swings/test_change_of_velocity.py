@@ -54,6 +54,6 @@ def test_a_speed_is_introduced_with_its_place() -> None:
 
 def test_a_line_across_a_disc_is_called_a_diameter_and_energy_is_named_once() -> None:
     text = text_of(DISC)
-    assert "parallel to the axle, which is a diameter, is $I_0" in text
+    assert "parallel to the axle, a diameter of it, is $I_0" in text
     assert "There the angular velocity $\\omega$ is given by" in text
     assert text.count("By conservation of energy") == 1

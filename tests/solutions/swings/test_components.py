@@ -107,4 +107,29 @@ def test_the_position_without_a_tangential_component_is_named() -> None:
 def test_the_side_of_the_centre_of_mass_is_checked_once_the_unknown_is_found() -> None:
     """With d = 0.10008 m, S = m_A d − m_B d_2 = 4.7 · 0.10008 − 3.1 · 0.22 = −0.2116 kg m."""
     text = solution_text("rotation-hard-reverse-301926-1")
-    assert r"With this, $S = -0.21161\ \text{kg m} < 0$: the centre of mass is on the opposite side" in text
+    assert "Assume that $S < 0$, so that the centre of mass is on the opposite side." in text
+    assert r"With this, $S = -0.21161\ \text{kg m} < 0$, as was assumed." in text
+
+
+def test_a_place_beyond_the_axle_is_no_distance() -> None:
+    text = solution_text("rotation-hard-choice-301926-1")
+    assert "Its distance from the axle" not in text
+    assert "positive on the side of shell A, the centre of mass of cap C is at $r_C = -d_3 - c_C" in text
+
+
+def test_the_side_of_the_centre_of_mass_is_assumed_before_it_is_used() -> None:
+    text = solution_text("rotation-medium-reverse-301930-0")
+    assert 0 < text.index("Assume that $S < 0$") < text.index("the torque of gravity is")
+    assert "the centre of mass of hemisphere B is at $r_B = c_B - d_2$." in text
+
+
+def test_it_is_said_which_body_is_at_its_highest_point() -> None:
+    """An arm with bodies on both sides has none."""
+    text = solution_text("rotation-hard-multipart-301932-1")
+    assert "The arm turns back, with hemisphere A at its highest point, where all kinetic energy" in text
+
+
+def test_a_path_round_the_axle_is_not_measured_by_a_radius() -> None:
+    text = solution_text("rotation-medium-reverse-301928-0")
+    assert "The path is as long as the distance from the axle times the total angle:" in text
+    assert "The shell turns back at its highest point, where" in text

@@ -9,7 +9,7 @@ def test_the_geometry_of_a_tipping_prism_is_told() -> None:
     assert "into 10 equal triangles" in text
     assert r"is turned uphill by $\frac{\pi}{10}$ from the perpendicular to the plane" in text
     assert "The axis passes over each edge, since the least kinetic energy" in text
-    assert "The initial and the final velocity therefore make the angle $\\phi_1$." in text
+    assert "Just after each landing it has its first direction again; since the last it has turned by $\\phi_1$" in text
     assert r"at the angle $\frac{\pi}{5}$ to its direction just after." in text
 
 
@@ -25,3 +25,10 @@ def test_the_axis_passes_over_the_edge_of_the_last_landing_too() -> None:
     )
     found, _ = solve_prompt(prompt)
     assert r"$K_{\text{min}} = \tfrac{1}{2} I \omega_7^{2} = 2.2684\ \text{J}$" in found.text
+
+
+def test_no_landing_is_told_of_what_only_reaches_its_highest_point() -> None:
+    text = solution_text("rolling-hard-multipart-301927-0")
+    assert "At the highest point the axis is straight above the edge. By conservation of energy" in text
+    assert r"At the start it makes the angle $\frac{\pi}{8} - \theta$ with the vertical, and in the end it is" in text
+    assert "landing" not in text

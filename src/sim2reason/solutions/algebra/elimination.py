@@ -182,7 +182,7 @@ class Elimination:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
         numeric: list[NumericEquation] = []
         hidden = any(self.book.is_hidden(equation.zero.without(names).expression()) for equation in equations)
-        how = "In order of the unknowns: " if hidden else "In numbers: "
+        how = "With numbers for the coefficients: " if hidden else "In numbers: "
         for equation in equations:
             before = {n: self._number(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self._number(equation.zero.without(names).expression())

@@ -31,7 +31,7 @@ class StruckBodies:
     @property
     def loses(self) -> str:
         """Return the beginning of a sentence that says why kinetic energy is lost."""
-        motion = "relative motion" if len(self.bodies) > 1 else "normal motion"
+        motion = "relative motion" if len(self.bodies) > 1 else "motion perpendicular to the surface"
         left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
         return f"The {motion}{self._way} {left}, so"
 

@@ -82,9 +82,8 @@ class TensionImpulse(SumGoal):
         return known.impulse(target.subject) or SumGoal.write(self, target, known)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a tension, whose string the text has told."""
-        del target, setting
-        return "the impulse of this tension"
+        """Of a tension, by its string."""
+        return f"the impulse of the tension in {setting.lines[target.subject]}"
 
 
 class TensionWork(SumGoal):

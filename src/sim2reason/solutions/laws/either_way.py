@@ -1,9 +1,10 @@
 """Quantities in symbols whose sign depends on the numbers for which the symbols stand."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from sim2reason.grading.evaluate import compiled
 from sim2reason.questions.regimes.direction import MovesOneWay
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute
@@ -20,14 +21,21 @@ def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Coll
     """Return whether a quantity in symbols may be positive or negative, for bodies with no assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
-    return len({*_signs(setting, book, held)}) > 1
+    return len({positive for positive, _ in _signs(setting, book, held)}) > 1
 
 
 def acceleration_over_distance(
-    setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Collection[str]
-) -> Expression:
-    """Return an acceleration for d = ½ a t²: its magnitude if the bodies may start from rest in either direction."""
-    return Absolute(a) if begun == ZERO and has_either_sign(setting, book, a, bodies) else a
+    setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Sequence[str]
+) -> tuple[Expression, str]:
+    """Return an acceleration for d = ½ a t², and why, as an addition to a sentence.
+
+    It is the magnitude if bodies may start from rest in either direction, unless what is assumed excludes one.
+    """
+    if begun != ZERO or not has_either_sign(setting, book, a, bodies):
+        return a, ""
+    if book.value(a) > 0.0 and _is_assumed_positive(setting, book, a):
+        return a, f", as ${a.latex()} > 0$ under the assumption made"
+    return Absolute(a), f", whichever way {setting.called(bodies[0])} moves"
 
 
 def needs_modulus(setting: Setting, book: Book, held: Expression, body: str) -> bool:
@@ -43,8 +51,20 @@ def reason_for_negative(setting: Setting, book: Book, held: Expression, body: st
     return f"${held.latex()}$ is negative{why}"
 
 
-def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[bool]:
-    """Yield whether a quantity is positive, for random numbers in place of the given numbers."""
+def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool:
+    """Return whether the answer, true under what is assumed, has no positive value wherever a quantity is negative."""
+    if not setting.assumed or setting.formula is None:
+        return False
+    try:
+        answer = compiled(setting.formula.latex, setting.formula.symbols)
+        values = [answer.value(at) for positive, at in _signs(setting, book, held) if not positive]
+    except (KeyError, ValueError):  # it holds a number that comes in later
+        return False
+    return all(value is None or value < 0.0 for value in values)
+
+
+def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[tuple[bool, Mapping[str, float]]]:
+    """Yield whether a quantity is positive, for random numbers in place of the given numbers, and these."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)
@@ -57,6 +77,6 @@ def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[bool]:
         try:
             for name, formula in formulas.items():
                 at[name] = float(formula.value(at).real)
-            yield float(held.value(at).real) > 0.0
+            yield float(held.value(at).real) > 0.0, at
         except (KeyError, ValueError, ArithmeticError):  # it is no motion with these numbers
             continue

@@ -4,7 +4,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
-from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -78,8 +78,39 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
 def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
     """Return in which sense a rate of turning is positive, as an aside after what it is."""
     hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
-    way = next((rolling_way(dynamics, k, float(sense)) for k, sense in hinges), "")
-    return f", counted as positive in the sense of rolling {way}{'' if last else ','}" if way else ""
+    ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
+    if not ways:
+        return ""
+    k, sense, way = ways[0]
+    how = f"in the sense of rolling {way}" if way else winding_way(dynamics, k, sense)
+    return f", counted as positive {how}{'' if last else ','}" if how else ""
+
+
+def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
+    """Return which string runs onto a pulley, or off it, that turns in a sense, as an addition; empty without one."""
+    newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the pace is that of what is wound up
+    for onto, to in ((True, "onto"), (False, "off")):
+        for line in newton.lines:
+            pace = newton.stretch(dynamics.mechanism.lines.index(line), k).value(dynamics.book.values) * sense
+            if pace and (pace > 0.0) is onto and line.name in dynamics.setting.lines:
+                return f"when {dynamics.setting.lines[line.name]} runs {to} {dynamics.setting.called(body)}"
+    return ""
+
+
+def glided_words(dynamics: Dynamics, k: int) -> str:
+    """Return what is said before how far something has come at a constant rate."""
+    coordinate = dynamics.mechanism.coordinates[k]
+    if coordinate.kind != "hinge":
+        return f"{constant_words(dynamics, k)}, which gives"
+    radius = f"the {radius_of(dynamics.setting, coordinate.body)} of {dynamics.setting.called(coordinate.body)}"
+    return f"{constant_words(dynamics, k)}, so {radius} times the angle through which it has turned is"
+
+
+def not_slipping(dynamics: Dynamics, row: Row) -> str:
+    """Return that a string does not slip on the bodies that turn with it, as an addition; empty without any."""
+    held = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())
+    bodies = [c.body for c in (dynamics.mechanism.coordinates[k] for k in held) if c.kind == "hinge"]
+    return f", nor does it slip on {dynamics.setting.listed(bodies)}" if bodies else ""
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:

@@ -5,7 +5,9 @@ from math import isinf
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
+from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, tell_not_held
@@ -14,6 +16,8 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
+FORCES = frozenset({"tension", "normal force", "friction force", "impulse of a tension", "work of a tension"})
+"""Quantities from which an acceleration follows with its sign."""
 SLOW = 1e-9  # m/s: nothing slips at the beginning
 
 
@@ -98,6 +102,14 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
     bodies = [dynamics.mechanism.faces[face].subject for face in faces]
     step, under = book.open("verify"), carriers(dynamics, bodies[0])
     _tell_carriers(dynamics, step, faces[0])
+    free = _without_friction(dynamics, relative) if isinstance(relative, Symbol) else None
+    if free is not None and book.value(free) > 0.0:
+        exceeds(book, step, free, ZERO)
+        told = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
+        step.say(f"Without friction the acceleration would be {told}, which is positive; friction can only reduce it,")
+        step.say(f"so {joined(_slides(dynamics, faces))}.")
+        step.close()
+        return
     exceeds(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
         told = f"the acceleration ${relative.latex()}$"
@@ -107,6 +119,24 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
         told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
     step.say(f"Even against friction {told} is positive, so {joined(_slides(dynamics, faces))}.")
     step.close()
+
+
+def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
+    """Return the only acceleration without friction, where a given speed or time is all that the text has it from.
+
+    Such a value is positive whichever way the bodies move.
+    """
+    book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
+    solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
+    target = dynamics.setting.target
+    if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
+        return None
+    for name in reversed(book.formulas):
+        formula = put(formula, name, book.formulas[name]) if name != found.name else formula
+    for face in dynamics.newton.rough:
+        for name in dynamics.newton.coefficient(face).names():
+            formula = put(formula, name, ZERO)
+    return formula
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:

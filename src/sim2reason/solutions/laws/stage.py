@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.laws.common_rates import STILL, Shared
 from sim2reason.solutions.laws.either_way import acceleration_over_distance
-from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, speed_words
+from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, glided_words, speed_words
 from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, tell_turning_only_later, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
@@ -138,7 +138,7 @@ class Stage:
             return before
         time, step, name = self.time, self.book.open("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
-        step.say(f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, METRES, law=True)}.")
+        step.say(f"{glided_words(self.dynamics, k)} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 
@@ -233,10 +233,8 @@ class Stage:
     def _over(self, shared: Shared) -> tuple[Expression, str]:
         """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
-        found = acceleration_over_distance(
-            self.setting, self.book, self._begun(shared).factored(), shared.symbol, bodies
-        )
-        return found, "" if found is shared.symbol else f", whichever way {self.setting.called(bodies[0])} moves"
+        begun = self._begun(shared).factored()
+        return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
     def _at_end(self, shared: Shared) -> Polynomial:
         name = shared.symbol.name

@@ -103,8 +103,10 @@ def _needed_words(
     heavy = newton.mass(subject) + newton.turning(k, k)
     load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
     pull, name = over(load, heavy), book.fresh("a", r"\text{roll}")
-    pull = pull if book.value(pull) >= 0.0 else -pull
-    rolls = step.verified(name, pull, ACCELERATION)
+    x, y, z = setting.mechanism.coordinates[_way(setting, subject)].axis
+    sign = 1.0 if book.value(pull) >= 0.0 else -1.0
+    way = setting.towards((sign * x, sign * y, sign * z))
+    rolls = f"{step.verified(name, pull if sign > 0.0 else -pull, ACCELERATION)} {way}"
     told = told_friction(book, step, mark, *forces)
     whole = (
         f"{who} would move like a mass of ${heavy.expression().latex()}$, including the moment of inertia divided by"
@@ -145,8 +147,10 @@ def told_friction(
 def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
     """A force, from a law in which all else has a value by now; None if there is none."""
     named = dynamics.names.get(name)
-    if named is not None and named.names() <= dynamics.book.values.keys():
-        return named.expression()
+    if named is not None:
+        named = named if named.names() <= dynamics.book.values.keys() else named.put(dynamics.bound)
+        if named.names() <= dynamics.book.values.keys():
+            return named.expression()
     for row in rows:
         zero = row.zero.put({key: held for key, held in dynamics.names.items() if key != name})
         others = zero.names() - {name}

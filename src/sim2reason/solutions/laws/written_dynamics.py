@@ -12,6 +12,7 @@ from sim2reason.solutions.laws.light_pulleys import balanced_tensions, doubled
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
+    not_slipping,
     only_turning,
     rim_of,
     rolling_bodies,
@@ -169,8 +170,8 @@ class DynamicsWriter:
             assert before is not None
             self.d.bound[name] = zero.without((name,)).scaled(-1.0 / before)
             self.d.bound = {n: p.put({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
-            what = f"{capital(self._line(f'T{row.number}'))} does not stretch{doubled(self.d, row)}"
-            step.say(f"{what}: {step.law(Symbol(name), rest)}.")
+            line, more = self._line(f"T{row.number}"), f"{not_slipping(self.d, row)}{doubled(self.d, row)}"
+            step.say(f"{capital(line)} does not stretch{more}: {step.law(Symbol(name), rest)}.")
             found.append(Equation("", NIL, zero, NIL))
         step.close()
         return found

@@ -10,7 +10,7 @@ from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered
 from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.solution import Solution, Step
 
-_HEADING = re.compile(r"In (?:numbers|order of the unknowns): ")  # of one equation, and of those after it
+_HEADING = re.compile(r"(?:In numbers|With numbers for the coefficients): ")  # of one equation, and of those after it
 _UNLABELLED = frozenset(("constraint", "combine"))  # kinds of steps of one equation each
 
 

@@ -7,11 +7,17 @@ from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.net_force import collected
 from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
 STILL = 1e-6  # relative, and m
+
+
+def swings_on(setting: Setting) -> bool:
+    """Return whether the motion in question goes on after it first comes to rest, by the engine."""
+    return any(0.0 < held.start < setting.time * (1.0 - STILL) for held in setting.motion.segments)
 
 
 def fastest_place(way: SingleWay, seen: float) -> Symbol:
@@ -29,8 +35,7 @@ def fastest_place(way: SingleWay, seen: float) -> Symbol:
     step = way.book.open("balance")
     gathered = collected(load, stiffness)
     law = step.law(stiffness.expression() * name, gathered)
-    swings = [held for held in way.setting.motion.segments if held.start < way.setting.time * (1.0 - STILL)]
-    if isinstance(motion, LinearMotion) and motion.friction(i) and len(swings) > 1:
+    if isinstance(motion, LinearMotion) and motion.friction(i) and swings_on(way.setting):
         step.say(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
     formula = over(load, stiffness) if gathered == load.expression() else gathered / stiffness.expression()
     step.say(f"The kinetic energy is greatest where the net force is zero: {law},")

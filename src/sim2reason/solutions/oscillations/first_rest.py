@@ -36,15 +36,22 @@ def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -
 
 
 def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
-    """Write that what moves would come to rest, first or `later`, only beyond a place, so that friction is constant."""
-    book, step = way.book, way.book.open("verify")
+    """Write that what moves would come to rest, first or `later`, only beyond a place, so that friction is constant.
+
+    In symbols this is assumed.
+    """
+    book, step, who = way.book, way.book.open("verify"), way.who(held.motion.free[0])
+    there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
+    when = "next" if later else "first"
+    if book.in_symbols:
+        step.say(f"Assume that {who} gets to ${there}$ before it {when} comes to rest.")
+        step.close()
+        return
     name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
     far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
     exceeds(book, step, far, near)
     told = step.verified(name, turning, METRES)
-    there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
-    who = capital(way.who(held.motion.free[0]))
-    step.say(f"{who} would {'next' if later else 'first'} come to rest at {told}, beyond ${there}$,")
+    step.say(f"{capital(who)} would {when} come to rest at {told}, beyond ${there}$,")
     step.say("so friction is constant until then.")
     step.close()
 

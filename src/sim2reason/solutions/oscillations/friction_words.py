@@ -1,10 +1,11 @@
 """Sentences about the size and the direction of kinetic friction in oscillations."""
 
 from sim2reason.solutions.laws.sliding import sliding_coordinates
+from sim2reason.solutions.oscillations.fastest_place import swings_on
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.linear_way import LinearWay
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import capital, joined
 
 
 def friction_words(way: LinearWay, motion: LinearMotion) -> str:
@@ -19,6 +20,12 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
     if [body for bodies in ways.values() for body in bodies] == [motion.mechanism.coordinates[motion.free[0]].body]:
         return next(iter(ways))
     return joined([f"on {way.setting.listed(bodies)} {against}" for against, bodies in ways.items()])
+
+
+def first_friction(way: LinearWay, motion: LinearMotion) -> str:
+    """Return the sentence, without its full stop, about kinetic friction in motion that begins from rest."""
+    acts = f"friction acts {friction_words(way, motion)}"
+    return f"Until {way.who(motion.free[0])} first comes to rest, {acts}" if swings_on(way.setting) else capital(acts)
 
 
 def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:

@@ -115,8 +115,8 @@ class Harmonic:
         if self.like is not None:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
-        whence = "the point of zero net force" if self._rubs else "equilibrium"
-        said = f"The restoring force is proportional to the displacement from {whence}, so the angular frequency is"
+        whence = "the point where it is zero" if self._rubs else "equilibrium"
+        said = f"The net force is proportional to the displacement from {whence}, so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property

@@ -30,8 +30,8 @@ AXES = {0: "x", 1: "y", 2: "z"}
 SLIDE_UNITS = METRES, SPEED, ACCELERATION
 HINGE_UNITS = RADIANS, ANGULAR_SPEED, ANGULAR_ACCELERATION
 COUNTED = (
-    "A number in a subscript is that of the phase in which an acceleration or a force acts, or at whose end another "
-    "value holds."
+    "The number of a phase, as a subscript, marks accelerations and forces in that phase, and other quantities at its "
+    "end."
 )
 
 

@@ -96,7 +96,7 @@ class SteadyPhase:
         """Return how the phase goes on, in words: at constant velocities, where nothing accelerates in it."""
         inner = self._inner
         if not all(inner.is_still(k) for k in range(len(inner.mechanism.coordinates))):
-            return "The phase lasts"
+            return "This goes on"
         rolls = [face for face, side in inner.rough.items() if side == 0 and len(inner.mechanism.faces[face].slip) > 1]
         if not rolls:
             return "All velocities remain constant"

@@ -7,7 +7,6 @@ from typing import ClassVar
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
@@ -16,7 +15,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.asked import by_energy, unasked
+from sim2reason.solutions.swings.asked import by_energy, straight, turns_back, unasked
 from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.small_oscillations import small_oscillations
 from sim2reason.solutions.swings.total_angle import swept
@@ -130,11 +129,7 @@ class _Turning(SwingAngle):
         inertia, moment = arm.inertia, arm.moment
         law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
         formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
-        highest = " at its highest point," if isinstance(self.setting.query.moment, HighestPoint) else ""
-        step.say(
-            f"{arm.noun()} turns back{highest} where all its kinetic energy has become potential energy: {law}, so"
-        )
-        step.say(f"{step.result(name, formula, DEGREES)}.")
+        step.say(f"{turns_back(self.setting, arm.noun())} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
         return -name if self.extreme or self.now < 0.0 else name
 
@@ -151,7 +146,8 @@ class _Turning(SwingAngle):
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = squares([self.launch]) + square
-        said = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), one_point=False)
+        where = straight(self.setting, below=self.book.value(moment * there) > 0.0)
+        said = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), where=where)
         step.say(f"{said} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
@@ -276,7 +272,7 @@ class _Turning(SwingAngle):
         return self.piece.mass * self.change(begun, speed)
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "The speed is the angular speed times the radius:"),
+        "velocity": ("_velocity", "The speed is the angular speed times the distance from the axle:"),
         "acceleration": ("_acceleration", BOTH["acceleration"]),
         "net force": ("_force", BOTH["net force"]),
         "momentum": ("_momentum", "The momentum is"),
@@ -293,7 +289,10 @@ class _Turning(SwingAngle):
         "angle turned": ("_between", "The angle turned through is"),
         "total angle": ("_swept", "In all, it turns through"),
         "impulse of the net force": ("_impulse", "The impulse is the change in momentum, of magnitude"),
-        "distance travelled": ("_travelled", "The distance is the radius times the total angle:"),
+        "distance travelled": (
+            "_travelled",
+            "The path is as long as the distance from the axle times the total angle:",
+        ),
         "displacement": ("_chord", "The displacement is the chord"),
         "height": ("_rise", "The height gained is"),
     }

@@ -19,21 +19,16 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
 from sim2reason.solutions.oscillations.lone_spring import LoneSpring, ends, lone_spring, quantity_of
+from sim2reason.solutions.oscillations.natural_passed import Launch, passed_words
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.numeric_roots import told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES, METRES, SPEED, latex
 
 HALF = Number(0.5)
 MOMENTS = (MostCompressed, MostStretched, NaturalLength)
-ENDS: Mapping[type, tuple[str, str]] = {
-    MostStretched: ("compressed", "stretched"),
-    MostCompressed: ("stretched", "compressed"),
-}
-"""What a spring is that passes its natural length before such a moment, at first and in the end."""
 NEAR = 1e-3  # relative: of a place that a search has found
 STRAIGHT = 1e-6  # of its speed: it goes straight to or from the fixed end
 
@@ -87,8 +82,18 @@ class _Round(LoneSpring):
         """Of motion and spring."""
         launched = HALF * self.mass * squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
+        step, name = self.book.open("energy"), self.book.fresh("E")
         said = "Energy is conserved; its value is"
-        return self.book.told("energy", said, self.book.fresh("E"), launched + stored, JOULES)
+        if quantity_of(self.setting) == "kinetic energy" and self.relaxed:
+            step.say(passed_words(self._launched, step))
+            said = "There all energy is kinetic; as it is conserved, its value is"
+        step.say(f"{said} {step.result(name, launched + stored, JOULES, law=True)}.")
+        step.close()
+        return name
+
+    @property
+    def _launched(self) -> Launch:
+        return Launch(self, self.launch, lambda: (self.energy, self.swirl))
 
     @cached_property
     def swirl(self) -> Expression:
@@ -150,28 +155,13 @@ class _Round(LoneSpring):
         name = self.book.fresh("v")
         if not self.relaxed:
             return self.book.told("speed", "The speed there is", name, self.swirl / self.there, SPEED)
-        self._tell_passed()
         step = self.book.open("speed")
+        step.say(passed_words(self._launched, step))
         law = step.law(HALF * self.mass * Power(name, 2), self.energy)
         formula = Root(2.0 * self.energy / self.mass)
         step.say(f"At the natural length all energy is kinetic: {law}, so {step.result(name, formula, SPEED)}.")
         step.close()
         return name
-
-    def _tell_passed(self) -> None:
-        """Write, of a greatest value, that it is taken where the spring has its natural length, and when that is."""
-        query = self.setting.query
-        if not isinstance(query, StretchQuery):
-            return
-        step, book, what = self.book.open("extreme"), self.book, query.functional.partition(" ")[2]
-        step.say(f"The {what} is greatest where the spring stores no energy, at its natural length.")
-        first, last = ENDS.get(type(query.moment), ("", ""))
-        sides = (self.natural, self.length) if first == "compressed" else (self.length, self.natural)
-        if first and not any(map(book.is_hidden, sides)) and book.value(sides[0]) > book.value(sides[1]):
-            exceeds(book, step, *sides)
-            relation = f"${self.length.latex()} {'<' if first == 'compressed' else '>'} {self.natural.latex()}$"
-            step.say(f"It passes that length, as it is {first} at first, {relation}, and {last} in the end.")
-        step.close()
 
     # ---- what is asked
 
@@ -190,8 +180,6 @@ class _Round(LoneSpring):
         return self.mass * self.speed
 
     def _kinetic(self) -> Expression:
-        if self.relaxed:
-            self._tell_passed()
         return self.energy if self.relaxed else HALF * self.mass * Power(self.speed, 2)
 
     def _extension(self) -> Expression:

@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.oscillations.fastest_place import fastest_place
-from sim2reason.solutions.oscillations.friction_words import friction_words
+from sim2reason.solutions.oscillations.friction_words import first_friction
 from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
 from sim2reason.solutions.oscillations.net_force import (
@@ -103,7 +103,7 @@ class EnergyWay(SingleWay):
             said = f"{self.mover} starts to move {way}"
             told = RestChecks(self).moves_on(motion, 0, said)
             step = self.book.open("names")
-            step.say("" if told else f"{capital(said)}.", f"Friction acts {friction_words(self, motion)}.")
+            step.say("" if told else f"{capital(said)}.", f"{first_friction(self, motion)}.")
             step.close()
         return name
 

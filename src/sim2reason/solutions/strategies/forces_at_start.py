@@ -198,11 +198,13 @@ class _AtStart(Way):
             stiffness = lexicon.read(Both(law.stiffness, twin.law.stiffness)).expression()
             natural = lexicon.read(Both(law.length, twin.law.length)).expression()
             step, name = self.book.open("spring"), self.book.fresh("F", mark)
-            formula = multiplied(stiffness, added(length, -natural))
+            formula, pulls = multiplied(stiffness, added(length, -natural)), "It pulls"
             if growth := self._growing(line, apart, length):
                 damping = lexicon.read(Both(law.damping, twin.law.damping)).expression()
-                formula = added(formula, multiplied(damping, growth))
-            step.say(f"Its force is {step.result(name, formula, NEWTONS, law=True)}.")
+                formula, pulls = added(formula, multiplied(damping, growth)), f"{which} and its dashpot together pull"
+            sure = self.book.value(formula) >= 0.0 and not self.book.is_hidden(formula)
+            sign = "" if sure else ", a negative value being a push"
+            step.say(f"{pulls} with the force {step.result(name, formula, NEWTONS, law=True)}{sign}.")
             step.close()
             found.append((name, apart, length, False))
         return found

@@ -77,7 +77,7 @@ class _Swinging(Oscillating):
         if isinstance(moment, Halted):
             there = self.whole_place
             self._checks.stays(self._motion(self.segment, there), len(self._segments))
-        marked = isinstance(moment, Moved | NaturalLength) and not (self.greatest or self.book.in_symbols)
+        marked = isinstance(moment, Moved | NaturalLength) and not self.greatest
         if marked and not held.turns(self.since_begun):
             self._turns_beyond(held)
         return super().write()
@@ -239,9 +239,10 @@ class _Swinging(Oscillating):
 
     def _equal_times(self, *more: Symbol) -> str:
         """Begin a sentence with the reason why one time stands for several swings, if one does."""
-        whole = [held for held in (*self._lasting, *more) if held == self._half]
-        every = "both" if len(whole) == 2 else f"all {len(whole)}"
-        return f"{every} half oscillations take the same time, so " if len(whole) > 1 else ""
+        goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
+        every = "both" if number == 2 else f"all {number}"
+        every = f"the first {'two' if number == 2 else number}" if goes_on else every
+        return f"{every} half oscillations take the same time, so " if number > 1 else ""
 
     @property
     def standing(self) -> str:
@@ -273,9 +274,9 @@ class _Swinging(Oscillating):
         step.close()
 
     def _turns_beyond(self, held: Harmonic) -> None:
-        """Write that it comes to rest only beyond where it is at the moment; in the end, if numbers are unknown."""
+        """Write that it comes to rest only beyond its place at the moment; in the end, if numbers are unknown."""
         formula, place, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
-        if any(map(self.book.is_hidden, (formula, place))):
+        if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, place))):
             self.book.afterwards.append(lambda: tell_beyond(self, held, formula, place, later=later))
         else:
             tell_beyond(self, held, formula, place, later=later)

@@ -192,8 +192,9 @@ class Oscillating(SingleWay):
             return f"{self.standing} when"
         if isinstance(moment, Moved):
             return f"{capital(self.setting.called(moment.name))} has moved ${self._given_distance}$ when"
-        level = self._place == self.harmonic.rest
-        return f"{capital(self.harmonic.balance) if level else 'The displacement just found'} is reached when"
+        if isinstance(moment, NaturalLength) and self._place != self.harmonic.rest:
+            return f"{capital(self.setting.springs[moment.name])} has its natural length when"
+        return f"{capital(self.harmonic.balance)} is reached when"
 
     @cached_property
     def _timed(self) -> bool:

@@ -79,6 +79,7 @@ class _Tumbling:
         self.slope: Expression = sine.argument if isinstance(sine, Call) else ZERO
         if self.slope == ZERO and sine != ZERO:
             raise UnreadError("its slope is not known")
+        self.highest = isinstance(setting.query.moment, HighestPoint)
         self.edges = 0  # that have landed by the phase that is written
         self.rate: Expression = self.launch  # at the beginning of that phase
         self.since: Expression = ZERO  # the time of that
@@ -174,7 +175,7 @@ class _Tumbling:
         self._through()
         if isinstance(moment, AtStart):
             return ZERO
-        if isinstance(moment, HighestPoint):
+        if self.highest:
             return -self.begins
         if isinstance(moment, AtTime):
             return self._swung - PI - self.begins
@@ -190,12 +191,10 @@ class _Tumbling:
     @property
     def angle(self) -> Expression:
         """The angle at the moment, downhill being positive."""
-        moment = self.setting.query.moment
-        if isinstance(moment, HighestPoint):
-            _ = self.turned
-            return ZERO
         turned = self.turned
-        return self._swung - PI if isinstance(moment, AtTime) else self.begins + turned
+        if self.highest:
+            return ZERO
+        return self._swung - PI if isinstance(self.setting.query.moment, AtTime) else self.begins + turned
 
     @cached_property
     def _swung(self) -> Expression:
@@ -221,7 +220,8 @@ class _Tumbling:
         gained = self.weight * (Call("cos", self.begins) - here)
         law = step.law(HALF * self.about * Power(name, 2), HALF * self.about * squares([self.rate]) + gained)
         formula = Root(squares([self.rate]) + TWO * gained / self.about)
-        step.say(f"By conservation of energy, {law}, so {step.result(name, formula, ANGULAR_SPEED)}.")
+        where = "At the highest point the axis is straight above the edge. By" if self.highest else "By"
+        step.say(f"{where} conservation of energy, {law}, so {step.result(name, formula, ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -280,9 +280,9 @@ class _Tumbling:
 
     def _impulse(self) -> Expression:
         bent = self.launch * self.spin * Call("cos", self.turned)
-        prism_words.tell(self.book, prism_words.velocities_words(self.turned))
-        whole = squares([self.launch]) + squares([self.spin]) - TWO * bent
-        return self.mass * self.radius * Root(whole)
+        said = prism_words.velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
+        prism_words.tell(self.book, said)
+        return self.mass * self.radius * Root(squares([self.launch]) + squares([self.spin]) - TWO * bent)
 
     WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
         "velocity": ("_velocity", "The speed of the centre is the angular speed times the radius,"),

@@ -235,12 +235,12 @@ class SwingAngle(ABC):
         formula: Expression = getattr(self, self.WAYS[quantity][0])()
         turned = sense is None and self.book.value(formula) < 0.0
         formula = -formula if turned else formula
-        self._compare_ends(quantity, formula)
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        said = self.said(quantity) or "So"
-        said = of_magnitude(said, quantity) if turned else said
-        return self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, unit)
+        said = of_magnitude(self.said(quantity) or "So", quantity) if turned else self.said(quantity) or "So"
+        found = self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, unit)
+        self._compare_ends(quantity, found)
+        return found
 
     @property
     def components(self) -> tuple[Expression, Expression] | None:
@@ -266,10 +266,10 @@ class SwingAngle(ABC):
         lowest, highest = at.format("lowest"), at.format("highest")
         still = highest if self.goes_round else "at the turning points"
         where, step = lowest if self.extreme == "fastest" else still, self.book.open("extreme")
-        step.say(where_extreme(quantity, noun, superlative, where))
+        step.say(where_extreme(quantity, noun, superlative, where, loops=self.goes_round, free=self.book.in_symbols))
         step.close()
 
-    def _compare_ends(self, quantity: str, found: Expression) -> None:
+    def _compare_ends(self, quantity: str, found: Symbol) -> None:
         """Write, once it is known, how great an acceleration is at the other end of a swing that turns back."""
         ends, book = self.ends, self.book
         if not self.extreme or quantity != "acceleration" or self.goes_round or ends is None or book.in_symbols:

@@ -168,10 +168,18 @@ class Arm:
         shift: Expression = self.book.told("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
         whole = self.book.fresh("r", self.setting.mark(body))
-        self.book.told("place", "Its distance from the axle is", whole, plain + shift, METRES)
+        self.book.told("place", self._place_words(body, plain + shift, plain, shift), whole, plain + shift, METRES)
         if abs(self.book.value(whole) - here) > SAME:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
         return whole
+
+    def _place_words(self, body: str, place: Expression, *parts: Expression) -> str:
+        """Return the words before the place of a centre of mass: a distance only where it can't be negative."""
+        plain = not any(part.negative for part in parts)
+        if plain or (self.book.value(place) > 0.0 and not self.book.is_hidden(place)):
+            return "Its distance from the axle is"
+        whose, first = self.setting.called(body), self.setting.called(self.bodies[0])
+        return f"Along the arm, from the axle and positive on the side of {first}, the centre of mass of {whose} is at"
 
     def _own(self, body: str, mass: Expression) -> Expression:
         """The moment of inertia about a line through its centre of mass along the axle."""
@@ -185,7 +193,7 @@ class Arm:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 line = "the line through its centre of mass parallel to the axle"
                 flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
-                line = f"{line}, which is a diameter," if flat else line
+                line = f"{line}, a diameter of it," if flat else line
                 said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
                 return self.book.told("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
@@ -238,16 +246,17 @@ class Arm:
         elif not self.book.is_hidden(total):
             step.say(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
         elif not self.book.in_symbols:
-            self.book.afterwards.append(lambda: self._tell_side(name, sign, side))
+            step.say(f"Assume that ${name.name} {sign}$, so that the centre of mass is on {side} side.")
+            self.book.afterwards.append(lambda: self._tell_side(name, sign))
         step.close()
         return name
 
-    def _tell_side(self, moment: Symbol, sign: str, side: str) -> None:
+    def _tell_side(self, moment: Symbol, sign: str) -> None:
         """Write that the centre of mass is on the side that was assumed, once all numbers are known."""
         step = self.book.open("verify")
         exceeds(self.book, step, *((moment, ZERO) if sign == "> 0" else (ZERO, moment)))
         value = with_unit(self.book.value(moment), MOMENT)
-        step.say(f"With this, ${moment.name} = {value} {sign}$: the centre of mass is on {side} side, as was assumed.")
+        step.say(f"With this, ${moment.name} = {value} {sign}$, as was assumed.")
         step.close()
 
     def noun(self) -> str:

@@ -12,7 +12,7 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
 EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
@@ -39,15 +39,31 @@ def quantity_of(setting: Setting) -> str:
     return query.target.quantity if query.target is not None else ""
 
 
-def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, one_point: bool = True) -> str:
+def turns_back(setting: Setting, noun: str) -> str:
+    """Return the beginning of a sentence with the law by which what swings, a `noun` with a capital, turns back."""
+    moment, highest = setting.query.moment, ""
+    if isinstance(moment, HighestPoint):
+        body = setting.called(moment.name)
+        highest = " at its highest point," if capital(body) == noun else f", with {body} at its highest point,"
+    return f"{noun} turns back{highest} where all kinetic energy has become potential energy:"
+
+
+def straight(setting: Setting, *, below: bool) -> str:
+    """Return where the centre of mass of bodies on an arm is when one is at its highest or lowest point, in words."""
+    if isinstance(setting.query.moment, LowestPoint | HighestPoint):
+        return f"with the centre of mass straight {'below' if below else 'above'} the axle"
+    return "at that moment"
+
+
+def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, where: str = "") -> str:
     """Return the beginning of a sentence that gives how fast something is at the moment, by conservation of energy.
 
-    With `extreme` it is said before where that is; `one_point` that what swings is a single small body.
+    With `extreme` it is said before where that is; `where` something else than a single small body is at the moment.
     """
     if extreme and quantity_of(setting) not in PLACES:
         return f"There the {noun} ${name.latex()}$ is given by"
-    at, moment = "at that moment", setting.query.moment
-    if one_point and isinstance(moment, LowestPoint | HighestPoint):
+    at, moment = where or "at that moment", setting.query.moment
+    if not where and isinstance(moment, LowestPoint | HighestPoint):
         at = f"at the {'lowest' if isinstance(moment, LowestPoint) else 'highest'} point"
     return f"By conservation of energy, the {noun} ${name.latex()}$ {at} is given by"
 

@@ -46,13 +46,20 @@ def angle_words(half: Expression, angle: Expression) -> str:
     )
 
 
-def velocities_words(turned: Expression) -> str:
-    """Return the sentence that says which angle the first and the last velocity of the axis make."""
-    return (
-        "The velocity of the axis is perpendicular to the line from the lower edge to it, which has the same direction "
-        f"after each landing as at the start. The initial and the final velocity therefore make the angle "
-        f"${turned.latex()}$."
-    )
+def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
+    """Return the sentences that say which angle the first and the last velocity of the axis make.
+
+    `turned` is the angle through which the prism has turned at the end, since its last landing if it has `landed`;
+    `highest` says that its axis is at the top then, which comes before any landing.
+    """
+    angle = f"${turned.latex()}$"
+    how = f"Since the start it has turned by {angle}"
+    if landed:
+        how = f"Just after each landing it has its first direction again; since the last it has turned by {angle}"
+    elif highest:
+        how = f"At the start it makes the angle {angle} with the vertical, and in the end it is vertical"
+    line = "The velocity of the axis is perpendicular to the line from the lower edge to it."
+    return f"{line} {how}, so this is the angle between the initial and the final velocity."
 
 
 def tell(book: Book, sentence: str) -> None:

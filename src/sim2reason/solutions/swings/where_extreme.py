@@ -13,24 +13,32 @@ QUADRATIC = (
     "By conservation of energy the centripetal acceleration is linear in $\\cos\\varphi$, where $\\varphi$ is the "
     "angle from the lowest position, and the tangential one is proportional to $\\sin\\varphi$. The square of the "
     "acceleration is then quadratic in $\\cos\\varphi$ with a positive leading coefficient, so its greatest value is "
-    "at one end of the range, here"
+    "at one end of the range"
 )
 
 
-def where_extreme(quantity: str, noun: str, superlative: str, where: str) -> str:
-    """Return the sentence that a quantity has its greatest or least value somewhere, with the reason."""
+def where_extreme(
+    quantity: str, noun: str, superlative: str, where: str, *, loops: bool = False, free: bool = False
+) -> str:
+    """Return the sentence that a quantity has its greatest or least value somewhere, with the reason.
+
+    What `loops` never turns back. Where the acceleration of what does is greatest, a comparison shows later, unless
+    it is `free` to be so or not, as in symbols.
+    """
     if quantity in FORCES:
         along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"
         thrust = " Where the rod pushes, its thrust is at most the weight, and so no greater."
         thrust = thrust if (quantity, superlative) == ("rod force", "greatest") else ""
         return f"The {noun} is {superlative} {where}, because the speed and {along} are {superlative} there.{thrust}"
     if quantity == "acceleration":
-        return f"{QUADRATIC} {where}."
+        if loops:
+            return f"{QUADRATIC}. At both ends it is only centripetal, so it is greatest {where}."
+        return f"{QUADRATIC}: {'it is assumed to be' if free else 'as the comparison below shows,'} {where}."
     return f"By conservation of energy, the {noun} is {superlative} {where}."
 
 
 def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
-    """Write which acceleration there is at the other end of a swing, less than the one that was found."""
+    """Write which acceleration there is at the other end of a swing, less than the one that was found, a symbol."""
     pull, first, excess = ends
     cosine = Call("cos", first) if first != ZERO else ONE
     sine = Call("sin", first) if excess == ZERO else Root(ONE - Power(cosine - excess, 2))
@@ -39,5 +47,5 @@ def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
     where = "At the lowest point" if less is lowest else "At a turning point"
     step, name = book.open("verify"), book.fresh("a", r"\text{end}")
     exceeds(book, step, found, less)
-    step.say(f"{where} the acceleration is only {step.verified(name, less, ACCELERATION)}.")
+    step.say(f"{where} the acceleration is {step.verified(name, less, ACCELERATION)}, less than ${found.latex()}$.")
     step.close()

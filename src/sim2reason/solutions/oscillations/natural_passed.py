@@ -1,0 +1,105 @@
+"""Why a body that is launched across a spring is fastest where that has its natural length: it passes that length."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.oscillations.lone_spring import LoneSpring
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import JOULES
+
+HALF = Number(0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """A body that is launched across a spring: its velocity, and what writes its energy and its angular momentum."""
+
+    body: LoneSpring
+    velocity: Sequence[Expression]
+    kept: Callable[[], tuple[Symbol, Expression]]  # the latter per unit of mass
+
+
+def passed_words(launch: Launch, step: Writing) -> str:
+    """Return, of a greatest value, that it is taken at the natural length, and why that is passed; else nothing.
+
+    Raises:
+        UnsolvedError: nothing shows that it is passed.
+    """
+    query = launch.body.setting.query
+    if not isinstance(query, StretchQuery):
+        return ""
+    what = query.functional.partition(" ")[2]
+    passed = "" if isinstance(query.moment, NaturalLength) else f" {_why_passed(launch, step, query)}"
+    return f"The {what} is greatest where the spring stores no energy, at its natural length.{passed}"
+
+
+def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
+    """Return the sentences that say why it passes that length before it is stretched, or compressed, the most."""
+    body, (u, v) = launch.body, launch.velocity
+    book, (x, y) = body.book, body.apart
+    outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
+    lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
+    sides = (body.length, body.natural) if stretched else (body.natural, body.length)
+    relation = f"${body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}$"
+    match query.moment:
+        case MostCompressed() if lengthens and not (stretched and known):
+            why = "and goes on to do so as long as it is compressed; in the end it is compressed"
+            return _passes(book, step, (outward, ZERO), f"${outward.latex()} > 0$", "lengthens at first", why)
+        case MostCompressed() if stretched:
+            said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
+        case MostStretched() if not stretched:
+            said = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
+        case MostStretched() if not lengthens:
+            book.afterwards.append(lambda: _verify_reached(launch))
+            why = "and does not turn back before"
+            return _passes(book, step, (ZERO, outward), f"${outward.latex()} < 0$", "shortens at first", why)
+        case _:
+            raise UnsolvedError("nothing shows that it passes its natural length")
+    if known or lengthens == stretched or book.is_hidden(outward):
+        return said
+    exceeds(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
+    state, way = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
+    less = f"${outward.latex()} {'>' if lengthens else '<'} 0$"
+    return f"{said} If it were {state} at first, it would be fastest at the start, as it {way} then, {less}."
+
+
+def _passes(
+    book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
+) -> str:
+    """Return that the spring passes its natural length, as it does what it `begins` with by a `relation` of `sides`."""
+    if not any(map(book.is_hidden, sides)):
+        exceeds(book, step, *sides)
+        return f"The spring passes that length, as it {begins}, {relation}, {ends}."
+    book.afterwards.append(lambda: _verify(book, sides, relation))
+    return f"Assume that {relation}. Then the spring passes that length, as it {begins} {ends}."
+
+
+def _verify(book: Book, sides: tuple[Expression, Expression], relation: str) -> None:
+    """Write that a relation holds which was assumed."""
+    step = book.open("verify")
+    exceeds(book, step, *sides)
+    step.say(f"Indeed {relation}, as was assumed.")
+    step.close()
+
+
+def _verify_reached(launch: Launch) -> None:
+    """Write that a spring that shortens at first does so until it has its natural length."""
+    body, (energy, swirl) = launch.body, launch.kept()
+    book = body.book
+    across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
+    step = book.open("verify")
+    exceeds(book, step, energy, across)
+    step.say(
+        "The energy at a turning point of the length, where the velocity is perpendicular to the spring, is a convex "
+        f"function of that length. It is less than ${energy.latex()}$ for ${body.length.latex()}$, where the spring "
+        f"shortens, and for ${body.natural.latex()}$, where it is {step.verified(name, across, JOULES)}; so the spring "
+        "does not turn back between these."
+    )
+    step.close()
