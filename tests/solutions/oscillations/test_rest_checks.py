@@ -14,11 +14,11 @@ from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions import Solution
+from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.multipart.naming import consistent
 from sim2reason.solutions.multipart.recall import starting_from
 from sim2reason.solutions.solve import solve_prompt
-from worked import derived
+from worked import derived, settings_of
 
 G, MASS, STIFFNESS, FRICTION, SPEED, TIME = 9.8, 1.8, 132.0, 0.32, 2.0, 0.58
 RATE, LIMIT = sqrt(STIFFNESS / MASS), FRICTION * MASS * G
@@ -173,3 +173,13 @@ def test_what_is_assumed_of_an_unknown_is_verified_in_the_end() -> None:
     told = found.text.partition(r" = 1.7035\ \text{kg}$. The other root")[2]
     assert told.count("as was assumed") == 4
     assert "it is less than $f_{\\text{max}}$, so the block stays at rest." in told
+
+
+def test_the_time_that_is_left_is_compared_with_half_an_oscillation_in_the_data_too() -> None:
+    """With t + 2 t₁ for the time t − 2 t₁ the cosine is the same: only the comparison tells them apart."""
+    (setting,) = settings_of("springs-hard-choice-75-9")
+    found = solve(setting)
+    assert "As $t_2 < t_1$, it does not come to rest again within this time." in found.text
+    compared = [(r.left.latex(), r.right.latex()) for r in found.relations if r.role == "exceeds"]
+    assert ("t_1", "t_2") in compared
+    assert ("t_2", "0") in compared

@@ -8,6 +8,7 @@ from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 
@@ -62,4 +63,26 @@ def _tell_sign(way: LinearWay, rest: Expression, sign: str) -> None:
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     exceeds(way.book, step, greater, less)
     step.say(f"Indeed ${sign}$, as was assumed.")
+    step.close()
+
+
+def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool) -> None:
+    """Write that a swing takes longer than the time that is left, by a formula or the known time of half a swing."""
+    if book.in_symbols:
+        return
+    if book.is_hidden(formula) or book.is_hidden(left):
+        book.afterwards.append(lambda: tell_rest_only_later(book, formula, left, half, again=again))
+        return
+    step = book.open("verify")
+    exceeds(book, step, left, ZERO)
+    exceeds(book, step, formula if half is None else half, left)
+    if half is not None:
+        step.rest_on(half.name)
+        step.say(
+            f"As ${left.name} < {half.name}$, it does not come to rest{' again' if again else ''} within this time."
+        )
+    else:
+        told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
+        rest = "next" if again else "first"
+        step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")
     step.close()

@@ -16,7 +16,7 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.first_rest import tell_beyond, told_first_rest
+from sim2reason.solutions.oscillations.first_rest import tell_beyond, tell_rest_only_later, told_first_rest
 from sim2reason.solutions.oscillations.friction_words import swing_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
@@ -257,21 +257,8 @@ class _Swinging(Oscillating):
 
     def _turns_later(self, left: Symbol) -> None:
         """Write that the last swing takes longer than the time that is left."""
-        held, book = self.harmonic, self.book
-        formula = held.angle_of_turning(self._ends_after(held)) / held.rate
-        if book.is_hidden(formula) or book.is_hidden(left):
-            return
-        step = book.open("verify")
-        if self._half is not None:
-            step.rest_on(self._half.name)
-            again = " again" if self._times else ""
-            step.say(f"As ${left.name} < {self._half.name}$, it does not come to rest{again} within this time.")
-        else:
-            name = book.fresh("t", r"\text{turn}")
-            told = step.verified(name, formula, SECONDS)
-            rest = "next" if self._times else "first"
-            step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")
-        step.close()
+        formula = self.harmonic.angle_of_turning(self._ends_after(self.harmonic)) / self.harmonic.rate
+        tell_rest_only_later(self.book, formula, left, self._half, again=bool(self._times))
 
     def _turns_beyond(self, held: Harmonic) -> None:
         """Write that it comes to rest only beyond its place at the moment; in the end, if numbers are unknown."""
