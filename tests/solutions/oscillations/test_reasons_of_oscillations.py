@@ -127,3 +127,23 @@ def test_the_kinetic_energy_of_a_box_is_written_before_its_effective_mass() -> N
     assert r"to the right is $\frac{m_A}{M + m_A + m_B} \dot{x}$. With $V$ for this velocity" in text
     assert text.index("the total kinetic energy is") < text.index("effective mass")
     assert r"-\left(-" not in text
+
+
+def test_in_equilibrium_the_net_force_is_zero_whatever_acts() -> None:
+    """On a smooth horizontal track there are only springs, one of which was strained at first."""
+    text = solution_text("chain-medium-choice-301930-0")
+    assert "In equilibrium the net force on each body is zero: " in text
+    assert "other forces" not in text
+
+
+def test_on_a_rough_track_displacements_count_from_where_the_net_force_is_zero() -> None:
+    """That is no equilibrium: there friction would be static."""
+    text = solution_text("chain-medium-multipart-301930-0")
+    assert "The displacement from the point at which the net force is zero is $A \\cos(\\omega t - \\varphi)$" in text
+    assert "equilibrium" not in text
+
+
+def test_a_displacement_without_the_common_motion_is_told_to_be_that() -> None:
+    """At 1.0 s cart A is 0.42 m from its start, but the modes make only 0.07 m of that."""
+    text = solution_text("chain-hard-choice-301926-1")
+    assert "The displacement of cart A, apart from the common motion, is $c_2" in text
