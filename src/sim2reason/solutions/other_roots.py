@@ -72,8 +72,7 @@ class OtherRoots:
     def exclude(self, others: Sequence[float], lead: str = OTHER) -> None:
         """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
 
-        By then all comparisons are written on which the equations rest. The sentence begins with `lead`; but for other
-        roots of the same equation, an UnsolvedError is raised then if no comparison would be false.
+        By then all comparisons are written on which the equations rest. The sentence begins with `lead`.
         """
         for value in others:
             if value > 0.0:
@@ -102,8 +101,6 @@ class OtherRoots:
                 step.say(f"{positive}.")
                 step.close()
                 return
-        if lead != OTHER:
-            raise UnsolvedError(f"{lead.format(f'${self.unknown}$', value)}, which nothing excludes")
 
     def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
         """Return a formula with all inserted that hangs on the unknown, and a value for that.

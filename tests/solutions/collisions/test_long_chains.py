@@ -11,7 +11,7 @@ from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.testing.solutions.faults import WORDS, faults, words
 from sim2reason.testing.solutions.reading import read
-from worked import settings_of
+from worked import settings_of, solution_text
 
 
 def velocity(number: int, *needs: int) -> Step:
@@ -73,3 +73,10 @@ def test_long_chains_are_told_in_few_words(difficulty: str, index: int) -> None:
     assert not faults(solution, setting.answer)
     assert not read(solution.text).broken
     assert words(solution.text) <= WORDS[difficulty]
+
+
+def test_times_are_told_by_the_event_from_which_they_are_counted() -> None:
+    text = solution_text("collision-hard-choice-301933-0")
+    assert "The time since the start is $t_3 = t_1 + t_2 = 0.56987" in text
+    assert "The time since the collision of pucks A and B is $t_4 = t - t_1 = 0.53852" in text
+    assert "have the same acceleration, so their relative velocities are constant between collisions." in text

@@ -31,3 +31,14 @@ def test_the_angular_velocity_counts_in_the_sense_in_which_the_angular_accelerat
 def test_the_energy_that_friction_on_a_rolling_body_dissipates_takes_the_slip_of_its_point_of_contact() -> None:
     text = solution_text("rolling-hard-numeric-301921-2")
     assert "dissipates, which is the friction times the distance that the point of contact slips, is $Q = " in text
+
+
+def test_components_are_told_again_in_a_later_part() -> None:
+    """There the subscript of an acceleration is that of another crate."""
+    part = solution_text("box-medium-multipart-301932-1").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
+    told = "The acceleration of crate B relative to the ground has the components $a_M$ to the left and $a_A$ downward."
+    assert told in part
+
+
+def test_a_stretch_that_is_a_displacement_is_told_to_be_that() -> None:
+    assert "Spring 1 is stretched by $x_A$." in solution_text("chain-medium-multipart-301932-0")

@@ -147,3 +147,22 @@ def test_a_displacement_without_the_common_motion_is_told_to_be_that() -> None:
     """At 1.0 s cart A is 0.42 m from its start, but the modes make only 0.07 m of that."""
     text = solution_text("chain-hard-choice-301926-1")
     assert "The displacement of cart A, apart from the common motion, is $c_2" in text
+
+
+def test_a_side_that_was_assumed_is_the_only_one_that_the_given_time_allows() -> None:
+    text = solution_text("chain-medium-reverse-301926-0")
+    told = "Indeed $x_0 > 0$, as was assumed; on the other side of $x_0 = 0$, $\\omega t_1$ would be less than"
+    assert told in text
+
+
+def test_a_slower_cart_still_reaches_the_place_before_it_comes_to_rest() -> None:
+    """At half the speed the cart would come to rest at 0.0648 m, hardly beyond 0.064 m."""
+    part = solution_text("chain-medium-multipart-301930-0").partition("\n\n(c) ")[2]
+    assert "With $v$ halved, $x_{1,\\text{new}} = x_0 + " in part
+    assert "= 0.064812\\ \\text{m}$ still exceeds $d_1$." in part
+
+
+def test_a_later_part_does_not_begin_with_there() -> None:
+    part = solution_text("chain-medium-multipart-301930-0").partition("\n\n(b) ")[2]
+    assert "At the moment in question $x$ increases at the rate $v_1 = " in part
+    assert "There $x$" not in part

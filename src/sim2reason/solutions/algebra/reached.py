@@ -33,7 +33,8 @@ def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[f
     sides = [off(point) for point in points]
     found: list[float] = []
     for n in range(len(points) - 1):
-        if isfinite(sides[n]) and isfinite(sides[n + 1]) and sides[n] * sides[n + 1] <= 0.0:
+        ends = isfinite(sides[n]) and isfinite(sides[n + 1])
+        if ends and (sides[n] * sides[n + 1] < 0.0 or sides[n + 1] == 0.0 or (n == 0 and sides[n] == 0.0)):
             low, high = points[n], points[n + 1]
             for _ in range(HALVINGS):
                 middle = 0.5 * (low + high)
