@@ -29,3 +29,10 @@ def test_the_equation_for_the_unknown_is_more_than_its_answer() -> None:
     text = solution_text("collision-hard-reverse-301929-0")
     assert "gives, in SI units, $r_{x,B} = 5.1026\\,e_2 - 1.0334$, so $e_2 = 0.53961$." in text
     assert "alone" not in text
+
+
+def test_an_equation_is_in_symbols_or_in_numbers() -> None:
+    text = solution_text("chain-medium-reverse-301930-0")
+    equation = text.partition("gives, in SI units, ")[2].partition(", so ")[0]
+    assert "142.00\\,d - 92.186\\,d" in equation
+    assert "k_1" not in equation
