@@ -1,20 +1,21 @@
 """Oscillations: why they take half a period, which way they begin, and that the place in question is on the way."""
 
 import re
+from dataclasses import replace
 
 import pytest
 
 from plain_scenes import row
 from sim2reason.dsl.scene import Scene
-from sim2reason.questions import Query, Target
+from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions import Solution
+from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.reading import read
-from worked import derived, solution_text
+from worked import asked, derived, solution_text
 
 CART, SPRING = "row.carts.0", "row.springs.0"
 
@@ -147,6 +148,7 @@ def test_a_displacement_without_the_common_motion_is_told_to_be_that() -> None:
     """At 1.0 s cart A is 0.42 m from its start, but the modes make only 0.07 m of that."""
     text = solution_text("chain-hard-choice-301926-1")
     assert "The displacement of cart A, apart from the common motion, is $c_2" in text
+    assert "accelerations; in what follows, displacements are those apart from it." in text
 
 
 def test_a_side_that_was_assumed_is_the_only_one_that_the_given_time_allows() -> None:
@@ -166,3 +168,14 @@ def test_a_later_part_does_not_begin_with_there() -> None:
     part = solution_text("chain-medium-multipart-301930-0").partition("\n\n(b) ")[2]
     assert "At the moment in question $x$ increases at the rate $v_1 = " in part
     assert "There $x$" not in part
+
+
+def test_what_is_always_negative_is_no_case_of_several() -> None:
+    """Of a relaxed spring on a rough track, x₀ = −μmg/k."""
+    scene = row((2.2,), (116.0,), "right", friction=0.62, speed=1.2)
+    cart = next(body.name for body in scene.mechanism.bodies if body.mass)
+    plain = asked(scene, Query("time_to_event", None, Stopped(cart)))
+    names = tuple(given.symbol for given in plain.lexicon.givens.values())
+    latex = r"\arctan\left(\frac{k v}{\mu m g \sqrt{\frac{k}{m}}}\right)\,\sqrt{\frac{m}{k}}"
+    found = solve(replace(plain, formula=Formula(latex, names, ("",) * len(names), (), ())))
+    assert "As $x_0 < 0$, $\\omega t_1$ is less than" in found.text

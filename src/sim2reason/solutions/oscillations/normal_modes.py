@@ -105,7 +105,7 @@ class NormalModes(ModeLaws):
         if not driven and not moves:
             return RESTS
         kept = "the distances between them" if driven else "distances between them or, as it is uniform, accelerations"
-        return f"It does not change {kept}, so displacements are measured relative to it."
+        return f"It does not change {kept}; in what follows, displacements are those apart from it."
 
     def _tell_projection(self, found: Sequence[Mode]) -> None:
         """Write displacements as sums over modes, and why each mode has an equation of motion of its own."""
