@@ -92,6 +92,9 @@ def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start
     clause = moment.clause(words)
     assert clause is not None
     assert clause.statement == "cart A is first 1.5 m from its starting point"
+    assert moment.told(words, "$d$") == "cart A is the distance $d$ from its starting point"
+    behind = replace(moment, towards=-1).told(replace(words, symbolic=True), "$d$")
+    assert behind == "cart A is the distance $d$ to the left of its starting point"
 
 
 def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far() -> None:
@@ -104,6 +107,7 @@ def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far
         clause = Moved(BLOCK, 0.5).clause(replace(words_of(describe(scene)), symbolic=symbolic))
         assert clause is not None
         assert clause.statement == statement
+    assert Moved(BLOCK, 0.5).told(words_of(describe(ramp(angle=30.0))), "$d$") == "the block has moved $d$"
 
 
 def test_what_a_collision_sends_back_turns_at_once() -> None:

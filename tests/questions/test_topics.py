@@ -2,6 +2,7 @@
 
 import re
 from collections import Counter
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -39,6 +40,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes.taut import StaysTaut
 from sim2reason.questions.topics import irrelevant
+from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.simulation.scenes import simulate
 
 G = 9.8
@@ -213,3 +215,46 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
     assert "0.1" not in untold
     assert " rest" in describe(scene).text
     assert " rest" not in untold, "from nowhere in particular nothing is let go"
+
+
+def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
+    """Two carts between springs on a slope; at first the highest spring is compressed, or none is."""
+    chain = SpringMassChain(
+        track=RoughTrack(tilt=33.0),
+        carts=(Cart(mass=3.2), Cart(mass=2.4)),
+        ends=ends,
+        springs=tuple(Coil(stiffness=k) for k in (143.0, 85.0, 56.0)[: 3 if ends == "both" else 2]),
+        strain=Strained(spring=2 if ends == "both" else 1, way="compressed", by=by) if by else Strained(),
+    )
+    return Scene(entities=(Named(name="it", entity=chain),))
+
+
+@pytest.mark.parametrize("by", [0.12, 0.0])
+def test_how_springs_between_two_walls_are_strained_at_first_matters_to_their_equilibrium(by: float) -> None:
+    """From one wall alone, springs are stretched by the weight alone, whatever they were at first."""
+    stored = asked(EquilibriumQuery("equilibrium", Target("spring energy", "it.springs.1")))
+    assert "start" not in irrelevant(stored, study(strained("both", by)))
+    assert "start" in irrelevant(stored, study(strained("left", by)))
+
+
+def test_a_prompt_that_does_not_tell_how_springs_between_two_walls_are_strained_is_refused() -> None:
+    text = describe(strained("both"), without=("start",)).text
+    question = "What is the energy stored in spring 2 in the position of equilibrium?"
+    with pytest.raises(TextError, match="how the motion begins"):
+        parse_prompt(f"{text} {question} Write the answer in J, to three significant figures, in \\boxed{{}}.")
+
+
+def test_prompts_about_equilibria_of_drawn_chains_state_every_number_that_their_solutions_use() -> None:
+    told = 0
+    for number in range(60):
+        rng = np.random.default_rng(number)
+        search = QuestionSearch(RECIPES["chain"](difficulty_named("medium"), rng), number)
+        found = search.ask(MODES["numeric"], rng, Counter(), "equilibrium")
+        solution = found.candidate.solution if found is not None else None
+        if found is None or solution is None or not solution.text.startswith("Given: "):
+            continue
+        given = solution.text.partition("\n\n")[0]
+        for value in re.findall(r"= ([\d.]+)(?:\\|\^|\$)", given):
+            assert value in found.prompt, (value, found.prompt)
+            told += 1
+    assert told > 20

@@ -21,6 +21,7 @@ from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMB
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
+from sim2reason.questions.topics import depends_on_start
 
 SAMPLES = 101
 SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon
@@ -152,7 +153,7 @@ def _understood(
         raise untold(reading.unknown.values())
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    if "start" in reading.without and KINDS[found.query.kind].of_motion(found.query):
+    if "start" in reading.without and depends_on_start(found.query, study):
         raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
     if reading.unknown or KINDS[found.query.kind].time(found.query, study) is not None:
         return ParsedPrompt(reading, study, found, unit, shape)

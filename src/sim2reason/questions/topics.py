@@ -1,12 +1,14 @@
 """Which sentences of a text matter to some questions only, and whether they do to one."""
 
 from collections.abc import Callable, Collection, Iterator
-from math import inf
+from math import inf, isclose
 from typing import get_args
 
+from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.query import Query
 from sim2reason.questions.regimes.all_taut import AllStayTaut
 from sim2reason.questions.regimes.taut import StaysTaut
 from sim2reason.questions.study import BEYOND
@@ -15,6 +17,9 @@ from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
 AXES = "x", "y", "z"
+STRAIN = ".strain.by"  # how far one of an entity's springs is stretched or compressed at first, as its start tells
+SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: times one, and, in m, where there is none
+SAME = 1e-6  # relative, and in SI units: answers that differ by less are one
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
 
@@ -62,10 +67,31 @@ def _has_slackened(question: Question, study: Study) -> bool:
     return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
 
 
+def depends_on_start(query: Query, study: Study) -> bool:
+    """Return whether a query is about a motion that begins in one way, or springs strained at first decide its answer.
+
+    Between two walls these push and pull at rest, too, with forces that hang on how long the springs are by themselves.
+    """
+    kind = KINDS[query.kind]
+    if kind.of_motion(query):
+        return True
+    others = (study.with_values(values, 0.0) for values in _other_strains(study.scene))
+    mine = kind.answer(query, study)
+    its = (kind.answer(query, other) for other in others if other is not None)
+    return not all(isclose(mine or 0.0, answer or 0.0, rel_tol=SAME, abs_tol=SAME) for answer in its)
+
+
+def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
+    """Other values of how far a spring is strained at first, even where it is not."""
+    for parameter in scene.parameters:
+        if parameter.path.endswith(STRAIN):
+            values = (SHIFTED * parameter.value,) if parameter.value else FROM_NONE
+            yield from ({parameter.path: value} for value in values)
+
+
 def _depends_on_start(question: Question, study: Study) -> bool:
-    """Whether it is about a motion that begins in one way, not about what any motion shows."""
-    del study
-    return KINDS[question.query.kind].of_motion(question.query)
+    """Whether the answer does."""
+    return depends_on_start(question.query, study)
 
 
 MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {

@@ -21,7 +21,7 @@ def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
     if target is None or target.sense is not None or target.quantity in SQUARES:
         return False
     slides = goal in book.formulas and any(name.startswith(r"\mu") for name in book.formulas[goal].symbols())
-    return book.sign_chosen or (target.quantity == "friction force" and not slides)
+    return book.sign_chosen != 0 or (target.quantity == "friction force" and not slides)
 
 
 def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> None:

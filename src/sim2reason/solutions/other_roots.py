@@ -8,6 +8,7 @@ from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Root
 from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.reached import is_explicit, told_range, values_with
 from sim2reason.solutions.algebra.single_sine import beyond_right_angle
 from sim2reason.solutions.solution import SAME, with_unit
 from sim2reason.solutions.writing.comparing import exceeds
@@ -16,6 +17,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 Sides = tuple[Expression, Expression]
 """Left and right of an equation."""
+OTHER = "With the other root for {}, {}"
 LONGEST = 6000  # characters of a comparison with everything inserted
 UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
@@ -57,6 +59,8 @@ class OtherRoots:
             self._say_negative(step, others[0])
         elif self._would_be_negative(name, others[0]):
             step.say(f"The other root, {self._number(name, others[0])}, would take a negative ${self.unknown}$.")
+        else:
+            self._say_never(step, name, others[0])
 
     def _say_negative(self, step: Writing, value: float) -> None:
         number = self._number(self.unknown, value)
@@ -65,16 +69,16 @@ class OtherRoots:
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
 
-    def exclude(self, others: Sequence[float]) -> None:
+    def exclude(self, others: Sequence[float], lead: str = OTHER) -> None:
         """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
 
-        By then all comparisons are written on which the equations rest.
+        By then all comparisons are written on which the equations rest. The sentence begins with `lead`.
         """
         for value in others:
             if value > 0.0:
-                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value))
+                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead))
 
-    def _tell_excluded(self, value: float) -> None:
+    def _tell_excluded(self, value: float, lead: str) -> None:
         held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
         relations = [relation for step in self.book.steps for relation in step.relations]
         for relation in relations:
@@ -93,7 +97,7 @@ class OtherRoots:
                 exceeds(self.book, step, right, left)
                 positive = "positive" if relation.right == ZERO else f"greater than ${relation.right.latex()}$"
                 number = self._number(self.unknown, value)
-                step.say(f"With the other root for ${self.unknown}$, {number}, ${relation.left.latex()}$ would not be")
+                step.say(f"{lead.format(f'${self.unknown}$', number)}, ${relation.left.latex()}$ would not be")
                 step.say(f"{positive}.")
                 step.close()
                 return
@@ -117,6 +121,13 @@ class OtherRoots:
         late = [held for held in stated if book.values[name] < book.values[held] < others[0]]
         if late:
             step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
+
+    def _say_never(self, step: Writing, name: str, value: float) -> None:
+        """Say that another root does not count as no value that the unknown could have leads to it, if that is so."""
+        chain = self._chain(name)
+        if name != self.unknown and is_explicit(chain) and not values_with(chain, value, self.unknown, self.book):
+            what = told_range(self.unknown, self.book)
+            step.say(f"No {what} gives the other root, {self._number(name, value)}.")
 
     def _would_be_negative(self, name: str, value: float) -> bool:
         """Return whether a name on which the unknown hangs linearly has a value only where the unknown is negative."""
@@ -169,6 +180,8 @@ class OtherRoots:
             if misses:
                 exceeds(self.book, step, gap, ZERO)
                 step.say(f"The other root, {number}, does not satisfy the equation before it is squared.")
+        else:
+            self._say_never(step, name, other)
 
     def _other_of_quadratic(self, name: str, shown: Sides) -> float | None:
         """Return the second root of an equation that is quadratic in a name; None for any other equation."""

@@ -11,7 +11,7 @@ from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, loses_digits, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
-from sim2reason.solutions.algebra.in_numbers import closed_root
+from sim2reason.solutions.algebra.in_numbers import closed_root, fraction_in
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -19,11 +19,12 @@ from sim2reason.solutions.algebra.single_sine import single_sine
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
 from sim2reason.solutions.collisions.placing import SOLVED
-from sim2reason.solutions.opposite_sign import exclude_opposite
+from sim2reason.solutions.opposite_values import tell_sign
 from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
+PAIR = 2  # terms of an equation whose root is seen at once
 LONG = 300  # characters of a formula that is better not written
 LONGEST = 40  # formulas put into each other
 
@@ -60,12 +61,14 @@ class Inversion:
         self.book, self.goal, self.unknown = book, goal, unknown
         if goal not in book.formulas:
             raise UnsolvedError("what is given does not hang on what is unknown")
-        self.stated, self.magnitude = value, magnitude
+        self.stated = value
         self._found: list[tuple[str, Expression]] = []  # names from the goal to the unknown, with their formulas
         self._guarded = False  # whether numbers are written with guard digits, since digits cancel
         self._inserted: list[str] = []  # names whose formulas were put in since the last name was found
         self._defined = book.formulas[goal]
         self._roots = OtherRoots(book, unknown, lambda name: self._chain(name, *self._leading(name)))
+        signed = magnitude and not book.in_symbols
+        self._signed = self._chain(goal, *self._leading(goal)) if signed else None  # the goal of either sign
 
     def write(self, spelled: str = "") -> str:
         """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
@@ -199,14 +202,17 @@ class Inversion:
         if not self.stated:
             step.rest_on(self.goal)
         if closed:
-            said = f"{self._insertion(at, names[::-1])} leaves one for ${self.unknown}$ alone, in numbers"
-            how = f"${closed.equation.latex()} = 0$, so"
+            sides = fraction_in(chain, Symbol(at), self.unknown, book.values)
+            same = f", or ${closed.equation.latex()} = 0$" if len(closed.equation.parts) > PAIR else ""
+            how = f"{step.derived(*sides)}{same}, so"
+            said = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
         else:
             said, how = f"These equations determine ${self.unknown}$;", "the numerical solution is"
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
         self._roots.drop(step, self.unknown, others)
         self._roots.exclude(others)
+        tell_sign(self._roots, step, self._signed, self._found)
         self._tell_implied(step, names)
         step.close()
         return self.unknown
@@ -284,7 +290,7 @@ class Inversion:
         if not isinstance(found, NumericRoot):
             self._roots.tell(step, name, found, others, written)
         self._found.append((name, found))
-        if name == self.unknown and self.magnitude and not self.book.in_symbols:
-            exclude_opposite(self.book, step, self.goal, self._found)
+        if name == self.unknown:
+            tell_sign(self._roots, step, self._signed, self._found)
         self._tell_implied(step, names)
         step.close()

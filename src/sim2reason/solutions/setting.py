@@ -207,7 +207,7 @@ class Setting:
         if abs(x) > 1.0 - LEVEL:
             return "to the right" if x > 0.0 else "to the left"
         if abs(y) > 1.0 - LEVEL:
-            return "away from us" if y > 0.0 else "towards us"
+            return "away from you" if y > 0.0 else "towards you"
         surface = "slope" if on is None or self._slides_along(on, way) else "face"
         return f"{'up' if z > 0.0 else 'down'} the {surface}"
 

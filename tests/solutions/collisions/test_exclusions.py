@@ -3,7 +3,9 @@
 from worked import solution_text
 
 
-def test_discs_that_keep_no_relative_velocity_are_said_not_to_collide_until_another_body_acts_on_one() -> None:
-    text = solution_text("collision-hard-multipart-301923-0")
-    assert "pucks A and C touch, but keep no relative velocity along their line of centres" in text
-    assert "do not collide again before one of them collides with another body" in text
+def test_discs_that_slide_past_each_other_are_said_to_move_apart() -> None:
+    """No relative velocity along the line of centres is left at the impact only: that line turns."""
+    text = solution_text("collision-hard-choice-301926-0")
+    told = "pucks A and C keep only a relative velocity perpendicular to their line of centres, so they move apart"
+    assert told in text
+    assert "pucks A and C touch" not in text

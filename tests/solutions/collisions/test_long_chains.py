@@ -11,7 +11,7 @@ from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.testing.solutions.faults import WORDS, faults, words
 from sim2reason.testing.solutions.reading import read
-from worked import settings_of
+from worked import settings_of, solution_text
 
 
 def velocity(number: int, *needs: int) -> Step:
@@ -67,8 +67,16 @@ def test_sentences_that_rest_on_one_step_are_one_sentence_and_so_are_those_that_
 def test_long_chains_are_told_in_few_words(difficulty: str, index: int) -> None:
     (setting,) = settings_of(f"collision-{difficulty}-numeric-804-{index}")
     solution = solve(setting)
-    assert f"The {ROWS[TIME]} are" in solution.text
+    assert "The times are" not in solution.text, "each is counted from another event"
+    assert f"the {ROWS[VELOCITY]} are" in solution.text
     assert setting.answer is not None
     assert not faults(solution, setting.answer)
     assert not read(solution.text).broken
     assert words(solution.text) <= WORDS[difficulty]
+
+
+def test_times_are_told_by_the_event_from_which_they_are_counted() -> None:
+    text = solution_text("collision-hard-choice-301933-0")
+    assert "The time since the start is $t_3 = t_1 + t_2 = 0.56987" in text
+    assert "The time since the collision of pucks A and B is $t_4 = t - t_1 = 0.53852" in text
+    assert "have the same acceleration, so their relative velocities are constant between collisions." in text

@@ -63,7 +63,8 @@ def test_a_bystander_that_passes_is_named_with_its_distance() -> None:
     x, y, u, v = (c - a for a, c in zip(A, C, strict=True))
     apart = abs(x * v - y * u) / hypot(u, v)
     assert found.values["b_{AC}"] == pytest.approx(apart, rel=1e-9)
-    assert "apart where they are closest, more than $2\\,R$" in found.text
+    assert "the centres of the pairs AC and BC would be" in found.text
+    assert "apart where closest, more than $2\\,R$" in found.text
     assert "Position and velocity of puck C relative to puck A at t = 0: $x_{AC} = x_C" in found.text
     assert "so pucks A and B meet first" in found.text
     assert "so there is no further collision before $t$" in found.text
@@ -76,7 +77,7 @@ def test_a_pair_that_would_meet_later_has_its_time() -> None:
     time = found.values["t_{AC}"]
     assert hypot(x + u * time, y + v * time) == pytest.approx(2.0 * RADIUS, rel=1e-9)
     assert x * u + y * v + (u * u + v * v) * time < 0.0  # they still approach
-    assert "pucks A and C would meet, with their centres $2\\,R$ apart, only after" in found.text
+    assert "pucks A and C would meet, with their centres $2\\,R$ apart, only at" in found.text
     assert "$p_{AC} = u_{x,AC}^{2} + u_{y,AC}^{2} = " in found.text
 
 
@@ -169,12 +170,14 @@ def test_on_a_slope_the_velocity_up_the_slope_vanishes_at_the_top() -> None:
     assert "vertical" not in text
 
 
-def test_discs_that_touch_after_an_inelastic_collision_do_not_collide_again() -> None:
+def test_discs_that_touch_after_an_inelastic_collision_move_apart_unless_it_is_head_on() -> None:
+    """Each keeps its velocity perpendicular to the line of centres; head-on there is none."""
     found = after(scene(A, B, restitution=0.0), 0, 2.0)
-    assert (
-        "pucks A and B touch, but keep no relative velocity along their line of centres"
-        in found.text.lower().replace("pucks a and b", "pucks A and B")
-    )
+    assert "keep only a relative velocity perpendicular to their line of centres, so they move apart" in found.text
+    place = scene((0.02, 0.03, 0.6, 0.35), (0.92, 0.48, -0.4, -0.15), restitution=0.0)
+    headlong = solve(asked(place, Query("state", Target("velocity", PUCKS[0]), AtTime(2.0))))
+    assert "move on together at the same velocity" in headlong.text
+    assert "move apart" not in headlong.text
 
 
 def test_two_walls_are_told_apart() -> None:
@@ -227,7 +230,8 @@ def test_on_which_side_a_distance_is_reached_is_said() -> None:
     place = carts((9.9, -1.43, 2.48), (6.9, -0.85, -0.78))
     found = solved(asked(place, Query("time_to_event", None, Moved("track.gliders.1", 1.5))))
     assert "never as far as $d$ from its start; then it moves to the right. The two do not meet again" in found.text
-    assert "has moved $d$ when $s_B + v'_B t_1 = d$" in found.text
+    assert "is the distance $d$ from its starting point when $s_B + v'_B t_1 = d$" in found.text
+    assert "has moved" not in found.text, "it has moved farther, to and fro"
 
 
 def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> None:
@@ -236,7 +240,8 @@ def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> No
     moment = Collided(AND.join((first, second)), after=True)
     found = solved(asked(place, Query("event", Target("velocity", first), moment)))
     assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.47460" in found.text
-    assert "so they collide next." in found.text
+    assert "; nothing else collides before they do." in found.text
+    assert "so they collide next" not in found.text
     assert "$e = 1.00$ (elastic)" not in found.text
 
 
@@ -247,3 +252,29 @@ def test_an_elastic_collision_is_the_reason_for_its_coefficient() -> None:
         )
     )
     assert "$e = 1.00$ (elastic)" in found.text
+
+
+def test_times_at_which_bodies_would_meet_all_count_from_the_start() -> None:
+    """A and B would meet 0.725 s after the first collision, at 0.934 s, later than A hits the wall at 0.919 s."""
+    text = solution_text("collision-hard-multipart-301927-0")
+    assert "would meet only at $t_{AB,1} = t + \\frac{d_{AB,1}}{u_{AB,1}} = 0.93420" in text
+    assert "= 0.91935\\ \\text{s}$, counted from t = 0." in text
+    later = solution_text("collision-hard-choice-301929-0")
+    assert "would meet only at $t_{BC,2} = t_3 + \\frac{d_{BC,2}}{u_{BC,2}} = 5.4223" in later
+
+
+def test_what_collides_later_undisturbed_does_not_come_first() -> None:
+    """Ball A runs towards the left wall from the start, but does not reach it before B and C have met."""
+    text = solution_text("collision-hard-multipart-301927-0")
+    first = next(part for part in text.split("\n\n") if part.startswith("Undisturbed"))
+    assert "ball A, $d_A = x_A - X_1 = 1.1400" in first
+    assert "would reach the left wall only at $t_A = \\frac{d_A}{u_A} = 0.91935" in first
+    assert first.endswith("so balls B and C meet first.")
+
+
+def test_what_collides_later_is_told_where_no_times_of_collisions_are() -> None:
+    """In the part about an impulse, B and C approach each other already when A meets the wall again."""
+    text = solution_text("collision-hard-multipart-301927-0").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
+    assert "would meet only at $t_{BC,3} = t_3 + " in text
+    assert "so they collide next" not in text
+    assert "move apart" not in text, "part (a) has told that"

@@ -12,7 +12,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.solutions import STRATEGIES, Solution, by
-from worked import asked, derived
+from worked import asked, derived, solution_text
 
 BALL, G, SPEED, ANGLE = "field.ball", 9.8, 5.2, radians(34)
 
@@ -58,3 +58,9 @@ def test_what_has_a_closed_form_is_not_said_to_be_integrated() -> None:
     assert found.answer is not None, found.reason
     assert "numerical" not in found.text
     assert "accelerations are constant" in found.text
+
+
+def test_a_puck_that_rises_again_after_a_collision_is_told_to() -> None:
+    text = solution_text("collision-hard-choice-301932-0")
+    told = "After the collision of pucks A and C, puck C still rises; at the highest point of the path the velocity"
+    assert told in text

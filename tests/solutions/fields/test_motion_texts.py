@@ -21,7 +21,7 @@ from sim2reason.questions.moments.away import Away
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
-from worked import asked
+from worked import asked, solution_text
 
 BEAD = "fields.particle"
 MAGNETIC = UniformMagnetic(strength=0.8, way="positive z")
@@ -130,3 +130,23 @@ def test_two_cases_name_their_velocities_apart() -> None:
     assert solution.answer is not None, solution.reason
     assert r"\dot{v}_{y,1}" in solution.text
     assert not read(solution.text).broken
+
+
+@pytest.mark.parametrize(
+    ("problem", "told"),
+    [
+        ("electromagnetic-easy-reverse-301928-0", "(positive if clockwise as seen from positive z)"),
+        ("electromagnetic-easy-reverse-301932-0", "minus the work of the electric force; its magnitude is $U = "),
+        ("electromagnetic-easy-numeric-301926-0", "The radius of the circle on which the ball moves is the speed"),
+        ("electromagnetic-easy-numeric-301926-0", "rotates the velocity, so the y component of the velocity is"),
+        ("electromagnetic-medium-numeric-301932-1", "The equation along y is that of a harmonic oscillation"),
+        ("electromagnetic-hard-multipart-301931-0", "at the start; at that moment the electric force gives"),
+        (
+            "electromagnetic-hard-multipart-301931-0",
+            "the components of the velocity at the time $\\tau$. The equations",
+        ),
+        ("electromagnetic-hard-reverse-301931-0", "it is varied until the result is that given, 6.5 m, which leads to"),
+    ],
+)
+def test_words_that_refer_to_something_are_clear(problem: str, told: str) -> None:
+    assert told in solution_text(problem)

@@ -42,3 +42,14 @@ def test_the_tension_whose_impulse_is_asked_for_is_named() -> None:
 def test_the_motion_that_a_bounce_slows_down_is_perpendicular_to_the_ground() -> None:
     text = solution_text("projectile-hard-multipart-301929-0")
     assert "The motion perpendicular to the surface keeps $e^2$ of its energy" in text
+
+
+def test_components_are_told_again_in_a_later_part() -> None:
+    """There the subscript of an acceleration is that of another crate."""
+    part = solution_text("box-medium-multipart-301932-1").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
+    told = "The acceleration of crate B relative to the ground has the components $a_M$ to the left and $a_A$ downward."
+    assert told in part
+
+
+def test_a_stretch_that_is_a_displacement_is_told_to_be_that() -> None:
+    assert "Spring 1 is stretched by $x_A$." in solution_text("chain-medium-multipart-301932-0")

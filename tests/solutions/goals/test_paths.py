@@ -9,7 +9,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
-from worked import derived
+from worked import derived, solution_text
 
 
 def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
@@ -20,3 +20,9 @@ def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
     found = derived(scene, StretchQuery("sum", None, AtTime(2.0), "distance travelled", "track.gliders.0"))
     assert found.answer == pytest.approx(0.9 + 0.6 * (2.0 - 0.75))
     assert "Part by part, the path of cart A is $s_A$ and $s_A - s_{A,1}$ long, so the distance that" in found.text
+
+
+def test_a_part_of_no_length_is_no_part_of_a_path() -> None:
+    """A flight that begins as the path ends is none of it."""
+    text = solution_text("collision-hard-multipart-301928-0")
+    assert "the path of block B is $s_B$, $s_B - s_{B,1}$ and $s_{B,2} - s_{B,1}$ long, so" in text

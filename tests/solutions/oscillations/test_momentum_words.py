@@ -16,7 +16,7 @@ from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions import STRATEGIES, Solution, by
-from worked import asked
+from worked import asked, solution_text
 
 M, ONE, TWO, LEFT, RIGHT = 1.3, 1.8, 1.6, 31.0, 24.0
 
@@ -45,8 +45,8 @@ def prism() -> Solution:
 
 def test_of_a_prism_only_the_horizontal_momentum_is_conserved() -> None:
     text = prism().text
-    assert "The horizontal momentum is zero, so the centre of mass does not move horizontally." in text
-    assert r"The horizontal momentum is conserved; with the velocity $v_M$ of the prism" in text
+    assert "The total horizontal momentum is zero, so the common centre of mass does not move horizontally." in text
+    assert r"The total horizontal momentum is conserved; with the velocity $v_M$ of the prism" in text
     assert "Momentum is conserved" not in text
     assert "centre of mass stays at rest" not in text
 
@@ -64,7 +64,7 @@ def test_along_a_level_track_momentum_and_the_reduced_mass_are_those_of_every_te
     scene = row((1.2, 3.0), (60.0,), "free", strain=0.1)
     one, other = (body.name for body in scene.mechanism.bodies if body.mass)
     found = solved(scene, Query("event", Target("acceleration", one), Moved(other, 0.02)), "momentum")
-    assert "The momentum along the track is zero, so the centre of mass stays at rest." in found.text
+    assert "The total momentum along the track is zero, so the common centre of mass stays at rest." in found.text
     assert r"the relative motion has the reduced mass $\mu = \frac{m_A m_B}{" in found.text
 
 
@@ -96,3 +96,13 @@ def test_the_kinetic_energy_of_the_only_body_is_the_work_itself() -> None:
     assert found.answer == pytest.approx(30.0 * (0.1**2 - 0.06**2), rel=1e-9)
     assert "By the work-energy theorem, the kinetic energy of the " in found.text
     assert "velocity" not in found.text
+
+
+def test_a_shared_velocity_has_a_direction() -> None:
+    text = solution_text("box-easy-multipart-301926-0")
+    assert "with the velocity $v_M$ of the prism to the right: " in text
+
+
+def test_a_centre_of_mass_that_stays_was_at_rest() -> None:
+    text = solution_text("box-easy-reverse-301928-0")
+    assert "has a component to the left, and they start from rest, so their centre of mass does not move" in text

@@ -280,7 +280,7 @@ def test_what_two_carts_gain_as_their_spring_relaxes_is_told_with_their_names() 
     assert found.answer == pytest.approx(0.25 * 3.0 / 5.0), found.reason
     assert setting.answer is not None
     assert not faults(found, setting.answer)
-    assert "Momentum along the track is conserved; with the velocity $v_A$ of" in found.text
+    assert "The total momentum along the track is conserved; with the velocity $v_A$ of" in found.text
     assert "when the spring has its natural length: " in found.text
     assert r"\left(x - d\right)" not in found.text
 

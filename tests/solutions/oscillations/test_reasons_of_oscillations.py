@@ -1,20 +1,21 @@
 """Oscillations: why they take half a period, which way they begin, and that the place in question is on the way."""
 
 import re
+from dataclasses import replace
 
 import pytest
 
 from plain_scenes import row
 from sim2reason.dsl.scene import Scene
-from sim2reason.questions import Query, Target
+from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions import Solution
+from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.reading import read
-from worked import derived, solution_text
+from worked import asked, derived, solution_text
 
 CART, SPRING = "row.carts.0", "row.springs.0"
 
@@ -151,3 +152,54 @@ def test_the_half_oscillations_that_take_the_same_time_are_those_before_the_last
     text = solution_text("springs-hard-choice-301929-0")
     assert "The first two half oscillations take the same time, so the remaining time is" in text
     assert "The net force is proportional to the displacement from the point where it is zero" in text
+
+
+def test_in_equilibrium_the_net_force_is_zero_whatever_acts() -> None:
+    """On a smooth horizontal track there are only springs, one of which was strained at first."""
+    text = solution_text("chain-medium-choice-301930-0")
+    assert "In equilibrium the net force on each body is zero: " in text
+    assert "other forces" not in text
+
+
+def test_on_a_rough_track_displacements_count_from_where_the_net_force_is_zero() -> None:
+    """That is no equilibrium: there friction would be static."""
+    text = solution_text("chain-medium-multipart-301930-0")
+    assert "The displacement from the point at which the net force is zero is $A \\cos(\\omega t - \\varphi)$" in text
+    assert "equilibrium" not in text
+
+
+def test_a_displacement_without_the_common_motion_is_told_to_be_that() -> None:
+    """At 1.0 s cart A is 0.42 m from its start, but the modes make only 0.07 m of that."""
+    text = solution_text("chain-hard-choice-301926-1")
+    assert "The displacement of cart A, apart from the common motion, is $c_2" in text
+    assert "accelerations; in what follows, displacements are those apart from it." in text
+
+
+def test_a_side_that_was_assumed_is_the_only_one_that_the_given_time_allows() -> None:
+    text = solution_text("chain-medium-reverse-301926-0")
+    told = "Indeed $x_0 > 0$, as was assumed; on the other side of $x_0 = 0$, $\\omega t_1$ would be less than"
+    assert told in text
+
+
+def test_a_slower_cart_still_reaches_the_place_before_it_comes_to_rest() -> None:
+    """At half the speed the cart would come to rest at 0.0648 m, hardly beyond 0.064 m."""
+    part = solution_text("chain-medium-multipart-301930-0").partition("\n\n(c) ")[2]
+    assert "With $v$ halved, $x_{1,\\text{new}} = x_0 + " in part
+    assert "= 0.064812\\ \\text{m}$ still exceeds $d_1$." in part
+
+
+def test_a_later_part_does_not_begin_with_there() -> None:
+    part = solution_text("chain-medium-multipart-301930-0").partition("\n\n(b) ")[2]
+    assert "At the moment in question $x$ increases at the rate $v_1 = " in part
+    assert "There $x$" not in part
+
+
+def test_what_is_always_negative_is_no_case_of_several() -> None:
+    """Of a relaxed spring on a rough track, x₀ = −μmg/k."""
+    scene = row((2.2,), (116.0,), "right", friction=0.62, speed=1.2)
+    cart = next(body.name for body in scene.mechanism.bodies if body.mass)
+    plain = asked(scene, Query("time_to_event", None, Stopped(cart)))
+    names = tuple(given.symbol for given in plain.lexicon.givens.values())
+    latex = r"\arctan\left(\frac{k v}{\mu m g \sqrt{\frac{k}{m}}}\right)\,\sqrt{\frac{m}{k}}"
+    found = solve(replace(plain, formula=Formula(latex, names, ("",) * len(names), (), ())))
+    assert "As $x_0 < 0$, $\\omega t_1$ is less than" in found.text

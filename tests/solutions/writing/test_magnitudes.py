@@ -35,4 +35,4 @@ def test_the_torque_on_a_cylinder_with_a_hole_is_about_its_centre_of_mass() -> N
 
 def test_a_momentum_that_an_unknown_makes_positive_is_a_magnitude() -> None:
     text = solution_text("collision-medium-reverse-301923-2")
-    assert "The magnitude of the momentum of cart A is $p_A = -m_A v'_A$." in text
+    assert "The magnitude of the momentum of cart A is $p_A = -m_A v'_A$, supposing that this is positive." in text

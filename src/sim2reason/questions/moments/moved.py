@@ -80,10 +80,14 @@ class Moved(DistanceThreshold):
             (s for s in senses if len(senses) == 1 and (s.axis or s.positive.partition(" ")[0] in OPPOSITE)), None
         )
 
-    def _there(self, words: Words) -> str:
-        """As in: first 0.50 m from its starting point, first a distance d to the left of it."""
-        sense = self.sense(words.mechanism) if self.towards else None
-        said, start = f"first {self.said(words)}", "its starting point"
+    def told(self, words: Words, said: str) -> str:
+        """As in: block A has moved $d$, block A is the distance $d$ from its starting point; `said` is the distance."""
+        there = self._there(words, f"the distance {said}")
+        return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has moved {said}'}"
+
+    def _there(self, words: Words, said: str) -> str:
+        """As in: 0.50 m from its starting point, a distance d to the left of it."""
+        sense, start = self.sense(words.mechanism) if self.towards else None, "its starting point"
         if sense is None:
             return f"{said} from {start}"
         if sense.axis:
@@ -101,7 +105,7 @@ class Moved(DistanceThreshold):
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
         if self._may_return(words):
-            there = f"{self.subject(words)} is {self._there(words)}"
+            there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
             return (f"when {there}", f"at the moment when {there}", f"at the instant at which {there}")
         moved = f"{self.subject(words)} has moved {self.said(words)}"
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
@@ -110,7 +114,7 @@ class Moved(DistanceThreshold):
         """As in: the block has moved 0.50 m."""
         said = self.said(words)
         if self._may_return(words):
-            there = self._there(words)
+            there = self._there(words, f"first {said}")
             return Clause(self.subject(words), "is", there, f"is {there}")
         return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
 

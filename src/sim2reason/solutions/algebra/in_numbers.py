@@ -11,13 +11,14 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, summed
 from sim2reason.solutions.algebra.inverse import solved_for
 
 WINDOWS = (0.3, 3.0), (0.7, 1.4)  # times the unknown: where formulas are looked at, the second if they end before
 POINTS = 14
 EXACT = 1e-11  # relative: how well the values must agree
+SHOWN = 1e-9  # of the largest term: what is less has no place in an equation that is told
 MEANS = 1e-13  # of the largest coefficient: what is less is left by rounding
 
 Basis = Sequence[Expression]
@@ -56,8 +57,41 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
     return None
 
 
+def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
+    """Return both sides of the equation whose root `closed_root` found: `at`, or its square, and a fraction."""
+    seen = _sampled(chain, unknown, values)
+    assert seen is not None
+    for power in (1, 2):
+        for basis in _bases(Symbol(unknown)):
+            if (parts := _parts(seen, basis, unknown, power)) is not None:
+                sizes = [max(abs(held.value({unknown: x})) for x in seen[0].tolist()) for held in basis]
+                sums = [_summed(basis, part, np.array(sizes)) for part in (p / _largest(parts[1]) for p in parts)]
+                return Power(at, power) if power > 1 else at, ratio(*sums)
+    raise ValueError("the chain is no fraction of such sums")
+
+
 def _equation(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int, target: float) -> Expression | None:
     """What vanishes at the root, if the values are those of a quotient of two sums of functions; else None."""
+    parts = _parts(seen, basis, unknown, power)
+    if parts is None:
+        return None
+    found = parts[0] - target**power * parts[1]
+    return _summed(basis, found / np.abs(found).max())
+
+
+def _summed(basis: Basis, parts: Array, sizes: Array | None = None) -> Expression:
+    """Return a sum of functions, by their `sizes` if these are given, without those that are left by rounding."""
+    terms = np.abs(parts if sizes is None else parts * sizes)
+    kept = terms > (MEANS if sizes is None else SHOWN) * terms.max()
+    return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
+
+
+def _largest(parts: Array) -> float:
+    return float(parts[np.abs(parts).argmax()])
+
+
+def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> tuple[Array, Array] | None:
+    """The coefficients of both sums, if the values are those of a quotient of two sums of functions; else None."""
     points, values = seen
     columns = np.array([[held.value({unknown: x}) for held in basis] for x in points.tolist()])
     whole = np.hstack([columns, -(values**power)[:, None] * columns])
@@ -68,7 +102,4 @@ def _equation(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int,
     if singular[-1] > EXACT * singular[0] or singular[-2] <= EXACT * singular[0]:
         return None
     above, below = np.split(rows[-1] / sizes, 2)
-    found = above - target**power * below
-    found = found / np.abs(found).max()
-    kept = ((held, part) for held, part in zip(basis, found.tolist(), strict=True) if abs(part) > MEANS)
-    return summed(Number(part) * held for held, part in kept)
+    return above, below

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
 
 from sim2reason.solutions.algebra.closed_roots import Written, atoms_worked, fraction, roots
-from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked, numbers
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,
@@ -85,8 +85,26 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
 
 
 def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
-    """A formula in which all that holds nothing unknown is written as the numbers that it comes to."""
-    return _Settling(unknown, worked).of(held)
+    """A formula in which all that holds nothing unknown is written as the numbers that it comes to.
+
+    Symbols stay only where no number is written, so that a formula is in symbols or in numbers.
+    """
+    found = _Settling(unknown, worked).of(held)
+    return _without_symbols(found, unknown, worked) if next(numbers(found), None) is not None else found
+
+
+def _without_symbols(
+    held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
+) -> Expression:
+    """Return a formula with the numbers of all symbols that are known, in products before other factors."""
+    if isinstance(held, Symbol):
+        return held if held.name in unknown else worked(held)
+    if not held.parts or isinstance(held, Worked):
+        return held
+    parts = [_without_symbols(part, unknown, worked) for part in held.parts]
+    if isinstance(held, Product):
+        parts.sort(key=lambda part: not isinstance(part, Worked))
+    return held.built_of(parts)
 
 
 class _Settling:

@@ -41,19 +41,19 @@ def _numbers(held: Sequence[Excluded]) -> str:
 
 
 def _meet_later(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only after {_numbers(held)}"
+    return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only at {_numbers(held)}"
 
 
 def _meet_later_in_line(held: Sequence[Excluded]) -> str:
-    return joined([f"{each.who}, {each.aside}, would meet only after {each.said}" for each in held])
+    return joined([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in held])
 
 
 def _reach_later(held: Sequence[Excluded]) -> str:
-    return joined([f"{each.who}, {each.aside}, would reach {each.limit} only after {each.said}" for each in held])
+    return joined([f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in held])
 
 
 def _pass(held: Sequence[Excluded]) -> str:
-    return f"{_pairs(held)} would be {_numbers(held)} apart where they are closest, more than ${held[0].limit}$"
+    return f"the centres of {_pairs(held)} would be {_numbers(held)} apart where closest, more than ${held[0].limit}$"
 
 
 def _part(held: Sequence[Excluded]) -> str:
@@ -66,9 +66,13 @@ def _part_in_line(held: Sequence[Excluded]) -> str:
 
 
 def _slide_off(held: Sequence[Excluded]) -> str:
-    """Return the clause about discs that touch after an inelastic collision, with no relative velocity to the other."""
-    apart = "keep no relative velocity along their line of centres and do not collide again before one of them collides"
-    return f"{_pairs(held)} touch, but {apart} with another body"
+    """Return the clause about discs that have only slid past each other since an inelastic collision."""
+    return f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, so they move apart"
+
+
+def _go_together(held: Sequence[Excluded]) -> str:
+    """Return the clause about discs that an inelastic head-on collision leaves no relative velocity at all."""
+    return f"{_pairs(held)} move on together at the same velocity"
 
 
 def _leave_walls(held: Sequence[Excluded]) -> str:
@@ -82,6 +86,7 @@ CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
     "pass": _pass,
     "apart": _part,
     "touching": _slide_off,
+    "together": _go_together,
     "line apart": _part_in_line,
     "wall apart": _leave_walls,
 }

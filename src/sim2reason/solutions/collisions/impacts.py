@@ -67,7 +67,7 @@ class Impacts(FreeFlights, ABC):
         step, name = self.book.open("impact time"), self.book.fresh("t")
         if not rise and any(self.acceleration(k) for body in impact.bodies for k in self.coordinates(body)):
             who = self.setting.listed(list(impact.bodies))
-            step.say(f"The acceleration of {who} is the same, so their relative velocity is constant.")
+            step.say(f"The acceleration of {who} is the same, so their relative velocity is constant until they meet.")
         t = Polynomial.of(name)
         if not rise:
             law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
@@ -78,12 +78,18 @@ class Impacts(FreeFlights, ABC):
         else:
             law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
             formula = self.root(gap, rate, rise)
-        later = f" after {self.event(since)}" if since else ""
+        later = self.counted_from(impact, since)
         result = step.result(name, formula, SECONDS)
         why = why_this_time(self.book, step, name, self.root(*motion, first=False)) if rate and rise and gap else ""
         step.say(f"{self.met(impact)} when {law}, so {result}{later}{why}.")
         step.close()
         return self.counted(since, name)
+
+    def counted_from(self, impact: Impact, since: Symbol | None) -> str:
+        """Return from when the time of an impact counts, to end a sentence; nothing if none comes before."""
+        if since is None:
+            return ", counted from t = 0" if impact.number else ""
+        return f" after {self.event(since)}"
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
         """Return the first time at which gap + rate t + ½ rise t² is zero, or the other one if `rate` is not zero."""

@@ -1,4 +1,4 @@
-"""Why two bodies on a line collide next, where no time of their collision is written, and numbers known late."""
+"""That two bodies on a line collide next, where no time of their collision is written, and numbers known late."""
 
 from collections.abc import Iterator
 
@@ -27,7 +27,8 @@ def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Im
     motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
     said = motion.concluded("u", speed.expression(), SPEED)
     who = flights.setting.listed(list(meeting.names))
-    return f"After {flights.collision(begins)}, {who} approach each other at {said}, so they collide next."
+    lead = f"After {flights.collision(begins)}, {who} approach each other at {said}"
+    return f"{lead}; nothing else collides before they do."
 
 
 def late_values(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> Iterator[str]:

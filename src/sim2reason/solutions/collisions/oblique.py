@@ -64,8 +64,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.say(f"{flights.met(impact)} when {law}. With {joined(said)}, this multiplied by ${p.latex()}$ is {quadratic}.")
-    later = f" after {flights.event(since)}" if since else ""
-    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{later}.")
+    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
     step.close()
     return flights.counted(since, t)
 
@@ -98,7 +97,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     step, said = flights.book.open("relative"), list[str]()
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
         who = capital(flights.setting.listed([body.name for body in flights.mechanism.bodies if body.mass]))
-        step.say(f"{who} have the same acceleration, so their relative velocities are constant.")
+        step.say(f"{who} have the same acceleration, so their relative velocities are constant between collisions.")
     pair = flights.pair_mark(impact.bodies, latest)
     for label, apart, w in found:
         x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")

@@ -1,7 +1,7 @@
 """The order of collisions: why no other pair meets before the next one, and none after the last one."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf
 
 from sim2reason.dsl.mechanism import Meeting
@@ -14,6 +14,7 @@ from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.collisions.next_pair import late_values, told_approach
 from sim2reason.solutions.collisions.relative import RelativeMotion
+from sim2reason.solutions.collisions.together import Intervals, Together
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both
@@ -22,16 +23,7 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, late
 
 ORDER = "order of collisions"  # the kind of these steps
 STILL = 1e-12  # m/s or m²/s: no relative motion
-
-
-@dataclass(frozen=True)
-class Together:
-    """An interval in which both bodies of a possible collision move freely; `legs` are their flights, by body."""
-
-    meeting: int
-    legs: dict[str, int]
-    begins: Impact | None  # None: at the start
-    ends: Impact | None  # None: when the motion that counts ends
+SLOW = 1e-9  # m/s: what is left along no line after a head-on collision is rounding
 
 
 class CollisionOrder:
@@ -39,10 +31,10 @@ class CollisionOrder:
 
     def __init__(self, flights: Impacts, time: float) -> None:
         """Take all flights; the motion counts until `time`, s, which may be infinite."""
-        self._flights, self._book, self._time = flights, flights.book, time
+        self._flights, self._book, self._time, self._held = flights, flights.book, time, Intervals(flights, time)
         self._until: Symbol | None = None
         self._first = len(self._book.steps)  # the number of the first step about these flights
-        self._early = [impact for impact in flights.impacts if impact.time < time * (1.0 - 1e-9)]
+        self._early = self._held.early
 
     def follow(self) -> None:
         """Write all collisions before the end in the order of time."""
@@ -67,55 +59,52 @@ class CollisionOrder:
 
         `until` names the time until which the motion counts; None if it never ends.
         """
-        self._until, flights = until, self._flights
+        self._until = until
         for begins in (None, *self._early):
-            step, told = self._book.open(ORDER), list[Excluded]()
-            for stretch in self._stretches():
-                found = self._excluded(step, stretch) if stretch.begins == begins else None
-                told += [found] if found is not None else []
-            known = [*self._early, *self._at_end()]
-            following = known[known.index(begins) + 1 :] if begins is not None else []
-            closing = told_approach(flights, step, begins, following[0]) if begins is not None and following else ""
-            last = begins if self._early and begins == self._early[-1] else None
-            step.say(*late_values(flights, step, last, until))
-            if told:
-                step.say(*(each.motion for each in told))
-                step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
-            if told or closing:
-                step.say(closing)
-                step.close()
-                self._book.earliest[self._book.steps[-1].id] = self._first
+            self._tell_apart(begins)
+            if begins is not None:
+                self._tell_next(begins)
 
-    # ---- which flights overlap
+    def _tell_apart(self, begins: Impact | None) -> None:
+        """Write which bodies do not collide while they fly as after a collision, or as at the start.
 
-    def _stretches(self) -> Iterator[Together]:
-        flights = self._flights
-        for number, meeting in enumerate(flights.mechanism.meetings):
-            changes = [held for held in self._early if {*held.bodies} & {*meeting.names}]
-            for begins, ends in zip([None, *changes], [*changes, None], strict=True):
-                legs = {body: self._number(body, begins) for body in meeting.names}
-                yield Together(number, legs, begins, ends if ends is not None else self._last(meeting))
+        At the start, those that collide only later are among them, so that the first collision is shown to be that.
+        """
+        step, told = self._book.open(ORDER), list[Excluded]()
+        for stretch in self._held:
+            if stretch.begins == begins and (begins is None or not stretch.meets):
+                told += filter(None, [self._excluded(step, stretch)])
+        last = begins if self._early and begins == self._early[-1] else None
+        step.say(*late_values(self._flights, step, last, self._until))
+        if told:
+            step.say(*(each.motion for each in told))
+            step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
+            self._close(step)
 
-    def _last(self, meeting: Meeting) -> Impact | None:
-        """Return the collision that ends the motion if both bodies belong to the given meeting; else None."""
-        return next((held for held in self._at_end() if {*held.bodies} & {*meeting.names}), None)
+    def _tell_next(self, begins: Impact) -> None:
+        """Write why the next collision is the next one, where no times of collisions show that."""
+        step, following = self._book.open(ORDER), self._held.following(begins)
+        if self._flights.timed or following is None:
+            return
+        own = (held for held in self._held if held.begins == begins and self._held.is_late(held))
+        told = [found for held in own if (found := self._excluded(step, held)) is not None]
+        closing = told_approach(self._flights, step, begins, following)
+        step.say(*late_values(self._flights, step, None, None))
+        if told:
+            step.say(*(each.motion for each in told), f"{self._lead(begins)} {'; '.join(clauses(told))}.")
+        step.say(closing)
+        if told or closing:
+            self._close(step)
 
-    def _at_end(self) -> list[Impact]:
-        """Return the collisions at the time at which the motion ends; an empty list if it has no end."""
-        if self._time == inf:
-            return []
-        return [held for held in self._flights.impacts if abs(held.time - self._time) <= 1e-9 * self._time]
-
-    def _number(self, body: str, begins: Impact | None) -> int:
-        if begins is None:
-            return 0
-        return self._flights.count(body, begins) + (body in begins.bodies)
+    def _close(self, step: Writing) -> None:
+        step.close()
+        self._book.earliest[self._book.steps[-1].id] = self._first
 
     # ---- why two do not meet
 
     def _excluded(self, step: Writing, held: Together) -> Excluded | None:
         """Return why partners do not meet while they fly freely; None if that is obvious, or if they do meet."""
-        meets = held.ends is not None and held.ends.meeting == held.meeting
+        meets = held.meets and not self._held.is_late(held)
         meeting = self._flights.mechanism.meetings[held.meeting]
         just_met = held.begins is not None and held.begins.meeting == held.meeting
         if meets or any((body, leg) in self._flights.flown for body, leg in held.legs.items()):
@@ -126,7 +115,12 @@ class CollisionOrder:
 
     def _touching(self, held: Together) -> Excluded | None:
         """Return why two discs that touch after an inelastic collision do not collide again; else None."""
-        return None if self._flights.restitution(held.meeting) else self._excluded_by("touching", held, "")
+        flights = self._flights
+        if flights.restitution(held.meeting):
+            return None
+        one, other = ([flights.leg(b, n).speeds[k] for k in flights.coordinates(b)] for b, n in held.legs.items())
+        apart = (self._book.value((w - v).expression()) for v, w in zip(one, other, strict=True))
+        return self._excluded_by("touching" if any(abs(u) > SLOW for u in apart) else "together", held, "")
 
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
         """Return why two discs do not collide in an interval."""
@@ -211,15 +205,20 @@ class CollisionOrder:
         return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
 
     def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
-        """Return the argument that two bodies would collide only after the end of an interval."""
+        """Return the argument that two bodies would collide only after the end of an interval, at a time since t = 0.
+
+        Of two that do collide then, that they are not the next to do so.
+        """
         flights = self._flights
-        end = flights.when(held.ends) if held.ends is not None else self._until
+        ends = self._held.following(held.begins) if held.meets else held.ends
+        end = flights.when(ends) if ends is not None else self._until
         assert end is not None
-        whole = added(self._begin(held).expression(), span)
-        exceeds(self._book, motion.step, whole, self._since_start(end).expression())
+        lasts = added(self._begin(held).expression(), span)
+        exceeds(self._book, motion.step, lasts, self._since_start(end).expression())
+        whole = span if held.begins is None else added(flights.when(held.begins), span)
         oblique = flights.mechanism.meetings[held.meeting].normal is None
         kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
-        return self._excluded_by(kind, held, motion.concluded("t", span, SECONDS))
+        return self._excluded_by(kind, held, motion.concluded("t", whole, SECONDS))
 
     def _excluded_by(self, kind: str, held: Together, said: str) -> Excluded:
         return Excluded(kind, self._flights.setting.listed(list(held.legs)), self._letters(held), said)
@@ -293,7 +292,7 @@ class CollisionOrder:
             return ", so there is no further collision"
         stated = self._until.name in self._book.stated
         until = f"${self._until.latex()}$" if stated else "the moment in question"
-        return "" if self._at_end() else f", so there is no further collision before {until}"
+        return "" if self._held.at_end else f", so there is no further collision before {until}"
 
     def _meet(self, impact: Impact) -> str:
         met = self._flights.met(impact)

@@ -13,7 +13,8 @@ from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.unit_latex import METRES
 
 AT_TOP = frozenset({"greatest height", "least speed"})
@@ -40,10 +41,14 @@ def at_top(setting: Setting) -> Setting | None:
 def tell_top(flights: Impacts, body: str) -> None:
     """Write which velocity is zero at the highest point of the path of a body."""
     falls = [k for k in flights.coordinates(body) if flights.acceleration(k)]
-    step = flights.book.open("moment")
-    step.say(
-        f"At the highest point of the path the {_velocity(flights, body, falls[0]) if falls else 'velocity'} is zero."
-    )
+    step, book, leg = flights.book.open("moment"), flights.book, flights.leg(body, flights.count(body, None))
+    zero = f"at the highest point of the path the {_velocity(flights, body, falls[0]) if falls else 'velocity'} is zero"
+    if falls and leg.after is not None and not book.in_symbols:
+        rising = leg.speeds[falls[0]].expression()
+        if not book.is_hidden(rising):
+            exceeds(book, step, rising, ZERO)
+        zero = f"after {flights.collision(leg.after)}, {flights.setting.called(body)} still rises; {zero}"
+    step.say(f"{capital(zero)}.")
     step.close()
 
 

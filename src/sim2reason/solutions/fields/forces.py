@@ -114,7 +114,7 @@ class Fields:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
         said = "The magnetic force rotates the velocity with the angular velocity"
-        said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise)"
+        said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise as seen from positive z)"
         return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
     @cached_property
@@ -192,7 +192,7 @@ class Fields:
         if profile.uniform:
             return ""
         given = self.setting.given(f"{self.body.rpartition('.')[0]}.electric.strength")
-        where, there = ("at the origin", "there") if profile.steady else ("at the start", "then")
+        where, there = ("at the origin", "there") if profile.steady else ("at the start", "at that moment")
         if given is not None and profile.frequency:
             when = "when the field has this value," if profile.phase else "at the start"
             return f"${given.symbol}$ is the amplitude of the electric field; {when} "
@@ -237,7 +237,9 @@ class Fields:
             for name, side in zip(self.velocity, sides, strict=True)
         ]
         both = f"${vx.latex()}$ and ${vy.latex()}$"
-        step.say(f"Let {both} be the components of the velocity.")
+        timed = any(self.clock.name in side.symbols() for side in sides)
+        when = f" at the time ${self.clock.latex()}$" if timed else ""
+        step.say(f"Let {both} be the components of the velocity{when}.")
         step.say(f"The equations of motion are {joined(told)}, by Newton's second law.")
         step.label(LAW)
         step.close()

@@ -251,7 +251,7 @@ class Turning(FieldMotion):
     def told(self, kind: str, axis: int, time: Expression) -> str:
         """Without an electric field or a medium, the velocity only changes its direction."""
         if kind == "v" and self._heading is not None:
-            return f"The magnetic force only rotates the velocity, so its {AXES[axis]} component is"
+            return f"The magnetic force only rotates the velocity, so the {AXES[axis]} component of the velocity is"
         return super().told(kind, axis, time)
 
     def rate(self, axis: int, time: Expression) -> Expression:

@@ -102,7 +102,8 @@ class FieldMoment:
         turns = self.fields.turning
         assert turns is not None
         size = turns if self.book.value(turns) > 0.0 else -turns
-        said = "The radius of its circle is the speed over the magnitude of the angular velocity,"
+        who = self.setting.called(self.fields.body)
+        said = f"The radius of the circle on which {who} moves is the speed over the magnitude of the angular velocity,"
         return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
 
     @property

@@ -128,7 +128,7 @@ class Driven(FieldMotion):
     def _frequency(self) -> Expression:
         along = AXES[self._drive.axis]
         if self.swings:
-            said = f"Along {along} this is the equation of a harmonic oscillation with the angular frequency"
+            said = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
             return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
         said = f"The equation along {along} is linear; apart from a constant its solutions are exponentials"
         said = f"{said} that grow and decay at the rate"

@@ -218,7 +218,7 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     if isinstance(held, Root | Absolute):
         return held
     if not book.hidden.isdisjoint(held.symbols()):
-        book.sign_chosen = True
+        book.sign_chosen = 1 if positive and book.sign_chosen >= 0 else -1
         return held if positive else -held
     either = book.in_symbols and of_either_sign
     if positive and not either:
@@ -246,9 +246,9 @@ def magnitude(
         return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
-    step, mark = known.book.open("components"), known.setting.mark(body)
-    names: list[Symbol] = []
-    sentences: list[str] = []
+    kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # it gives no name
+    step, mark = known.book.open(kind), known.setting.mark(body)
+    names, sentences = list[Symbol](), list[str]()
     for axis, way, part in kept:
         plain = part.symbol
         if plain is not None:
@@ -293,6 +293,8 @@ def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what:
         return formula
     step = known.book.open("answer")
     verb = "" if what.endswith((" is", "of magnitude")) else " is"
-    step.say(f"{capital(what)}{verb} {step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)}.")
+    told = step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)
+    turned = known.book.sign_chosen < 0 and known.book.is_hidden(formula)
+    step.say(f"{capital(what)}{verb} {told}{', supposing that this is positive' if turned else ''}.")
     step.close()
     return Symbol(known.book.last)

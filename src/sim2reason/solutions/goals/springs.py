@@ -7,6 +7,7 @@ from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, modulus
+from sim2reason.solutions.setting import capital
 
 EXTENSION = VectorName.of("extension")
 LENGTH = VectorName.of("spring length")
@@ -52,7 +53,13 @@ class SpringGoal(Goal):
                 formula, named = modulus(formula, known.book, of_either_sign=True), either
             elif known.book.value(formula) < 0.0:
                 formula, named = -formula, opposite
-        return finish(known, formula, self.noun, "", f"the {named} of {known.setting.springs[target.subject]}")
+        spring = known.setting.springs[target.subject]
+        if isinstance(formula, Symbol) and self.noun is EXTENSION:
+            step = known.book.open("meaning")
+            how = "compressed" if named == opposite else "stretched"
+            step.say(f"{capital(spring)} is {how} by ${formula.latex()}$.")
+            step.close()
+        return finish(known, formula, self.noun, "", f"the {named} of {spring}")
 
     def _formula(self, line: str, known: Known) -> Expression:
         if self.noun is RATE:

@@ -178,7 +178,8 @@ class PathLength(SumGoal):
 
     def write(self, target: Target, known: Known) -> Symbol:
         """The sum, after its terms if it is written without them, as of a body that turns back."""
-        terms = [term for part in known.stretches for term in part.paths(target.subject)]
+        found = (term for part in known.stretches for term in part.paths(target.subject))
+        terms = [term for term in found if term != ZERO]  # it has none in a flight that only begins at the moment
         whole: Expression = ZERO
         for term in terms:
             whole = added(whole, term)

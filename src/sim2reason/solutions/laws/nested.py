@@ -22,6 +22,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 NEW = r"\text{new}"
+AGAIN = "still holds"  # begins the labels of comparisons that hold for another value of a number, too
 UNSHORTENED = 200  # characters of a formula that hardly becomes short
 SHORT = 110  # characters of a formula into which another value is put
 
@@ -78,7 +79,8 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
     whole = short_formula(inner, book, goal)
     other = tidied(_put(whole, {symbol: changed})) if whole is not None else None
     step = book.open("other value")
-    step.rest_on(goal)
+    for label in (goal, *(name for held in book.steps for name in held.gives if name.startswith(AGAIN))):
+        step.rest_on(label)
     if whole is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
         step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))

@@ -1,41 +1,64 @@
 """Comparisons that a solution rests on, made again for another value of a given number."""
 
+from collections.abc import Mapping, Sequence
+
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.inverse import put
-from sim2reason.solutions.laws.nested import NEW
+from sim2reason.solutions.closed_forms.closed_form import defined_by
+from sim2reason.solutions.laws.nested import AGAIN, NEW
 from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.subscripts import marked
 
+LONG = 200  # characters of a formula that is better not written; that it exceeds another is checked all the same
+
 
 def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
-    """Write that what exceeds something else, by formulas of given numbers, does so with `changed` for a symbol.
+    """Write that what exceeds something else does so with `changed` for a symbol on which it hangs.
 
     UnsolvedError where it does not.
     """
-    found = {name for step in book.steps for name in step.gives}
+    formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
+    hanging = _hanging(formulas, symbol)
     for step in [*book.steps]:
         for held in step.relations:
-            symbols = {*held.symbols()}
-            if held.role == "exceeds" and symbol in symbols and symbols.isdisjoint(found):
-                _verify(book, step, held, (symbol, changed, lead))
+            if held.role == "exceeds" and not {symbol, *hanging}.isdisjoint(held.symbols()):
+                sides = [_changed(side, symbol, changed, hanging) for side in (held.left, held.right)]
+                _verify(book, step, held, sides, lead)
 
 
-def _verify(book: Book, step: Step, held: Relation, change: tuple[str, Expression, str]) -> None:
-    symbol, changed, lead = change
-    writing = book.open("verify")
-    left, right = (put(side, symbol, changed) for side in (held.left, held.right))
+def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
+    """Return the formulas that hold a symbol, or names that hang on it, each before those on which it hangs."""
+    found: dict[str, Expression] = {}
+    for name, formula in formulas.items():
+        if not {symbol, *found}.isdisjoint(formula.symbols()):
+            found = {name: formula, **found}
+    return found
+
+
+def _changed(side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]) -> Expression:
+    """Return a formula with all inserted that hangs on a symbol, and `changed` for that."""
+    for name, formula in hanging.items():
+        side = put(side, name, formula)
+    return put(side, symbol, changed)
+
+
+def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
+    writing, (left, right) = book.open("verify"), sides
     exceeds(book, writing, left, right)
+    if max(len(side.latex()) for side in sides) > LONG:
+        return
     said = [_told(writing, step, pair) for pair in ((held.left, left), (held.right, right))]
     writing.say(f"{lead}, {said[0]} still exceeds {said[1]}.")
+    writing.label(f"{AGAIN} {len(book.steps)}")
     writing.close()
 
 
 def _told(writing: Writing, step: Step, sides: tuple[Expression, Expression]) -> str:
     """Return one side of a comparison: its new value, or its name where it stays what it is."""
     before, after = sides
-    named = next((r for r in step.relations if r.role == "verified" and r.right == before), None)
+    named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:
         return f"${(after if named is None else named.left).latex()}$"
     name = Symbol(marked(named.left.latex(), NEW))

@@ -246,8 +246,8 @@ class DynamicsWriter:
     def _why(self, group: Sequence[Row]) -> str:
         if self.d.measure.values:
             who, _, direction = self._who(group).rpartition(", ")
-            said = f"No external force on {who} has a component {direction}, so their centre of mass does not move"
-            return f"{said} in this direction"
+            said = f"No external force on {who} has a component {direction}, and they start from rest,"
+            return f"{said} so their centre of mass does not move in this direction"
         return capital(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:

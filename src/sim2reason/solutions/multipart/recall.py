@@ -13,7 +13,7 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
-SPOKEN = "verify", "extreme"  # kinds of steps that give no name, but the reason for one that does
+SPOKEN = "verify", "extreme", "meaning"  # kinds of steps that give no name, but the reason for one that does
 _ONE = {f"{several} are ": f"{one} is " for several, one in SINGULAR.items()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 

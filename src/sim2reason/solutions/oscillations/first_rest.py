@@ -28,10 +28,12 @@ def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -
     if not book.is_hidden(rest):
         step.say(f"As ${sign}$, {between}, and {found}.")
     elif book.in_symbols:
-        step.say(f"For ${sign}$, {between}, and {found}.")
+        plain = "-" not in book.formulas.get(rest.latex(), rest).latex().removeprefix("-")  # all terms of one sign
+        lead = "As" if plain else "For"
+        step.say(f"{lead} ${sign}$, {between}, and {found}.")
     else:
         step.say(f"Assume that ${sign}$; then {between}, and {found}.")
-        book.afterwards.append(lambda: _tell_sign(way, rest, sign))
+        book.afterwards.append(lambda: _tell_sign(way, rest, sign, (phase, early)))
     step.close()
     return name
 
@@ -57,12 +59,14 @@ def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expr
     step.close()
 
 
-def _tell_sign(way: LinearWay, rest: Expression, sign: str) -> None:
-    """Write that the place of zero net force is on the side that was supposed."""
-    step = way.book.open("verify")
+def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
+    """Write that the place of zero net force is on the side that was supposed, and that the phase requires it."""
+    step, (phase, early), right = way.book.open("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     exceeds(way.book, step, greater, less)
-    step.say(f"Indeed ${sign}$, as was assumed.")
+    exceeds(way.book, step, *((right, phase) if early else (phase, right)))
+    wrong = f"${phase.latex()}$ would be {'greater' if early else 'less'} than ${right.latex()}$"
+    step.say(f"Indeed ${sign}$, as was assumed; on the other side of ${rest.latex()} = 0$, {wrong}.")
     step.close()
 
 

@@ -228,5 +228,6 @@ class Harmonic:
         formula: Expression = Call("arctan", self.begun / -self.rest)
         if self.numbers[1] > 0.0:
             formula = formula + PI
-        said = f"The displacement from equilibrium is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
+        whence = self.balance if self._rubs else "equilibrium"
+        said = f"The displacement from {whence} is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
         return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)

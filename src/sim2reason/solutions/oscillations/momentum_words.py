@@ -33,9 +33,9 @@ class MomentumWords:
         if level and any(isinstance(body, Track) for body in setting.scene.bodies.values()):
             return cls._along_a_track()
         return cls(
-            "The horizontal momentum is conserved",
-            "The horizontal momentum is zero",
-            ", so the centre of mass does not move horizontally",
+            "The total horizontal momentum is conserved",
+            "The total horizontal momentum is zero",
+            ", so the common centre of mass does not move horizontally",
             "The horizontal velocity of the centre of mass is constant",
             "The centre of mass has no horizontal acceleration",
             "In the frame of reference in which the horizontal momentum is zero,",
@@ -44,9 +44,9 @@ class MomentumWords:
     @classmethod
     def _along_a_track(cls) -> Self:
         return cls(
-            "Momentum along the track is conserved",
-            "The momentum along the track is zero",
-            ", so the centre of mass stays at rest",
+            "The total momentum along the track is conserved",
+            "The total momentum along the track is zero",
+            ", so the common centre of mass stays at rest",
             "The centre of mass moves with constant velocity",
             "The centre of mass is not accelerated",
             "In the frame of reference in which the momentum is zero,",

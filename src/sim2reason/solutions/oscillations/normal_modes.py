@@ -105,7 +105,7 @@ class NormalModes(ModeLaws):
         if not driven and not moves:
             return RESTS
         kept = "the distances between them" if driven else "distances between them or, as it is uniform, accelerations"
-        return f"It does not change {kept}, so displacements are measured relative to it."
+        return f"It does not change {kept}; in what follows, displacements are those apart from it."
 
     def _tell_projection(self, found: Sequence[Mode]) -> None:
         """Write displacements as sums over modes, and why each mode has an equation of motion of its own."""
@@ -128,10 +128,14 @@ class NormalModes(ModeLaws):
         )
         step.close()
 
+    @property
+    def common(self) -> bool:
+        """Whether the common motion of all bodies is excited, but left out."""
+        return any(n < self.zeros for n in self._moving if n not in self.told)
+
     def _sums(self, found: Sequence[Mode]) -> str:
         """Return a clause with the displacements as sums over modes; empty if other modes show in all of them."""
         others = [n for n in self._moving if n not in self.told]
-        common = [n for n in others if n < self.zeros]
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
         told: list[str] = []
         for i, name in enumerate(self.names):
@@ -142,7 +146,7 @@ class NormalModes(ModeLaws):
                 told.append(f"${name.latex()} = {whole.latex()}$")
         if not told:
             return ""
-        apart = " apart from the common motion" if common else " from the start"
+        apart = " apart from the common motion" if self.common else " from the start"
         what = f"the displacements{apart} are" if len(told) > 1 else f"the displacement{apart} is"
         return f", so that {what} {joined(told)}"
 

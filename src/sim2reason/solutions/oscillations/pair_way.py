@@ -101,7 +101,8 @@ class PairWay(SingleWay):
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
         found = step.result(name, solved(left - total, name.name), unit)
-        step.say(f"{said} ${name.latex()}$ of {self._partner()}: {law}, so {found}.")
+        whose = f"of {self._partner()} {self.towards(self._relative.other)}"
+        step.say(f"{said} ${name.latex()}$ {whose}: {law}, so {found}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]

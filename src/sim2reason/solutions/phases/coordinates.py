@@ -124,7 +124,7 @@ def _without_phase(name: str) -> str:
 
 
 def _slide(setting: Setting, k: int) -> _Choice:
-    """Choose a position along an axis of the text if its initial value is given, otherwise the distance moved."""
+    """Choose a position along an axis of the text if its initial value is given, otherwise a displacement."""
     mechanism, coordinate = setting.mechanism, setting.mechanism.coordinates[k]
     body = mechanism.body[coordinate.body]
     mark = setting.mark(coordinate.body)
@@ -137,11 +137,15 @@ def _slide(setting: Setting, k: int) -> _Choice:
         if origin is not None and description:
             letter = coordinate.label if len(coordinate.label) == 1 else AXES[axis]
             return _Choice(letter, origin, sense, description, mark)
+    plane = several and not any(abs(held.axis[2]) > 1.0 - LEVEL for held in body.coordinates)
+    if plane and coordinate.label in AXES.values():  # of the text
+        description = f"the displacement of {setting.called(coordinate.body)} along {coordinate.label}"
+        return _Choice(coordinate.label, NIL, 1.0, description, mark)
     backwards = coordinate.speed < 0.0
     sense = -1.0 if backwards else 1.0
     way = coordinate.axis if not backwards else (-coordinate.axis[0], -coordinate.axis[1], -coordinate.axis[2])
     letter = coordinate.label if several and len(coordinate.label) == 1 else "s"
-    return _Choice(letter, NIL, sense, f"the distance {_moved(setting, coordinate, way)}", mark)
+    return _Choice(letter, NIL, sense, _moved(setting, coordinate, way), mark)
 
 
 def _position(setting: Setting, body: str, axis: str) -> str:
@@ -158,12 +162,12 @@ def _position(setting: Setting, body: str, axis: str) -> str:
 def _moved(setting: Setting, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
     mechanism, who = setting.mechanism, setting.called(coordinate.body)
     if any(burn.body == coordinate.body for burn in mechanism.burns):
-        return f"that {who} has moved from its starting point"
+        return f"the distance that {who} has moved from its starting point"
     parent = mechanism.body[coordinate.body].parent
     off = any(abs(inner(foot.normal, coordinate.axis)) > 1.0 - LEVEL for foot in mechanism.feet)
     where = "off the plane" if off else setting.towards(way, on=parent)
     relative = f" relative to {setting.called(parent)}" if parent is not None else ""
-    return f"that {who} has moved {where}{relative}"
+    return f"the displacement of {who} {where}{relative}"
 
 
 def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:

@@ -94,9 +94,10 @@ class IntegratedPhases:
         step = book.open("names")
         step.say(self._chosen.sentence)
         if self.setting.unknown:
-            name = Symbol(book.sought)
+            name, stated = Symbol(book.sought), self.setting.stated
+            given = f", {stated.digits} {stated.unit}".rstrip() if stated is not None else ""
             book.hidden.discard(name.name)
-            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is the given one,")
+            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is that given{given},")
             step.say(f"which leads to {step.trial(name)}. With this value:")
         step.close()
         self._introduced = self.book.steps[-1].id

@@ -235,7 +235,7 @@ class _Staged(Way):
             whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
             if before:
                 verify_farther(self.book, whole, (name, places.get(k, NIL)), self.setting.called(moment.name))
-            return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$,")
+            return End(None, k, whole, f"When {moment.told(self.setting.words, f'${name.name}$')},")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
             return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")

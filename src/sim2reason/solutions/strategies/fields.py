@@ -142,9 +142,9 @@ class _InFields(Way):
     def _potential(self) -> Symbol:
         """Minus the work of the electric force."""
         work = FieldEnergy(self, self.moment).potential()
-        said = "The change in potential energy is minus the work of the electric force,"
+        said = "The change in potential energy is minus the work of the electric force; its magnitude is"
         size = modulus(work, self.book, of_either_sign=True)
-        return self.book.told("energy", f"{said} of magnitude", self.book.fresh("U"), size, JOULES)
+        return self.book.told("energy", said, self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 

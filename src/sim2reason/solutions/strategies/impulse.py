@@ -204,7 +204,7 @@ class _Struck(Way):
         target = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
         if number and not self.flights.acceleration(k):
             tell_side(self.flights, moment.name, k, name)
-        said = f"{capital(self.setting.called(moment.name))} has moved ${name.name}$ when"
+        said = f"{capital(moment.told(self.setting.words, f'${name.name}$'))} when"
         return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
 
     def _landing(self, body: str) -> Symbol:

@@ -173,11 +173,18 @@ class _Modal(LinearWay):
             return self.spring("strain", moment.name).expression()
         if isinstance(moment, Moved):
             k, *_ = self.moving([moment.name])
-            name = self.book.fresh("d")
-            self.book.say_given(name.name, moment.value, METRES)
+            name = self._distance
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
             return -name if there > 0.0 else name
         return ZERO
+
+    @cached_property
+    def _distance(self) -> Symbol:
+        """How far a body is from its start at the moment."""
+        assert isinstance(self.query.moment, Moved)
+        name = self.book.fresh("d")
+        self.book.say_given(name.name, self.query.moment.value, METRES)
+        return name
 
     @cached_property
     def _condition(self) -> tuple[str, dict[int, float], Law]:
@@ -187,7 +194,7 @@ class _Modal(LinearWay):
             return self._extreme()
         if isinstance(moment, Moved):
             k, *_ = self.moving([moment.name])
-            return f"{self.setting.called(moment.name)} has moved this far", {k: 1.0}, place
+            return moment.told(self.setting.words, f"${self._distance.name}$"), {k: 1.0}, place
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
             return f"{self.setting.called(moment.name)} comes to rest", {k: 1.0}, speed
@@ -270,7 +277,8 @@ class _Modal(LinearWay):
             name = self.names[i] if base == "x" else self.book.fresh(base, self.setting.mark(body))
             whole, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
             course = f"${whole.latex()}$; " if order else ""
-            said = f"The displacement of {self.setting.called(body)} is {course}{WAYS[order]}"
+            apart = ", apart from the common motion," if self._all.common else ""
+            said = f"The displacement of {self.setting.called(body)}{apart} is {course}{WAYS[order]}"
             self._known[base, i] = Polynomial.of(self.book.told("sum of modes", said, name, formula, unit))
         return self._known[base, i]
 

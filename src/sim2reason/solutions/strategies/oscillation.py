@@ -191,7 +191,7 @@ class Oscillating(SingleWay):
         if turns:
             return f"{self.standing} when"
         if isinstance(moment, Moved):
-            return f"{capital(self.setting.called(moment.name))} has moved ${self._given_distance}$ when"
+            return f"{capital(moment.told(self.setting.words, f'${self._given_distance}$'))} when"
         if isinstance(moment, NaturalLength) and self._place != self.harmonic.rest:
             return f"{capital(self.setting.springs[moment.name])} has its natural length when"
         return f"{capital(self.harmonic.balance)} is reached when"
@@ -245,7 +245,8 @@ class Oscillating(SingleWay):
             shift = held.swinging(self._angle).latex()  # as a function of time
             step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
         else:
-            changes = f"At this place ${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
+            changes = f"${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
+            changes = f"At the moment in question {changes}"
             said = capital(self.fastest(held.balance)) if self._place == held.rest else changes
             step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
         step.close()

@@ -73,8 +73,9 @@ class _Burning(Burning):
         if self.target is None or self.goal is None:
             return self.time.name
         found = self.goal.write(self.target, self).name
-        if not self.gravity or not self.out:  # it never moves backwards
-            self.book.sign_chosen = False
+        above = self.uses == "s" and self.mechanism.coordinates[0].lower == 0.0  # the ground
+        if above or not self.gravity or not self.out:  # it never moves backwards
+            self.book.sign_chosen = 0
         return found
 
     # ---- the moment

@@ -118,7 +118,7 @@ class _Oscillating(LoneSpring):
             self.book.say_given(name.name, moment.value, METRES)
             formula = Call("arccos", ONE - name / self.amplitude)
             who = capital(self.setting.called(self.setting.mechanism.bodies[0].name))
-            said = f"{who} has moved this far when the extension has changed by the same amount, at the phase"
+            said = f"{who} is this far from its start when the extension has changed by as much, at the phase"
             return self.book.told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
         stretched = self.book.value(self.strain) > 0.0
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI

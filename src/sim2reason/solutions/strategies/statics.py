@@ -77,7 +77,7 @@ class _AtRest(LinearWay):
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
             said.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
-        step.say(f"In equilibrium the spring forces balance all other forces: {joined(said)}.")
+        step.say(f"In equilibrium the net force {self._where} is zero: {joined(said)}.")
         step.label("balance")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):
@@ -87,6 +87,15 @@ class _AtRest(LinearWay):
             step.say(f"So {step.result(names[i], held, METRES)}.")
             step.close()
         return names
+
+    @property
+    def _where(self) -> str:
+        """On what the net force is zero: where strings bind bodies, no tension stands in the equations."""
+        moving = [body for body in self.mechanism.bodies if body.coordinates]
+        slides = all(len(b.coordinates) == 1 and b.coordinates[0].kind == "slide" and b.parent is None for b in moving)
+        if not slides or len(moving) != len(self.motion.free):
+            return "along the motion"
+        return "on each body" if len(moving) > 1 else f"on {self.setting.called(moving[0].name)}"
 
     def _mark(self, i: int) -> str:
         return self.setting.mark(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""

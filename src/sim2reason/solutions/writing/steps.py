@@ -50,7 +50,7 @@ class Book(FreshNames):
         self.hidden: set[str] = set()  # names whose values hang on what is unknown
         self.formulas: dict[str, Expression] = {}  # of those, in order
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
-        self.sign_chosen = False  # for the magnitude of what hangs on an unknown, see `goals.modulus`
+        self.sign_chosen = 0  # 1 or −1, for the magnitude of what hangs on an unknown, see `goals.modulus`
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.afterwards: list[Callable[[], None]] = []  # write arguments that may rest on what was found in the end

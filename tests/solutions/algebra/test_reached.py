@@ -1,0 +1,44 @@
+"""For which values of an unknown formulas come to a number."""
+
+from math import pi, radians, sin
+
+import pytest
+
+from sim2reason.solutions.algebra.evaluated import Chain
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.algebra.reached import told_range, values_with
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import DEGREES
+
+X = Symbol("x")
+
+
+def book(value: float, name: str = "x", unit: str = "") -> Book:
+    found = Book()
+    found.know(name, value, unit)
+    return found
+
+
+def test_both_values_with_which_a_sum_of_two_powers_is_zero_are_found() -> None:
+    """Of 1/x + x = 5/2 they are ½ and 2; for −5/2 there is no positive one."""
+    chain = Chain((("y", Number(1.0) / X), ("z", Symbol("y") + X)))
+    assert values_with(chain, 2.5, "x", book(2.0)) == pytest.approx([0.5, 2.0])
+    assert values_with(chain, -2.5, "x", book(2.0)) == []
+    assert told_range("x", book(2.0)) == "positive $x$"
+
+
+def test_a_pole_is_no_value() -> None:
+    """1/(x − 1) changes its sign at 1, but is never zero."""
+    assert values_with(Chain((("y", Number(1.0) / (X - Number(1.0))),)), 0.0, "x", book(2.0)) == []
+
+
+def test_angles_and_coefficients_of_restitution_have_bounds() -> None:
+    """2 sin x is 1 at 30° alone, as 150° is no angle of a slope; e² = 2.25 takes an e of 1.5."""
+    found = values_with(Chain((("y", Number(2.0) * Call("sin", X)),)), 1.0, "x", book(0.3, unit=DEGREES))
+    assert found == pytest.approx([radians(30.0)])
+    assert sin(found[0]) < sin(0.5 * pi)
+    assert told_range("x", book(0.3, unit=DEGREES)) == "$x$ between $0^\\circ$ and $90^\\circ$"
+    e = Symbol("e")
+    assert values_with(Chain((("y", e * e),)), 2.25, "e", book(0.5, "e")) == []
+    assert told_range("e", book(0.5, "e")) == "$e$ between 0 and 1"
