@@ -7,7 +7,8 @@ def test_a_sign_that_was_chosen_is_told_to_be_supposed_and_the_other_one_is_excl
     """The displacement of a puck hangs on the unknown mass, so nothing says at first that it is to the left."""
     text = solution_text("collision-hard-reverse-301926-0")
     assert "$s_{A,3} = -s_{A,2}$, supposing that this is positive." in text
-    assert "Only a magnitude is given; no positive $m_C$ gives $-s_{A,3}$ in place of $s_{A,3}$." in text
+    other = r"$m_C$ would be $-2.3529\ \text{kg}$ or $-3.1287\ \text{kg}$, both negative."
+    assert f"Only a magnitude is given; with $-s_{{A,3}}$ in place of $s_{{A,3}}$, {other}" in text
 
 
 def test_a_root_that_no_value_of_the_unknown_gives_is_told() -> None:

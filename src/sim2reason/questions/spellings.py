@@ -36,8 +36,8 @@ _SHARES = {
     if Decimal(count) < size and (part != "half" or word == "a") and word != "one"
 }
 _HALVES = {"half a": "0.5", "half an": "0.5"}
-_WORDS = _SHARES | _HALVES | _PLAIN
-_WORDS |= {word.capitalize(): number for word, number in _WORDS.items()}
+_SMALL = _SHARES | _HALVES | _PLAIN
+_WORDS = _SMALL | {word.capitalize(): number for word, number in _SMALL.items()}
 _FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS})?"
