@@ -46,6 +46,7 @@ WEIGHTS = {
     "time_to_event": 0.2,
     "equilibrium": 0.2,
     "optimum": 0.0,
+    "numeric.period": 0.3,
     "symbolic.comparison": 0.1,  # of formulas that are too long
 }
 

@@ -57,6 +57,7 @@ WEIGHTS = {
     "extremum": 0.1,
     "optimum": 0.1,
     "limit": 0.3,
+    "numeric.start": 0.2,
     "reverse.comparison": 0.3,
 }
 

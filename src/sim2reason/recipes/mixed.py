@@ -75,6 +75,7 @@ WEIGHTS = {
     "threshold": 0.1,
     "limit": 0.1,
     "optimum": 0.0,
+    "numeric.period": 0.1,
 }
 
 

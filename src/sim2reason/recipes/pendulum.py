@@ -55,6 +55,7 @@ WEIGHTS = {
     "comparison": 0.2,
     "threshold": 0.0,
     "optimum": 0.0,
+    "numeric.period": 0.05,
 }
 
 

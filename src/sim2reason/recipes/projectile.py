@@ -27,7 +27,7 @@ IDEAS = {
 }
 
 
-@recipe("projectile", weights={"extremum": 0.1, "state": 0.5, "optimum": 2.0})  # which hang on few of the numbers
+@recipe("projectile", weights={"extremum": 0.03, "state": 0.5, "optimum": 2.0})  # which hang on few of the numbers
 def draw_projectile(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A ball thrown from a height: where it lands, and how it goes on from there."""
     return one_of(IDEAS[difficulty], rng, "throw")

@@ -27,7 +27,7 @@ IDEAS = {
 
 WEIGHTS = {
     "time_to_event": 0.3,  # which are often about a minute
-    "extremum": 0.1,
+    "extremum": 0.03,
     "optimum": 0.0,
 }
 

@@ -75,7 +75,8 @@ WEIGHTS = {
     "period": 0.1,
     "extremum": 0.1,
     "limit": 0.1,
-    "optimum": 0.5,
+    "optimum": 0.1,
+    "numeric.period": 0.03,
     "symbolic.optimum": 0.1,  # of formulas that are too long
 }
 

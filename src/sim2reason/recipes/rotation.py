@@ -68,7 +68,9 @@ WEIGHTS = {
     "period": 0.5,
     "comparison": 0.2,
     "threshold": 0.4,
-    "optimum": 0.1,
+    "optimum": 0.02,
+    "numeric.sum": 0.05,
+    "numeric.comparison": 0.1,
 }
 
 

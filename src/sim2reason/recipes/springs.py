@@ -81,6 +81,7 @@ WEIGHTS = {
     "sum": 0.05,
     "comparison": 0.1,
     "optimum": 0.0,
+    "numeric.event": 0.1,
     "symbolic.extremum": 0.3,
 }
 
