@@ -8,6 +8,7 @@ from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
+from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
 
 _S = r"@\d+@"
@@ -16,7 +17,7 @@ _LOOSE = frozenset(
         " ",
         "for so that such with in order to it its they them everything all system whole is be just still to and"
         " at on if then able"
-        " ever can of start order both body object in total be always throughout permanently",
+        " ever can of start order both body object in total be always throughout permanently thing right from",
     )
 )
 _ROLLS = frozenset({"roll", "go", "keep", "continue", "down", "up", "along", "this", "all", "way", "pure", "purely"})
@@ -30,6 +31,8 @@ _START = re.compile(
     rf"(?: ,)? (?:when|after|once|as soon as|if|on|upon)(?: (?:its|their|system|everything|it|they|{_S}|all))?"
     rf"(?: (?:is|are|has been|being|was|were))? (?:{pattern('START').pattern}|let go of|set free|freed|let"
     rf" loose)(?: from rest)?$"
+    r"|(?: ,)? (?:on|right from|from|straight after|right after) (?:release|start|beginning|very beginning)$"
+    r"|(?: ,)? (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?: at start)?$"
     r"|(?: ,)? from (?:its |this |that )?(?:initial|starting|original|present|same|first)? ?(?:position|point"
     r"|place|height)$"
     r"|(?: ,)? (?:in|at) (?:its|this|that|their|initial|starting|same|present) ?(?:initial|starting|original"
@@ -72,10 +75,13 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedConditio
 def _statement(text: str, subject: str) -> str:
     """Return a clause as a statement that begins with its subject, without what turns it into a wish."""
     said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
+    said = plainer_condition(said)
     said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
     if subject:
         said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
-    said = re.sub(r"\b(?:just|exactly|precisely|barely|only|in fact|actually|then|ever|at all|possibly)\b ?", "", said)
+    said = re.sub(
+        r"\b(?:just|exactly|precisely|barely|only|still|yet|in fact|actually|then|ever|at all|possibly)\b ?", "", said
+    )
     gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
     if gets is not None and said.startswith("prevent"):
         said = re.sub(rf"^prevents? ({_S}) from (\w+)", r"\1 not \2", said)

@@ -1,6 +1,5 @@
 """Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from math import isclose, isfinite
@@ -14,8 +13,9 @@ from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
-from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
+from sim2reason.questions.ordinary.whatif.numbers import paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
@@ -27,28 +27,6 @@ from sim2reason.questions.words import Words
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
 MOST = 4  # readings of a result whose numbers are looked for
-_NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
-_SAME = "(?:same|unchanged|present|given|original)"
-_ELSE = (
-    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing"
-    "|rest|other data)"
-)
-_CONSTANT = re.compile(
-    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME}"
-    rf" (?:(?:{_NOUNS}|position|place"
-    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= "
-    rf"|$)(?: ,)?"
-    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay "
-    rf"|stays |kept |left )*"
-    r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
-    r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
-    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial)"
-    r" (?:position|point|place|height)(?= |$)"
-    r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
-    r"|^ ?suppose (?:that )?@\d+@ (?:could be|were|is|was) (?:swapped|replaced|exchanged|changed)[^.]*\. "
-    r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
-)
-"""What says only that all else stays as it is."""
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
@@ -57,7 +35,7 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
     """
-    text = " ".join(_CONSTANT.sub(" ", f" {heard.text}").split()).strip(" ,")
+    text = plainer(heard.text)
     told = replace(heard, text=text)
     found: list[Understood] = []
     for frame in framed(text, told):

@@ -35,6 +35,7 @@ _STARTING = "(?:initial|launch|launching|starting|start|release|throwing|firing|
 _FIELD = "(?:field|field strength|induction|flux density)"
 NUMBERS: Mapping[str, NumberKind] = {
     "empty mass": NumberKind("mass without (?:its )?fuel|dry mass|empty mass|mass when empty", ("dry",)),
+    "stellar mass": NumberKind("stellar mass", ("star.mass",)),
     "mass": NumberKind(f"(?:(?:total|{_STARTING}) )?mass", ("mass",), ("kg", "mg", "Msun")),
     "angular speed": NumberKind(
         f"(?:{_STARTING} )?(?:angular (?:speed|velocity)|rate of rotation|spin|rotation rate)",
@@ -108,7 +109,9 @@ NUMBERS: Mapping[str, NumberKind] = {
         "|gravitational field strength|gravity)(?: there)?",
         ("gravity",),
     ),
-    "force": NumberKind("(?:pulling |applied |constant |steady |hand 's )?(?:force|pull)(?: of hand)?", ("force",)),
+    "force": NumberKind(
+        "(?:(?:pulling|applied|constant|steady|horizontal|hand 's) )*(?:force|pull)(?: of hand)?", ("force",)
+    ),
 }
 """By its name, each kind of number that a question may vary or ask for; the more specific ones first."""
 

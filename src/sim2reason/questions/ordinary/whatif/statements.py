@@ -173,12 +173,22 @@ ANGLES = (
         "through what angle does {s} {verb}{rest}",
     ),
 )
+ACCELERATIONS = (
+    (
+        (
+            rf"(?P<s>{_S}) (?P<verb>{_VERB})(?: off)?(?: (?:up|down|upwards|downwards)(?: {GROUNDS})?)?"
+            rf" (?:at|with) (?:acceleration of )?{_ABOUT}{_N}(?P<rest>.*)"
+        ),
+        "what is acceleration of {s}{rest}",
+    ),
+)
 """By the form of a statement with a number, the question that asks for the number."""
 _UNITS = (
     (SPEEDS, ("m/s", "km/s", "au/yr")),
     (TIMES, ("s", "yr", "ms")),
     (LENGTHS, ("m", "cm", "mm", "km", "au")),
     (ANGLES, ("°", "rad")),
+    (ACCELERATIONS, ("m/s²",)),
 )
 OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, units in _UNITS for unit in units}
 """By its unit, the forms of a statement with a number of it."""
