@@ -32,7 +32,8 @@ _START = re.compile(
     rf"(?: (?:is|are|has been|being|was|were))? (?:{pattern('START').pattern}|let go of|set free|freed|let"
     rf" loose)(?: from rest)?$"
     r"|(?: ,)? (?:on|right from|from|straight after|right after) (?:release|start|beginning|very beginning)$"
-    r"|(?: ,)? (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?: at start)?$"
+    r"|(?<=at rest) (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?: at start)?$"
+    r"|(?<=was) at start$|(?<=were) at start$"
     r"|(?: ,)? from (?:its |this |that )?(?:initial|starting|original|present|same|first)? ?(?:position|point"
     r"|place|height)$"
     r"|(?: ,)? (?:in|at) (?:its|this|that|their|initial|starting|same|present) ?(?:initial|starting|original"
@@ -125,7 +126,11 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     """Return the outcome that a statement says, if every word of the statement has its place."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
-    bare = re.sub(rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:move|fall|rise|accelerate)s?$", "", bare)
+    bare = re.sub(
+        rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:(?:move|fall|rise|accelerate)s?|slides? (?:on|over|along) (?:it|{_S}|top of {_S}))$",
+        "",
+        bare,
+    )
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = based(bare)

@@ -14,7 +14,12 @@ from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import paths_of
-from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.outcomes import (
+    by_outcome,
+    moves_nevertheless,
+    on_the_other_side,
+    slips_nevertheless,
+)
 from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
@@ -67,6 +72,8 @@ def _meant(
         found = reader.first_of(readings, motion, words) if readings else None
         if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
             return None
+        if on_the_other_side(found, frame, condition, motion, words):
+            raise TextError("question", "it comes about on the other side of that number", "ask for the other end")
         return found
     return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
 

@@ -51,6 +51,8 @@ _ADJECTIVES = {"heav(?:y|ier)|massive": "mass", "light(?:er)?": "mass", "stiff(?
 _GOES = "(?:be (?:(?:moving|thrown|launched|started|set off|sent off|projected) )?|start (?:off )?|move |go |travel )"
 PLAINER: Mapping[str, str] = {
     r"\bhave had to\b": "have to",
+    r" , (?=(?:if|so that|in order|for) @)": " ",
+    r"\b(?P<size>least|greatest|smallest|largest) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<size> ",
     r"\b(?:at (?:very )?least|at minimum)(?= [^,.]*\bat least\b)": "",
     r"\bat very (?=least\b)": "at ",
     r"\bat (?=most\b|least\b)the ": "at ",
@@ -58,7 +60,7 @@ PLAINER: Mapping[str, str] = {
     rf"\bhow {_LIKE} (?:of )?(?=(?:(?:steady|constant|horizontal|pulling|initial) )*(?:{_NOUNS})\b)": "what ",
     r"\b(?:steady|constant) (?=(?:horizontal )?(?:force|pull)\b)": "",
     rf"^(?:up to|below|under|beneath) (?:what|which) (?P<n>.+?) (?={_AUX} |is |are )": r"for what greatest \g<n> ",
-    rf"^(?:above|beyond|over|from|exceeding) (?:what|which) (?P<n>(?:{_NOUNS}).*?) (?={_AUX} |is |are )": (
+    rf"^(?:above|beyond|over|exceeding) (?:what|which) (?P<n>(?:{_NOUNS}).*?) (?={_AUX} |is |are )": (
         r"for what least \g<n> "
     ),
     r"^(?:on|under|at|with) (?:what|which) (?=(?:inclination|slope|incline)\b)": "at what ",

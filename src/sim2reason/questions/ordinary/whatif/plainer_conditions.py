@@ -68,8 +68,6 @@ CONDITIONS: Mapping[str, str] = {
     r"^(?P<x>first collision|second collision|collision|impact) (?:to )?(?:dissipate|convert|turn into heat)s? (?P<n>#\d+#)$": (
         r"energy lost in \g<x> be \g<n>"
     ),
-    rf"^(?P<s>{_S}) (?:to )?(?P<verb>swing|turn|rise|go|move) (?:out|up|away) to (?:angle of )?(?P<n>#\d+#)"
-    r"(?: (?:from|to|with) (?:downward )?vertical)?$": r"\g<s> swing up to \g<n> from vertical",
     r"^(?:give|gives) (?=(?:amplitude|period|tension|acceleration|total energy)\b.* #\d+#)": "",
 }
 """By what a condition is like, on text without articles: what says the same."""

@@ -15,7 +15,7 @@ _VERB = r"[a-z]+"
 RESULTS = (
     (
         (
-            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on"
+            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|amplitude|radius of path|energy lost in (?:first |second )?collision|centre of mass)(?: (?:of|in|on"
             rf"|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:(?:to )?(?:be|is|become"
             rf"|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) )?(?:equal to"
             rf" )?{_ABOUT}{_N}(?P<rest>.*)"
@@ -51,7 +51,7 @@ RESULTS = (
     ),
     (
         (
-            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|move down|drop) with acceleration of"
+            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|come down|move down|drop) with acceleration of"
             rf" {_ABOUT}{_N}(?P<rest>.*)"
         ),
         "what is acceleration of {s} downwards{rest}",
@@ -60,7 +60,10 @@ RESULTS = (
         rf"(?P<s>{_S}) (?:move|moves|start|starts|go) (?:off )?with acceleration of {_ABOUT}{_N}(?P<rest>.*)",
         "what is acceleration of {s}{rest}",
     ),
-    (rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)", "what is {what}{rest}"),
+    (
+        rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??(?:{_Q}|period|amplitude)) of {_ABOUT}{_N}(?P<rest>.*)",
+        "what is {what}{rest}",
+    ),
 )
 SPEEDS = (
     (
@@ -169,14 +172,22 @@ LENGTHS = (
 )
 ANGLES = (
     (
+        (
+            rf"(?P<s>{_S}) (?:swing|turn|rise|go|move) (?:out |up |away )?to (?:angle of )?{_ABOUT}{_N}"
+            rf" (?:from|to|with) (?:downward )?vertical(?P<rest>)"
+        ),
+        "what is greatest angle of {s} with vertical",
+    ),
+    (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:(?:through|up to|by|out to) )?(?:angle of )?{_ABOUT}{_N}(?P<rest>.*)",
         "through what angle does {s} {verb}{rest}",
     ),
 )
+_TOLD = r"(?:accelerate|rise|go|move|climb|fall|sink|descend|drop|come|start|be|pass|reach|have)s?\b"  # elsewhere
 ACCELERATIONS = (
     (
         (
-            rf"(?P<s>{_S}) (?P<verb>{_VERB})(?: off)?(?: (?:up|down|upwards|downwards)(?: {GROUNDS})?)?"
+            rf"(?P<s>{_S}) (?P<verb>(?!{_TOLD}){_VERB})(?: off)?(?: (?:up|down|upwards|downwards)(?: {GROUNDS})?)?"
             rf" (?:at|with) (?:acceleration of )?{_ABOUT}{_N}(?P<rest>.*)"
         ),
         "what is acceleration of {s}{rest}",
