@@ -10,6 +10,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
+from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 
 _S = r"@\d+@"
 _LOOSE = frozenset(
@@ -46,13 +47,17 @@ _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down
 
 
 class StatedCondition(NamedTuple):
-    """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer."""
+    """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer.
+
+    With a `factor`, the answer is to be so many times what it is in the scene as it is.
+    """
 
     outcome: str = ""
     subject: str = ""
     question: str = ""
     stated: str = ""
     taut: bool = False
+    factor: float = 0.0
 
 
 _CAUSING = (
@@ -62,6 +67,26 @@ _CAUSING = (
 )
 
 
+_HALVED = {"halv": 0.5, "doubl": 2.0, "trebl": 3.0, "tripl": 3.0, "quadrupl": 4.0}
+_AS_LARGE = (
+    r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value|what it is"
+    r"|its value)(?: (?:as )?(?:now|before|it is|it is now|at present|in scene|given))?"
+)
+_MULTIPLES = (
+    rf"(?P<verb>{'|'.join(_HALVED)})(?:es|e) (?P<what>[^#]+)",
+    rf"(?P<what>[^#]+?) (?:to )?be (?P<verb>{'|'.join(_HALVED)})ed",
+    rf"(?P<what>[^#]+?) (?:to )?be (?P<mult>{'|'.join(MULTIPLES)}){_AS_LARGE}",
+)
+"""Statements that something is to be a multiple of what it is."""
+
+
+def _factor(found: re.Match[str]) -> float:
+    groups = found.groupdict()
+    if groups.get("verb"):
+        return _HALVED[groups["verb"]]
+    return next(value for told, value in MULTIPLES.items() if re.fullmatch(told, groups["mult"]))
+
+
 def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
     """Yield what a clause says is to be so, as an outcome or else as a result; nothing if a word of it is left over."""
     said = _statement(text, subject)
@@ -69,6 +94,11 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedConditio
     if outcome is not None:
         yield outcome
         return
+    for told in _MULTIPLES:
+        found = re.fullmatch(told, said)
+        if found is not None:
+            yield StatedCondition(question=f"what is {found['what']}", factor=_factor(found))
+            return
     for question, stated in asked_by(said, heard):
         yield StatedCondition(question=question, stated=stated)
 

@@ -31,6 +31,7 @@ from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
+UNENDING = "followed no longer"  # how a reason ends where one motion already takes all the work that is allowed
 MOST = 4  # readings of a result whose numbers are looked for
 
 
@@ -92,6 +93,11 @@ def _by_result(
     found: list[Understood] = []
     for asked, unit in _askable(told, motion, words, reader):
         stated = condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+        if condition.factor:
+            stated = _times(condition.factor, asked, motion, words)
+            condition = condition._replace(stated=stated)
+            if not stated:
+                continue
         given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
         wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
         try:
@@ -119,6 +125,13 @@ def _by_result(
     return next(iter(answered or found), None)
 
 
+def _times(factor: float, asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> str:
+    """Return a multiple of the answer in the scene as it is, with its unit; empty if there is none."""
+    question = posed(asked, motion, words)
+    answer = question.followed(motion).answer
+    return f"{factor * abs(answer):.15g} {question.unit(words)}".strip() if answer else ""
+
+
 def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
     """Return whether a question has an answer with some value of the number; else the value is not looked for."""
     assert question.unknown is not None
@@ -139,6 +152,8 @@ def _askable(
         plain = of_all(reader.read, heard, motion, words)
     except TextError:
         plain = None
+    if plain is not None and plain.followed.reason.endswith(UNENDING):
+        raise TextError("question", plain.followed.reason, "ask about a stated stretch of time")
     if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
         if MINUS not in plain.asked.when:
             yield plain.asked, plain.posed.unit(words)

@@ -19,7 +19,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 EVERY_MASS = "every mass"  # of all bodies that the text has
-NEVER_ZERO = "friction", "mass", "speed", "angular speed"
+NEVER_ZERO = "friction", "mass", "speed", "angular speed", "motion at start"
 EXACT = 1e-9  # relative: an initial speed that a body has
 
 
@@ -112,6 +112,7 @@ NUMBERS: Mapping[str, NumberKind] = {
     "force": NumberKind(
         "(?:(?:pulling|applied|constant|steady|horizontal|hand 's) )*(?:force|pull)(?: of hand)?", ("force",)
     ),
+    "motion at start": NumberKind("(?!)", ("speed", "rate", "spin"), ("m/s", "km/s", "rad/s")),  # by no noun
 }
 """By its name, each kind of number that a question may vary or ask for; the more specific ones first."""
 

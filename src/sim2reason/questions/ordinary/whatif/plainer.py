@@ -51,6 +51,7 @@ _ADJECTIVES = {"heav(?:y|ier)|massive": "mass", "light(?:er)?": "mass", "stiff(?
 _GOES = "(?:be (?:(?:moving|thrown|launched|started|set off|sent off|projected) )?|start (?:off )?|move |go |travel )"
 PLAINER: Mapping[str, str] = {
     r"\bhave had to\b": "have to",
+    r"(?: at most)? without (?P<s>@\d+@) (?P<verb>[a-z]+ing)\b": r" at most so that \g<s> not \g<verb>",
     r" , (?=(?:if|so that|in order|for) @)": " ",
     r"\b(?P<size>least|greatest|smallest|largest) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<size> ",
     r"\b(?:at (?:very )?least|at minimum)(?= [^,.]*\bat least\b)": "",

@@ -67,6 +67,13 @@ ROWS = (
     (rf"(?P<s>{_S}) (?:had|were given) {P} {_MULT}{_LIKE}", TIMES),
 )
 OTHERS = (
+    (
+        (
+            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from rest(?: instead)?"
+        ),
+        "motion at start",
+        NONE,
+    ),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:heavy|massive)(?: as)?{_SAME}", "mass", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:stiff|strong|hard)(?: as)?{_SAME}", "stiffness", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:long)(?: as)?{_SAME}", "length", TIMES),
