@@ -29,7 +29,7 @@ _UNITS = {
     "watts": "W", "hertz": "Hz",
 }  # fmt: skip
 _UNIT = re.compile(
-    r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
+    r"m|s|kg|Msun|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _OWN_ADJECTIVES = re.compile(

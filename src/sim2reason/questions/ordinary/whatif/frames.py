@@ -134,6 +134,13 @@ OTHERS = (
         ),
         "height",
     ),
+    (
+        (
+            f"how fast {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:turning|rotating|spinning)(?: at start| initially)?"
+            f"{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "angular speed",
+    ),
     (f"how long {_AUX} (?P<s>@\\d+@) {_BE} (?:at start|initially){_BOUND} {_CONN} (?P<c>.+)", "initial length"),
     (
         (
@@ -158,7 +165,7 @@ OTHERS = (
     ),
     (
         (
-            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be going|be"
+            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be rolling|be sliding|be going|be"
             f" travelling|move|travel|go|be){_CONST}{_BOUND} {_CONN} (?P<c>.+)"
         ),
         "speed",

@@ -1,6 +1,6 @@
 """Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import isclose, isfinite
 
@@ -107,7 +107,7 @@ def _by_result(
         unknown = question.unknown
         if unknown is None or not _ever(question, motion):
             continue
-        values = sorted(values_giving(question.query, question.given, unknown, motion.study))
+        values = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         if frame.end:
             values = [values[0 if frame.end == LEAST else -1]] if values else []
         leading = [value for value in values if _leads(value, path, told, condition, motion, words, reader)]
@@ -123,6 +123,15 @@ def _by_result(
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
     return next(iter(answered or found), None)
+
+
+def _distinct(values: Sequence[float]) -> list[float]:
+    """Return values in order, without those that are another one but for the error of finding it."""
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or not isclose(value, found[-1], rel_tol=SAME):
+            found.append(value)
+    return found
 
 
 def _times(factor: float, asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> str:

@@ -82,7 +82,7 @@ NUMBERS: Mapping[str, NumberKind] = {
     ),
     "slope": NumberKind(
         f"(?:inclination|slope angle|tilt|gradient|steepness|angle of inclination|angle of (?:{GROUNDS})"
-        f"|(?:{GROUNDS}) angle)"
+        f"|(?:{GROUNDS})(?: 's)? (?:angle|inclination))"
         f"(?: of (?:{GROUNDS}))?",
         ("angle", "tilt"),
         ("plane",),

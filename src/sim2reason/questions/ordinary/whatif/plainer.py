@@ -51,6 +51,15 @@ _ADJECTIVES = {"heav(?:y|ier)|massive": "mass", "light(?:er)?": "mass", "stiff(?
 _GOES = "(?:be (?:(?:moving|thrown|launched|started|set off|sent off|projected) )?|start (?:off )?|move |go |travel )"
 PLAINER: Mapping[str, str] = {
     r"\bhave had to\b": "have to",
+    r"^if (?P<s>@\d+@) (?:is|are|was|were) to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which|how|by) .+)$": (
+        r"\g<rest> for \g<s> to \g<c>"
+    ),
+    rf"^(?:in order )?to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which|how|by) .+)$": r"\g<rest> to \g<c>",
+    r"\b(?P<ask>what|which) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<ask> ",
+    rf"(?P<n>\b(?:{_NOUNS})(?: of @\d+@)? (?:have|need) to be) at start (?=larger|greater|for |so )": r"\g<n> ",
+    r" (?P<b>no more than|not more than) (?=#)": " at most ",
+    r" (?:at|with) (?:this|that) (?:angle|speed|velocity|mass)(?= |$)": "",
+    r"(?: ,)? (?:in|measured in) (?:rad/s|m/s|kg|n)(?: ,)?(?= )": "",
     r"(?: at most)? without (?P<s>@\d+@) (?P<verb>[a-z]+ing)\b": r" at most so that \g<s> not \g<verb>",
     r" , (?=(?:if|so that|in order|for) @)": " ",
     r"\b(?P<size>least|greatest|smallest|largest) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<size> ",
@@ -71,9 +80,9 @@ PLAINER: Mapping[str, str] = {
     r"^at most (?P<ask>how (?:fast|heavy|stiff|large|great|strong|high|hard|rough|long|steep|light)\b)": (
         r"GREATEST \g<ask>"
     ),
-    rf"how many kg of {_FUEL} (?:{_EACH} )?{_AUX} {_ENGINE} {_HAVE}{_BURN}(?: {_EACH})?(?P<b> at least)? "
+    rf"how (?:many kg of|much) {_FUEL} (?:{_EACH} )?{_AUX} {_ENGINE} {_HAVE}{_BURN}(?: {_EACH})?(?P<b> at least)? "
     rf"{_FOR}": r"what BOUND burn rate is needed\g<b> ",
-    rf"how many kg of {_FUEL} (?:{_EACH} )?{_AUX} {_HAVE}be {_BURNT}(?: {_EACH})?(?P<b> at least)? "
+    rf"how (?:many kg of|much) {_FUEL} (?:{_EACH} )?{_AUX} {_HAVE}be {_BURNT}(?: {_EACH})?(?P<b> at least)? "
     rf"{_FOR}": r"what BOUND burn rate is needed\g<b> ",
     rf"at what (?P<size>(?:{_LEAST}) )?rate(?P<b> at least)? {_AUX} {_ENGINE} {_HAVE}(?:{_BURN}|eject) (?:its )?{_FUEL}"
     rf"(?P<c> at least)? {_FOR}": r"what BOUND \g<size>burn rate is needed\g<b>\g<c> ",

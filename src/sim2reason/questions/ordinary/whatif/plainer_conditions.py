@@ -31,6 +31,13 @@ CONDITIONS: Mapping[str, str] = {
         r"\g<t> rise\g<rest>"
     ),
     rf"^(?:{_S} )?(?:lift-off|liftoff|take-off|takeoff)(?P<rest> .+)?$": r"it lift off\g<rest>",
+    rf"(?P<t>{_S}) (?P<verb>sink|descend|rise|move|go down|go up|fall|climb|slide) (?:by )?(?:{_MOST} )?(?P<n>#\d+#)"
+    r"(?: at most)?$": r"\g<t> \g<verb> \g<n>",
+    rf"(?P<t>{_S}) (?:to )?(?:get|go|rise) (?P<n>#\d+#) higher$": r"\g<t> rise \g<n>",
+    r"^(?:oscillations?|vibrations?|motion|system) (?:to )?(?:have|has) (?P<q>period|frequency|amplitude) of ": (
+        r"\g<q> be "
+    ),
+    r"^make (?P<q>period|frequency|amplitude|radius of (?:its |@\d+@ 's )?(?:path|circle)) (?:be )?(?=#)": r"\g<q> be ",
     "^(?:equilibrium|balance)$": "system be in equilibrium",
     rf"^(?:move|start) (?P<t>{_S})$": r"\g<t> begin to move",
     rf"^(?:keep|prevent|stop|hold|keeps|prevents|stops|holds) (?P<t>{_S}(?: and {_S})?) from (?P<verb>[a-z]+ing)\b": (

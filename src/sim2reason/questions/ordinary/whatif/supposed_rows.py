@@ -150,11 +150,13 @@ OTHERS = (
         "slope",
         VALUE,
     ),
+    (rf"(?:{GROUNDS}) {_W} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter)) by {_N}", "slope", MORE),
+    (rf"(?:{GROUNDS}) {_W} {_N} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter))", "slope", MORE),
     (rf"(?:{GROUNDS}) {_W} (?P<flat>horizontal|level)", "slope", VALUE),
     (
         (
             rf"(?P<s>{_S}) {_W} (?:instead )?(?:(?:released|let go|started|held|initially|first|start) )*(?:from |at"
-            rf" )(?:angle of )?{_N} (?:to|from|with)(?: downward)? vertical(?: at start)?{_INSTEAD}"
+            rf" )(?:angle of )?{_N}(?: (?:to|from|with)(?: downward)? vertical)?(?: at start)?{_INSTEAD}"
         ),
         "swing angle",
         VALUE,
