@@ -32,6 +32,7 @@ from sim2reason.questions.words import Words
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
 UNENDING = "followed no longer"  # how a reason ends where one motion already takes all the work that is allowed
+OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
 MOST = 4  # readings of a result whose numbers are looked for
 
 
@@ -63,7 +64,7 @@ def _meant(
     frame: WantedFrame, condition: StatedCondition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     number = frame.number
-    if not number.owners and number.kind == "mass" and frame.subject:
+    if not number.owners and number.kind in OWN and frame.subject:
         number = number._replace(owners=(heard.subject(frame.subject),))
     paths = paths_of(number, motion.study, words)
     path = paths[0] if len(paths) == 1 else ""

@@ -12,7 +12,7 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.derived_numbers import derived_numbers
+from sim2reason.questions.derived_numbers import derived_numbers, with_number
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
@@ -20,6 +20,7 @@ from sim2reason.questions.words import Words
 
 EVERY_MASS = "every mass"  # of all bodies that the text has
 NEVER_ZERO = "friction", "mass", "speed", "angular speed", "motion at start"
+MORE = 1.01  # times a number, to see what it decides
 EXACT = 1e-9  # relative: an initial speed that a body has
 
 
@@ -212,6 +213,8 @@ def _belongs(path: str, value: float, owner: str, study: Study, words: Words, co
 def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
     """Return the only coefficient of friction, if the owners named rub on one another, or on the fixed surface."""
     if len(every) != 1:
+        if len(owners) == 2:
+            return _between(every, owners, study, words)
         alone = [path for path, _ in every if words.mentions.get(path.rpartition(".")[0]) in owners]
         return tuple(alone) if len(alone) == 1 else ()
     mechanism = study.mechanism
@@ -226,3 +229,19 @@ def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
     else:
         fits = all(name in rubs or name in faces for name in names)
     return (every[0][0],) if fits else ()
+
+
+def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
+    """Return the coefficient of friction between two bodies, of which one rides on the other; empty if there is none."""
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    one, other = (bodies.get(said, "") for said in owners)
+    mechanism = study.mechanism
+    riders = [a for a, b in ((one, other), (other, one)) if a in mechanism.body and mechanism.body[a].parent == b]
+    found = [path for path, value in every if _roughens(study, path, value) == set(riders)]
+    return tuple(found) if len(riders) == len(found) == 1 else ()
+
+
+def _roughens(study: Study, path: str, value: float) -> set[str]:
+    """Return the bodies whose friction a number decides."""
+    faces = with_number(study.scene, path, value * MORE).mechanism.contacts
+    return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}

@@ -33,11 +33,12 @@ CONDITIONS: Mapping[str, str] = {
     rf"^(?:{_S} )?(?:lift-off|liftoff|take-off|takeoff)(?P<rest> .+)?$": r"it lift off\g<rest>",
     rf"(?P<t>{_S}) (?P<verb>sink|descend|rise|move|go down|go up|fall|climb|slide) (?:by )?(?:{_MOST} )?(?P<n>#\d+#)"
     r"(?: at most)?$": r"\g<t> \g<verb> \g<n>",
+    rf"(?P<t>{_S}) (?:sink|descend|go down|fall) (?P<n>#\d+#)$": r"\g<t> go down \g<n>",
     rf"(?P<t>{_S}) (?:to )?(?:get|go|rise) (?P<n>#\d+#) higher$": r"\g<t> rise \g<n>",
     r"^(?:oscillations?|vibrations?|motion|system) (?:to )?(?:have|has) (?P<q>period|frequency|amplitude) of ": (
         r"\g<q> be "
     ),
-    r"^make (?P<q>period|frequency|amplitude|radius of (?:its |@\d+@ 's )?(?:path|circle)) (?:be )?(?=#)": r"\g<q> be ",
+    rf"^leave (?P<t>{_S}) (?:for good|for ever|forever|altogether)$": r"escape from \g<t>",
     "^(?:equilibrium|balance)$": "system be in equilibrium",
     rf"^(?:move|start) (?P<t>{_S})$": r"\g<t> begin to move",
     rf"^(?:keep|prevent|stop|hold|keeps|prevents|stops|holds) (?P<t>{_S}(?: and {_S})?) from (?P<verb>[a-z]+ing)\b": (
@@ -66,6 +67,8 @@ CONDITIONS: Mapping[str, str] = {
     rf"(?P<n>#\d+#)(?: at most)?$": r"greatest length of \g<s> be \g<n>",
     rf"^(?:give|gives|given) (?P<s>{_S}) 's (?:path|circle|orbit) radius of ": "radius of path be ",
     rf"^(?:its|{_S} 's) (?:path|circle|orbit) (?:to )?(?:have|has) radius of ": "radius of path be ",
+    r"^make (?P<q>period|frequency|amplitude|radius of (?:its |@\d+@ 's )?(?:path|circle)) (?:be )?(?=#)": r"\g<q> be ",
+    rf"(?P<t>{_S}) (?:to )?(?:take|lift) off with (?:initial )?acceleration of ": r"\g<t> have initial acceleration of ",
     r"^radius of (?:its |@\d+@ 's )?(?:path|circle|orbit)(?: of @\d+@)? (?:to )?(?:be|is|equal|equals) ": (
         "radius of path be "
     ),

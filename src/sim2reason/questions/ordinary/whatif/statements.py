@@ -140,6 +140,7 @@ LENGTHS = (
         ),
         "how high does {s} rise{rest}",
     ),
+    (rf"(?P<s>{_S}) go down {_ABOUT}{_N}(?P<rest>)", "how far down does {s} go"),
     (rf"(?P<s>{_S}) (?:rise|rises|get|go|climb) {_ABOUT}{_N} high(?P<rest>.*)", "how high does {s} rise{rest}"),
     (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N} (?P<dir>away|far)(?P<rest>.*)",

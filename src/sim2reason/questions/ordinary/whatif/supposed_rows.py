@@ -231,7 +231,7 @@ OTHERS = (
     (
         (
             rf"(?:(?:{GROUNDS})|(?P<s>{_S})|top of (?P<t>{_S})|contact|all surfaces|surfaces) {_W} (?:perfectly "
-            rf"|completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
+            rf"|made |completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
         ),
         "friction",
         NONE,
