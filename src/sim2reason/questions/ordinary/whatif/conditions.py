@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
-from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
+from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES, RESTS
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
@@ -111,7 +111,9 @@ def _statement(text: str, subject: str) -> str:
     if subject:
         said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
     said = re.sub(
-        r"\b(?:just|exactly|precisely|barely|only|still|yet|in fact|actually|then|ever|at all|possibly)\b ?", "", said
+        r"\b(?:just|exactly|precisely|barely|only(?! @)|still|yet|in fact|actually|then|ever|at all|possibly)\b ?",
+        "",
+        said,
     )
     gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
     if gets is not None and said.startswith("prevent"):
@@ -152,15 +154,18 @@ def _is_predicate(said: str) -> bool:
     )
 
 
+_MEANWHILE = re.compile(
+    rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:(?:move|fall|rise|accelerate)s?"
+    rf"|(?P<slides>slides? (?:on|over|along) (?:it|{_S}|top of {_S})))$"
+)
+
+
 def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     """Return the outcome that a statement says, if every word of the statement has its place."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
-    bare = re.sub(
-        rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:(?:move|fall|rise|accelerate)s?|slides? (?:on|over|along) (?:it|{_S}|top of {_S}))$",
-        "",
-        bare,
-    )
+    meanwhile = _MEANWHILE.search(bare)
+    bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = based(bare)
@@ -168,7 +173,7 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():
         found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)
-        if found is None:
+        if found is None or (meanwhile is not None and outcome == RESTS and not meanwhile["slides"]):
             continue
         rest = re.sub(_S, " ", f"{based_on[: found.start()]} {based_on[found.end() :]}")
         loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE

@@ -34,7 +34,7 @@ CONDITIONS: Mapping[str, str] = {
     rf"(?P<t>{_S}) (?P<verb>sink|descend|rise|move|go down|go up|fall|climb|slide) (?:by )?(?:{_MOST} )?(?P<n>#\d+#)"
     r"(?: at most)?$": r"\g<t> \g<verb> \g<n>",
     rf"(?P<t>{_S}) (?:sink|descend|go down|fall) (?P<n>#\d+#)$": r"\g<t> go down \g<n>",
-    rf"(?P<t>{_S}) (?:to )?(?:get|go|rise) (?P<n>#\d+#) higher$": r"\g<t> rise \g<n>",
+    rf"^(?P<t>{_S} )?(?:to )?(?:get|go|rise) (?P<n>#\d+#) higher$": r"\g<t>rise \g<n>",
     r"^(?:oscillations?|vibrations?|motion|system) (?:to )?(?:have|has) (?P<q>period|frequency|amplitude) of ": (
         r"\g<q> be "
     ),
