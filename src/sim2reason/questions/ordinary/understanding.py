@@ -18,8 +18,8 @@ from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
-from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whatif.two_motions import goes_on_otherwise
+from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion

@@ -13,7 +13,8 @@ _ROUND = "(?:turn|circle|revolution|loop|round|rotation)"
 _ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S}))?"
 _AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d]?|put|still|where (?:it|they|{S}))"
 PHRASES: Mapping[str, str] = {
-    rf"(?:move|go|rise|climb|slide) (?:up|upwards|uphill)(?: (?:{GROUNDS}))? (?:at|with) constant (?:speed|velocity)": CLIMBS,
+    rf"(?:move|go|rise|climb|slide) (?:up|upwards|uphill)(?: (?:{GROUNDS}))? (?:at|with) constant (?:speed"
+    rf"|velocity)": CLIMBS,
     rf"(?:move|go|sink|descend|slide) (?:down|downwards|downhill)(?: (?:{GROUNDS}))? (?:at|with) constant"
     r" (?:speed|velocity)": DESCENDS,
     r"(?:stay|remain|keep|rest|lie|hold|stop)(?: at rest)? (?:for good )?(?:at|on|in) (?:its )?(?:highest point"
@@ -44,7 +45,8 @@ PHRASES: Mapping[str, str] = {
     r"(?:stay|remain|keep|be) (?:always )?taut|not (?:go|become|get) slack|never (?:go|become|get) slack": TAUT,
     r"(?:go|become|get) slack": SLACK,
     rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?|"
-    rf" {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely| and never (?:come back|return))?"
+    rf" {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely| and never (?:come"
+    rf" back|return))?"
     r"|never (?:return|come back)|get infinitely far(?: away)?|reach infinity|unbound|not (?:return|come back)"
     r"|not bound|move (?:along|on|in) parabola"
     r"|(?:parabolic|open) (?:orbit|path)": ESCAPES,

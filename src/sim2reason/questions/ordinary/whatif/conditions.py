@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
-from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES, RESTS
+from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
@@ -33,7 +33,8 @@ _START = re.compile(
     rf"(?: (?:is|are|has been|being|was|were))? (?:{pattern('START').pattern}|let go of|set free|freed|let"
     rf" loose)(?: from rest)?$"
     r"|(?: ,)? (?:on|right from|from|straight after|right after) (?:release|start|beginning|very beginning)$"
-    r"|(?<=at rest) (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?: at start)?$"
+    r"|(?<=at rest) (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?:"
+    r" at start)?$"
     r"|(?<=was) at start$|(?<=were) at start$"
     r"|(?: ,)? from (?:its |this |that )?(?:initial|starting|original|present|same|first)? ?(?:position|point"
     r"|place|height)$"
@@ -49,7 +50,8 @@ _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down
 class StatedCondition(NamedTuple):
     """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer.
 
-    With a `factor`, the answer is to be so many times what it is in the scene as it is.
+    With a `factor`, the answer is to be so many times what it is in the scene as it is. Others may be told to be
+    `moving` meanwhile.
     """
 
     outcome: str = ""
@@ -58,18 +60,20 @@ class StatedCondition(NamedTuple):
     stated: str = ""
     taut: bool = False
     factor: float = 0.0
+    moving: tuple[str, ...] = ()
 
 
 _CAUSING = (
     r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit"
     r"|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift"
-    r"|lifts|hold|holds|send|sends)"
+    r"|lifts|hold|holds|send|sends|put|puts)"
 )
 
 
 _HALVED = {"halv": 0.5, "doubl": 2.0, "trebl": 3.0, "tripl": 3.0, "quadrupl": 4.0}
 _AS_LARGE = (
-    r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value|what it is"
+    r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value"
+    r"|what it is"
     r"|its value)(?: (?:as )?(?:now|before|it is|it is now|at present|in scene|given))?"
 )
 _MULTIPLES = (
@@ -155,8 +159,8 @@ def _is_predicate(said: str) -> bool:
 
 
 _MEANWHILE = re.compile(
-    rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:(?:move|fall|rise|accelerate)s?"
-    rf"|(?P<slides>slides? (?:on|over|along) (?:it|{_S}|top of {_S})))$"
+    rf"(?: ,)? (?:while|as) (?P<who>{_S}(?: and {_S})?) (?:(?:move|fall|rise|accelerate)s?"
+    rf"|slides? (?:on|over|along) (?:it|{_S}|top of {_S}))$"
 )
 
 
@@ -165,6 +169,7 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
     meanwhile = _MEANWHILE.search(bare)
+    moving = tuple(map(heard.subject, re.findall(_S, meanwhile["who"]))) if meanwhile is not None else ()
     bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
@@ -173,7 +178,7 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():
         found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)
-        if found is None or (meanwhile is not None and outcome == RESTS and not meanwhile["slides"]):
+        if found is None:
             continue
         rest = re.sub(_S, " ", f"{based_on[: found.start()]} {based_on[found.end() :]}")
         loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE
@@ -188,5 +193,5 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
             if both is not None
             else heard.subject(who or None)
         )
-        return StatedCondition(outcome, named, taut=taut)
+        return StatedCondition(outcome, named, taut=taut, moving=moving)
     return None

@@ -23,7 +23,7 @@ _AUX = "(?:would|must|should|does|do|will|can|could|may|is|are|has|have|did)"
 _BE = "(?:have to be|need to be|needs to be|has to be|have been|have had to be|to be|be)"
 _GETS = (
     "(?:allow|enable|let|make|give|cause|bring|keep|take|carry|get|leave|set|send|lift|prevent|ensure that"
-    "|hold|cause|permit|haul|drag|draw|pull|raise|move|push|start|halve|double|treble|triple)"
+    "|hold|cause|permit|haul|drag|draw|pull|raise|move|push|start|halve|double|treble|triple|put)"
 )
 _GETTING = (
     f"(?:{_GETS}|allows|enables|lets|makes|gives|causes|brings|keeps|takes|carries|gets|leaves|sets|sends|lifts"
@@ -122,7 +122,8 @@ OTHERS = (
     ),
     (
         (
-            f"(?:at|from|under|with) what SIZEangle(?: (?:to|from|with) (?:downward )?vertical)? {_AUX} (?P<s>@\\d+@)"
+            f"(?:at|from|under|with) what SIZE(?:initial |starting |release )?angle(?: (?:to|from|with)"
+            f" (?:downward )?vertical)? {_AUX} (?P<s>@\\d+@)"
             f" (?:have to |need to )?be (?:released|let go|started|held)(?: from rest)? {_CONN} (?P<c>.+)"
         ),
         "swing angle",
@@ -136,7 +137,8 @@ OTHERS = (
     ),
     (
         (
-            f"how fast {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:turning|rotating|spinning)(?: at start| initially)?"
+            f"how fast {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:turning|rotating|spinning)(?: at start|"
+            f" initially)?"
             f"{_BOUND} {_CONN} (?P<c>.+)"
         ),
         "angular speed",
@@ -165,7 +167,8 @@ OTHERS = (
     ),
     (
         (
-            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be rolling|be sliding|be going|be"
+            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be"
+            f" rolling|be sliding|be going|be"
             f" travelling|move|travel|go|be){_CONST}{_BOUND} {_CONN} (?P<c>.+)"
         ),
         "speed",
@@ -215,7 +218,8 @@ OTHERS = (
 
 _BOUNDED = re.compile(
     r"(?:(?P<early>at (?:least|most)) (?=(?:with |for |at |from )?(?:what|how)\b)"
-    rf"|(?P<head>(?:with |for |at |from )?(?:how [a-z]+|what (?:[a-z]+ ){{1,4}}?)) ?(?P<bound>at (?:least|most)) (?={_AUX} ))"
+    rf"|(?P<head>(?:with |for |at |from )?(?:how [a-z]+|what (?:[a-z]+ ){{1,4}}?)) ?(?P<bound>at (?:least|most))"
+    rf" (?={_AUX} ))"
     r"(?P<rest>.+)"
 )
 """A sentence that says first that the least number, or the greatest, is wanted."""

@@ -67,6 +67,8 @@ def _meant(
     if not number.owners and number.kind in OWN and frame.subject:
         number = number._replace(owners=(heard.subject(frame.subject),))
     paths = paths_of(number, motion.study, words)
+    if not paths and not number.owners and number.kind in OWN and condition.subject:
+        paths = paths_of(number._replace(owners=(condition.subject,)), motion.study, words)
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
     if condition.outcome:
@@ -93,12 +95,7 @@ def _by_result(
     told = replace(heard, text=condition.question)
     found: list[Understood] = []
     for asked, unit in _askable(told, motion, words, reader):
-        stated = condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
-        if condition.factor:
-            stated = _times(condition.factor, asked, motion, words)
-            condition = condition._replace(stated=stated)
-            if not stated:
-                continue
+        stated = _stated(condition, asked, unit, motion, words)
         given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
         wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
         try:
@@ -111,7 +108,8 @@ def _by_result(
         values = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         if frame.end:
             values = [values[0 if frame.end == LEAST else -1]] if values else []
-        leading = [value for value in values if _leads(value, path, told, condition, motion, words, reader)]
+        meant = condition._replace(stated=stated)
+        leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
@@ -135,11 +133,14 @@ def _distinct(values: Sequence[float]) -> list[float]:
     return found
 
 
-def _times(factor: float, asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> str:
-    """Return a multiple of the answer in the scene as it is, with its unit; empty if there is none."""
-    question = posed(asked, motion, words)
-    answer = question.followed(motion).answer
-    return f"{factor * abs(answer):.15g} {question.unit(words)}".strip() if answer else ""
+def _stated(
+    condition: StatedCondition, asked: StructuredQuestion, unit: str, motion: FollowedMotion, words: Words
+) -> str:
+    """Return the answer that is to be, with its unit: a number, or a multiple of the answer in the scene as it is."""
+    if not condition.factor:
+        return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+    answer = posed(asked, motion, words).followed(motion).answer
+    return f"{condition.factor * abs(answer):.15g} {unit}".strip() if answer else ""
 
 
 def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:

@@ -232,7 +232,7 @@ def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
 
 
 def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
-    """Return the coefficient of friction between two bodies, of which one rides on the other; empty if there is none."""
+    """Return the coefficient of friction between a body and the one it rides on; empty if there is none."""
     bodies = {said: name for name, said in words.called(Bodies()).items()}
     one, other = (bodies.get(said, "") for said in owners)
     mechanism = study.mechanism

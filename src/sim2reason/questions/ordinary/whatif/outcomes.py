@@ -145,7 +145,10 @@ def on_the_other_side(
 
 
 def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found."""
+    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found.
+
+    Or whether one that is told to move meanwhile is not.
+    """
     value, path = found.followed.answer, found.asked.find
     if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):
         return False
@@ -155,8 +158,12 @@ def moves_nevertheless(found: Understood, condition: StatedCondition, motion: Fo
     arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
     names = named or ({found.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
     largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
-    moving = (float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) for name in names or words.called(Bodies()))
-    return any(size > STILL * largest for size in moving)
+
+    def moves(name: str) -> bool:
+        return float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) > STILL * largest
+
+    told = [name for name, phrase in words.called(Bodies()).items() if phrase in condition.moving]
+    return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, told))
 
 
 def slips_nevertheless(found: Understood) -> bool:

@@ -50,11 +50,27 @@ _ADJECTIVES = {"heav(?:y|ier)|massive": "mass", "light(?:er)?": "mass", "stiff(?
                "fast(?:er)?|slower": "speed", "steep(?:er)?": "slope"}  # fmt: skip
 _GOES = "(?:be (?:(?:moving|thrown|launched|started|set off|sent off|projected) )?|start (?:off )?|move |go |travel )"
 PLAINER: Mapping[str, str] = {
+    rf"\bvalue of (?=(?:@\d+@ 's )?(?:{_NOUNS})\b)": "",
+    r"^(?:what|how large) (?P<s>@\d+@) (?=(?:would|must|does) (?P=s) (?:need|have|require)\b)": "what charge ",
+    r"(?P<s>@\d+@) 's (?P=s)(?= (?:have|need|be))": r"charge of \g<s>",
+    r"(?<= )(?P<s>@\d+@) (?P<n>mass|stiffness)(?= (?:would|must|should|for|with|at|does|is|that)\b)": r"\g<n> of \g<s>",
+    r"\bheaviest (?P<s>@\d+@) (?=for which|with which|that)": r"greatest mass of \g<s> ",
+    r"\blightest (?P<s>@\d+@) (?=for which|with which|that)": r"least mass of \g<s> ",
+    r"\bin order not to ": "to not ",
+    r"(?<=need) at (?:launch|start|release|first)(?= )": "",
+    r"\bwhat mass (?P<a>must|would|should) (?:have to )?(?:hang|be hung|hung) at (?P<s>@\d+@) ": (
+        r"what mass \g<a> \g<s> need "
+    ),
+    r"\bwhat mass (?:hung|hanging) at (?P<s>@\d+@) ": r"what mass of \g<s> ",
+    r"\bleave thrower 's hand\b": "be thrown",
+    rf"how fast {_AUX} (?:exhaust|gas|exhaust gas(?:es)?) {_HAVE}(?:leave|stream out of|flow out of) @\d+@ {_FOR}": (
+        "what BOUND exhaust speed is needed "
+    ),
     r"\bhave had to\b": "have to",
     r"^if (?P<s>@\d+@) (?:is|are|was|were) to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which|how|by) .+)$": (
         r"\g<rest> for \g<s> to \g<c>"
     ),
-    rf"^(?:in order )?to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which|how|by) .+)$": r"\g<rest> to \g<c>",
+    r"^(?:in order )?to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which|how|by) .+)$": r"\g<rest> to \g<c>",
     r"\b(?P<ask>what|which) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<ask> ",
     rf"(?P<n>\b(?:{_NOUNS})(?: of @\d+@)? (?:have|need) to be) at start (?=larger|greater|for |so )": r"\g<n> ",
     r" (?P<b>no more than|not more than) (?=#)": " at most ",
@@ -62,7 +78,8 @@ PLAINER: Mapping[str, str] = {
     r"(?: ,)? (?:in|measured in) (?:rad/s|m/s|kg|n)(?: ,)?(?= )": "",
     r"(?: at most)? without (?P<s>@\d+@) (?P<verb>[a-z]+ing)\b": r" at most so that \g<s> not \g<verb>",
     r" , (?=(?:if|so that|in order|for) @)": " ",
-    r"\b(?P<size>least|greatest|smallest|largest) value of (?=coefficient|mass|speed|initial speed|force)": r"\g<size> ",
+    r"\b(?P<size>least|greatest|smallest|largest) value of (?=coefficient|mass|speed|initial speed"
+    r"|force)": r"\g<size> ",
     r"\b(?:at (?:very )?least|at minimum)(?= [^,.]*\bat least\b)": "",
     r"\bat very (?=least\b)": "at ",
     r"\bat (?=most\b|least\b)the ": "at ",
@@ -76,7 +93,8 @@ PLAINER: Mapping[str, str] = {
     r"^(?:on|under|at|with) (?:what|which) (?=(?:inclination|slope|incline)\b)": "at what ",
     rf"^at least (?P<ask>(?:with |for |at )?what) (?=(?:{_NOUNS})\b)": r"\g<ask> least ",
     rf"^at most (?P<ask>(?:with |for |at )?what) (?=(?:{_NOUNS})\b)": r"\g<ask> greatest ",
-    r"^at least (?P<ask>how (?:fast|heavy|stiff|large|great|strong|high|hard|rough|long|much|many)\b)": r"LEAST \g<ask>",
+    r"^at least (?P<ask>how (?:fast|heavy|stiff|large|great|strong|high|hard|rough|long|much"
+    r"|many)\b)": r"LEAST \g<ask>",
     r"^at most (?P<ask>how (?:fast|heavy|stiff|large|great|strong|high|hard|rough|long|steep|light)\b)": (
         r"GREATEST \g<ask>"
     ),
@@ -88,9 +106,11 @@ PLAINER: Mapping[str, str] = {
     rf"(?P<c> at least)? {_FOR}": r"what BOUND \g<size>burn rate is needed\g<b>\g<c> ",
     rf"at what (?P<size>(?:{_LEAST}) )?rate(?P<b> at least)? {_AUX} (?:its )?{_FUEL} {_HAVE}be {_BURNT}"
     rf"(?P<c> at least)? {_FOR}": r"what BOUND \g<size>burn rate is needed\g<b>\g<c> ",
-    rf"(?:how fast|(?:with|at) what speed) {_AUX} (?:exhaust )?gas(?:es)? {_HAVE}be (?:ejected|expelled|blown out|thrown"
+    rf"(?:how fast|(?:with|at) what speed) {_AUX} (?:exhaust )?gas(?:es)? {_HAVE}be (?:ejected|expelled|blown out"
+    rf"|thrown"
     rf" out)(?P<b> at least)? {_FOR}": r"what BOUND exhaust speed is needed\g<b> ",
-    rf"(?P<ratio>by (?:what|which) factor|how many times) {_AUX} (?:one|we|you) {_HAVE}(?:raise|increase|multiply|change)"
+    rf"(?P<ratio>by (?:what|which) factor|how many times) {_AUX} (?:one|we|you) {_HAVE}(?:raise|increase|multiply"
+    rf"|change)"
     rf" (?P<n>(?:its )?(?:{_NOUNS})(?: of @\d+@)?) {_FOR}": (r"\g<ratio> must \g<n> be increased "),
     rf"^how light (?P<aux>{_AUX}) (?P<s>@\d+@) (?P<b>be|have to be|need to be)(?: at start)?(?: at most)? "
     r"(?=for |so that |to |in order |and )": r"what greatest mass \g<aux> \g<s> need ",

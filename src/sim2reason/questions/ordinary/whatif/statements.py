@@ -15,7 +15,8 @@ _VERB = r"[a-z]+"
 RESULTS = (
     (
         (
-            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|amplitude|radius of path|energy lost in (?:first |second )?collision|centre of mass)(?: (?:of|in|on"
+            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|amplitude|time of flight"
+            rf"|radius of path|energy lost in (?:first |second )?collision|centre of mass)(?: (?:of|in|on"
             rf"|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:(?:to )?(?:be|is|become"
             rf"|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) )?(?:equal to"
             rf" )?{_ABOUT}{_N}(?P<rest>.*)"
@@ -51,7 +52,8 @@ RESULTS = (
     ),
     (
         (
-            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|come down|move down|drop) with acceleration of"
+            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|come down|move down|drop) with"
+            rf" acceleration of"
             rf" {_ABOUT}{_N}(?P<rest>.*)"
         ),
         "what is acceleration of {s} downwards{rest}",

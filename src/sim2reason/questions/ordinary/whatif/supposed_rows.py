@@ -69,7 +69,8 @@ ROWS = (
 OTHERS = (
     (
         (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from rest(?: instead)?"
+            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from"
+            rf" rest(?: instead)?"
         ),
         "motion at start",
         NONE,
@@ -77,6 +78,7 @@ OTHERS = (
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:heavy|massive)(?: as)?{_SAME}", "mass", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:stiff|strong|hard)(?: as)?{_SAME}", "stiffness", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:long)(?: as)?{_SAME}", "length", TIMES),
+    (rf"(?P<s>{_S}) {_W} replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
     (rf"(?P<s>{_S}) (?:weighed|had mass) (?:only )?{_N}{_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) long{_INSTEAD}", "length", VALUE),
@@ -282,6 +284,7 @@ ADJUNCTS = (
     (rf"(?:on|with) (?:perfectly |completely )?(?:smooth|frictionless) (?:{GROUNDS})", "friction", NONE),
     (rf"with {_MULT}{_SAME} {P}", "", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as (?:heavy|massive)", "mass", TIMES),
+    (rf"with (?P<s>{_S}) replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
     (rf"with (?P<s>{_S}) {_MULT} as stiff", "stiffness", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as long", "length", TIMES),
     (rf"with {P} of {_N}{_INSTEAD}", "", VALUE),
