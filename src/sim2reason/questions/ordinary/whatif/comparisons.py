@@ -110,6 +110,12 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
             grows = True if found["more"] else False if found["less"] else None
             high = re.search(r"higher$", found[0]) is not None
             yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
+    yield from _by_adverb(question)
+    yield question, VALUE, None
+
+
+def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
+    """Yield what *how many times as far*, *how much later* or *how much larger* compares, and how."""
     found = re.fullmatch(
         r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
         question,
@@ -139,7 +145,6 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
     if found is not None:
         grows = found["how"] not in ("smaller", "less", "lower")
         yield from ((asked, DIFFERENCE, grows) for asked in _of_phrase(found["x"]))
-    yield question, VALUE, None
 
 
 def _of_phrase(phrase: str) -> Iterator[str]:

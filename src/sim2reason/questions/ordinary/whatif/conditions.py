@@ -107,6 +107,11 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedConditio
         yield StatedCondition(question=question, stated=stated)
 
 
+_EMPTY = re.compile(
+    r"\b(?:just|exactly|precisely|barely|only(?! @)|still|yet|in fact|actually|then|ever|at all|possibly)\b ?"
+)
+
+
 def _statement(text: str, subject: str) -> str:
     """Return a clause as a statement that begins with its subject, without what turns it into a wish."""
     said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
@@ -114,11 +119,7 @@ def _statement(text: str, subject: str) -> str:
     said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
     if subject:
         said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
-    said = re.sub(
-        r"\b(?:just|exactly|precisely|barely|only(?! @)|still|yet|in fact|actually|then|ever|at all|possibly)\b ?",
-        "",
-        said,
-    )
+    said = _EMPTY.sub("", said)
     gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
     if gets is not None and said.startswith("prevent"):
         said = re.sub(rf"^prevents? ({_S}) from (\w+)", r"\1 not \2", said)
