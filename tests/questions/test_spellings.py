@@ -43,6 +43,7 @@ STUDY, WORDS = Study.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(describe(SCE
         ("9.8 m/s²", "9.8 m/s²"),
         ("4 N·m", "4 N·m"),
         ("0 s", "0 s"),
+        ("half as stiff", "half as stiff"),
     ],
 )
 def test_a_number_is_told_as_the_library_tells_it(written: str, told: str) -> None:

@@ -8,9 +8,11 @@ import pytest
 from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
 from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 from sim2reason.scene_files import load
 
@@ -87,3 +89,69 @@ def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
     )
     assert found is not None
     assert found.followed.answer == pytest.approx(1.0882796185, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "answer"),
+    [
+        ("hung_load", "What coefficient of friction would halve the acceleration of the blocks?", 0.5795023570),
+        ("hung_load", "How much heavier would B have to be for the acceleration to be doubled?", 2.8119180877),
+        (
+            "trolley_at_wall",
+            "What speed must the blow give the trolley to compress the spring by at most 0.40 m?",
+            2.7301918,
+        ),
+        (
+            "field_circle",
+            "At what speed would the bead have to be launched for its circle to have a radius of 5.0 m?",
+            1.25,
+        ),
+        ("spring_and_load", "At what starting length of the spring would the blocks stay at rest?", 0.6416666667),
+        ("lob", "To land 5.0 m away, at what speed would the ball have to be thrown?", 7.5973528427),
+        ("spring_and_load", "If the spring were half as stiff, how far down would B go?", 0.2666666667),
+    ],
+)
+def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, answer: float) -> None:
+    """By a multiple of what is so, a bound, a wish that comes first, or a number with an adjective."""
+    found = understood(question, *scene(name))
+    assert found is not None
+    assert found.followed.answer == pytest.approx(answer, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "told"),
+    [
+        ("two_planets", "What is the least initial speed for planet B to remain bound to the star?", "the other side"),
+        ("two_planets", "Above what mass of the star would planet A escape?", "the other side"),
+        (
+            "hung_load",
+            "Suppose the string is cut after 0.50 s. How far does A slide before it stops?",
+            "goes on otherwise",
+        ),
+        ("two_springs", "What initial speed of A would make spring 2 be compressed by 0.25 m at most?", "no longer"),
+    ],
+)
+def test_why_a_number_is_not_found_is_said(name: str, question: str, told: str) -> None:
+    """The other end of the range is meant, there are two motions, or one already takes all the work."""
+    with pytest.raises(TextError, match=told):
+        understood(question, *scene(name))
+
+
+def test_what_is_to_move_meanwhile_does() -> None:
+    """Else a number with which everything rests would do."""
+    asked = "How heavy would B have to be for A to stay at rest while B falls?"
+    assert understood(asked, *scene("spring_and_load")) is None
+
+
+def test_a_number_is_no_name_of_a_spring() -> None:
+    """Although one of the springs is called 2."""
+    heard = hear("If A were started at 2.5 m/s, how fast would B be?", scene("two_springs")[1])
+    assert heard.numbers == ("2.5 m/s",)
+
+
+def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
+    """As a question in parts, too."""
+    motion, words = scene("field_circle")
+    parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
+    found = posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+    assert found == pytest.approx(1.25, rel=1e-9)

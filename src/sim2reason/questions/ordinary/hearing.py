@@ -29,7 +29,7 @@ _UNITS = {
     "watts": "W", "hertz": "Hz",
 }  # fmt: skip
 _UNIT = re.compile(
-    r"m|s|kg|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
+    r"m|s|kg|Msun|g|N|J|W|Hz|°|rad|au|yr|km|cm|mm|T|C|au/yr|(?:[a-zA-Zµ]{1,4}[/·²³].*)|[kmMµu](?:N|J|C|T|g|s|m)"
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _OWN_ADJECTIVES = re.compile(
@@ -169,8 +169,8 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
             continue
         alike = {noun} | group(noun) | ANYTHING | {"mass"}
         names = "|".join(_ignoring_case(name) for name in sorted(alike))
-        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b"))
-        found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction)"))
+        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b(?!\.\d)"))
+        found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction|\.\d)"))
         found.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern})"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()

@@ -120,7 +120,11 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
             return
 
 
+_NOT_NATURAL = r"(?:(?<!initial )(?<!starting )(?<!original )|(?!length))"  # *the starting length* is another number
+
+
 @cache
 def _parameter(rows: tuple[str, ...]) -> re.Pattern[str]:
     names = either(name for row in rows for name in row.split("|"))
-    return re.compile(rf"(?:(?P<own>@\d+@) 's )?(?<![\w-])(?P<p>{names})(?![\w-])(?: of (?P<of>@\d+@))?(?: at start)?")
+    name = rf"(?<![\w-]){_NOT_NATURAL}(?P<p>{names})(?![\w-])"
+    return re.compile(rf"(?:(?P<own>@\d+@) 's )?{name}(?: of (?P<of>@\d+@))?(?: at start)?")

@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
+from sim2reason.questions.ordinary.whatif.two_motions import goes_on_otherwise
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
@@ -40,11 +41,18 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     heard = hear(sentence, words)
     found = understood_as_it_is(heard, motion, words)
     found = found or of_small_oscillations(heard, motion, words, READER)
-    return (
+    found = (
         found
         or in_changed_scene(heard, motion, words, understood_as_it_is)
         or number_making_so(heard, motion, words, READER)
     )
+    if found is None and goes_on_otherwise(heard.text):
+        raise TextError(
+            "question",
+            "it asks about a motion that goes on otherwise after something is cut or let go, which no scene has",
+            "ask for the speed at that moment, and describe what follows as a scene of its own",
+        )
+    return found
 
 
 def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:

@@ -110,10 +110,12 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     """
     left, equals, right = said.partition("=")
     left, _, along = left.partition(" along ")
-    name, _, of = left.partition(" of ")
     if not equals:
         raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
-    find = one_of(place, name.strip(), quantities_named(words.mechanism))
+    known = quantities_named(words.mechanism)
+    longest = max((name for name in known if f"{left.strip()} ".startswith(f"{name} ")), key=len, default="")
+    name, of = (longest, left.strip().removeprefix(longest)) if longest else left.partition(" of ")[::2]
+    find, of = one_of(place, name.strip(), known), of.strip().removeprefix("of ")
     named = replace(asked, find=find, of=of.strip() or asked.of, along=along.strip() or asked.along)
     target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))

@@ -11,13 +11,14 @@ _IF = (
     r"(?:if|supposing(?: that)?|assuming(?: that)?|suppose(?: that)?|imagine(?: that)?|assume(?: that)?"
     r"|provided(?: that)?|were it that)"
 )
+_WHEN = r"(?<=change) (?:when|as|on) "  # *by how much does it change when ...* supposes something, too
 _MORE = (
     "(?:increase|grow|rise|be larger|be greater|be increased|go up|become larger|become greater|be higher|be"
-    " multiplied|be longer|be raised)"
+    " multiplied|be longer|be raised|lengthen|climb)"
 )
 _LESS = (
     "(?:decrease|fall|shrink|be smaller|be less|be reduced|go down|become smaller|drop|be lower|be shorter|be"
-    " lowered|be decreased)"
+    " lowered|be decreased|shorten|sink)"
 )
 _CHANGE = "(?:change|be changed|differ)"
 _FAR = {
@@ -56,6 +57,7 @@ def changed_questions(text: str, heard: Heard) -> Iterator[ChangedQuestion]:
 
 def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
     """Yield the question and the suppositions of a sentence."""
+    text = _with_subject(text, heard)
     leading = re.match(rf"{_IF} ", text)
     if leading is not None:
         for found in re.finditer(r"(?: ,|\.) (?:then )?", text):
@@ -65,10 +67,23 @@ def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ..
     for found in re.finditer(rf" ?,? {_IF} ", text):
         if supposed := suppositions(text[found.end() :], heard):
             yield text[: found.start()], supposed
+    for found in re.finditer(_WHEN, text):
+        if supposed := suppositions(text[found.end() :], heard):
+            yield text[: found.start()], supposed
     first, parted, second = text.partition(". ")
     if parted and (supposed := suppositions(first, heard)):
         yield second, supposed
     yield from _with_adjunct(text, heard)
+
+
+def _with_subject(text: str, heard: Heard) -> str:
+    """Return a sentence whose leading clause says *it*, or nothing, of the only subject, with that subject there."""
+    if len(heard.subjects) != 1:
+        return text
+    text = re.sub(rf"^(?P<if>{_IF}) it (?=[a-z])", r"\g<if> @0@ ", text)
+    return re.sub(
+        rf"^(?P<if>{_IF}) (?=(?:thrown|launched|released|started|projected|fired)\b)", r"\g<if> @0@ were ", text
+    )
 
 
 def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
@@ -95,12 +110,30 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
             grows = True if found["more"] else False if found["less"] else None
             high = re.search(r"higher$", found[0]) is not None
             yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
+    yield from _by_adverb(question)
+    yield question, VALUE, None
+
+
+def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
+    """Yield what *how many times as far*, *how much later* or *how much larger* compares, and how."""
     found = re.fullmatch(
         r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
         question,
     )
     if found is not None:
         yield from ((asked, RATIO, None) for asked in _of_phrase(found["x"]))
+    found = re.fullmatch(
+        r"how many times (?:as|so) (?P<how>far|long|high|fast) (?P<rest>(?:would|does|will|is|do) .+)", question
+    )
+    if found is not None:
+        yield f"how {found['how']} {found['rest']}", RATIO, None
+    found = re.fullmatch(
+        r"(?:by )?how (?:much|many seconds) (?P<how>later|earlier|sooner) (?:would|does|will) (?P<x>.+?)"
+        r" (?:take place|happen|occur|come about)",
+        question,
+    )
+    if found is not None:
+        yield f"when does {found['x']} take place", DIFFERENCE, found["how"] == "later"
     found = re.fullmatch(
         rf"(?:by )?how (?:much|many (?:seconds|metres|times)) (?P<how>{'|'.join(_FAR)}) (?P<rest>(?:would|does"
         rf"|will|is|do) .+)",
@@ -112,7 +145,6 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
     if found is not None:
         grows = found["how"] not in ("smaller", "less", "lower")
         yield from ((asked, DIFFERENCE, grows) for asked in _of_phrase(found["x"]))
-    yield question, VALUE, None
 
 
 def _of_phrase(phrase: str) -> Iterator[str]:

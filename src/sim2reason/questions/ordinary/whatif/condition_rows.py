@@ -6,12 +6,17 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 
 RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
 TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
+CLIMBS, DESCENDS = "climbs steadily", "descends steadily"
 """What a condition may say comes about: *holds* is that nothing slips, *stays* that it rests where it first stops."""
 _S = r"@\d+@"
 _ROUND = "(?:turn|circle|revolution|loop|round|rotation)"
 _ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S}))?"
 _AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d]?|put|still|where (?:it|they|{S}))"
 PHRASES: Mapping[str, str] = {
+    rf"(?:move|go|rise|climb|slide) (?:up|upwards|uphill)(?: (?:{GROUNDS}))? (?:at|with) constant (?:speed"
+    rf"|velocity)": CLIMBS,
+    rf"(?:move|go|sink|descend|slide) (?:down|downwards|downhill)(?: (?:{GROUNDS}))? (?:at|with) constant"
+    r" (?:speed|velocity)": DESCENDS,
     r"(?:stay|remain|keep|rest|lie|hold|stop)(?: at rest)? (?:for good )?(?:at|on|in) (?:its )?(?:highest point"
     r"|top|turning point|upper turning point|highest position)"
     r"|(?:stay|remain)(?: at rest)? (?:there|where it stop|after it stop)(?: for good)?|not (?:slide|slip|move"
@@ -31,16 +36,17 @@ PHRASES: Mapping[str, str] = {
     rf"(?:(?:begin|start|be able) (?:to )?)?(?:move|slide|go|climb|rise|lift|haul|drag|pull) (?:up|upwards"
     rf"|uphill)(?: (?:{GROUNDS}))?"
     r"|(?:begin|start) (?:to )?(?:rise|climb|ascend|lift)": RISES,
-    rf"(?:begin|start) (?:to )?(?:slip|slide|move|skid){_ON}|set in motion|slip{_ON}": SLIPS,
+    rf"(?:begin|start) (?:to )?(?:slip|slide|move|skid){_ON}|set in motion|(?:slip|move|slide|budge){_ON}": SLIPS,
     rf"(?:(?:go|swing|turn|move|get|carry|travel|come|take|make|complete|perform|describe|execute|rotate|loop) )*"
     rf"(?:(?:over|past|through|reach|beyond|to|at least) (?:top|highest point|vertical)(?: of (?:circle|path|its"
     rf" path))?"
     rf"|(?:all way |right )?(?:round |around )?(?:in |through )?(?:(?:full|complete|whole|one|vertical) )+{_ROUND}"
-    r"|(?:all way|right) (?:round|around)|loop (?:loop|round)|full circle)": ROUND,
+    r"|(?:all way|right) (?:round|around)(?: circle)?|loop (?:loop|round)|full circle)": ROUND,
     r"(?:stay|remain|keep|be) (?:always )?taut|not (?:go|become|get) slack|never (?:go|become|get) slack": TAUT,
     r"(?:go|become|get) slack": SLACK,
     rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?|"
-    rf" {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely)?"
+    rf" {_S})?(?: for ever| forever| for good| altogether| to infinity| completely| entirely| and never (?:come"
+    rf" back|return))?"
     r"|never (?:return|come back)|get infinitely far(?: away)?|reach infinity|unbound|not (?:return|come back)"
     r"|not bound|move (?:along|on|in) parabola"
     r"|(?:parabolic|open) (?:orbit|path)": ESCAPES,

@@ -8,7 +8,9 @@ from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
+from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
+from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 
 _S = r"@\d+@"
 _LOOSE = frozenset(
@@ -16,7 +18,7 @@ _LOOSE = frozenset(
         " ",
         "for so that such with in order to it its they them everything all system whole is be just still to and"
         " at on if then able"
-        " ever can of start order both body object in total be always throughout permanently",
+        " ever can of start order both body object in total be always throughout permanently thing right from",
     )
 )
 _ROLLS = frozenset({"roll", "go", "keep", "continue", "down", "up", "along", "this", "all", "way", "pure", "purely"})
@@ -30,6 +32,10 @@ _START = re.compile(
     rf"(?: ,)? (?:when|after|once|as soon as|if|on|upon)(?: (?:its|their|system|everything|it|they|{_S}|all))?"
     rf"(?: (?:is|are|has been|being|was|were))? (?:{pattern('START').pattern}|let go of|set free|freed|let"
     rf" loose)(?: from rest)?$"
+    r"|(?: ,)? (?:on|right from|from|straight after|right after) (?:release|start|beginning|very beginning)$"
+    r"|(?<=at rest) (?:where @\d+@|where it|where they)(?: (?:is|are|was|were|lies|is placed|is put|is now))?(?:"
+    r" at start)?$"
+    r"|(?<=was) at start$|(?<=were) at start$"
     r"|(?: ,)? from (?:its |this |that )?(?:initial|starting|original|present|same|first)? ?(?:position|point"
     r"|place|height)$"
     r"|(?: ,)? (?:in|at) (?:its|this|that|their|initial|starting|same|present) ?(?:initial|starting|original"
@@ -42,20 +48,47 @@ _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down
 
 
 class StatedCondition(NamedTuple):
-    """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer."""
+    """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer.
+
+    With a `factor`, the answer is to be so many times what it is in the scene as it is. Others may be told to be
+    `moving` meanwhile.
+    """
 
     outcome: str = ""
     subject: str = ""
     question: str = ""
     stated: str = ""
     taut: bool = False
+    factor: float = 0.0
+    moving: tuple[str, ...] = ()
 
 
 _CAUSING = (
     r"(?:make|makes|made|let|lets|cause|causes|allow|allows|enable|enables|get|gets|set|sets|permit"
     r"|permits|keep|keeps|kept|carry|carries|carried|take|takes|taken|bring|brings|brought|leave|leaves|lift"
-    r"|lifts|hold|holds|send|sends)"
+    r"|lifts|hold|holds|send|sends|put|puts)"
 )
+
+
+_HALVED = {"halv": 0.5, "doubl": 2.0, "trebl": 3.0, "tripl": 3.0, "quadrupl": 4.0}
+_AS_LARGE = (
+    r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value"
+    r"|what it is"
+    r"|its value)(?: (?:as )?(?:now|before|it is|it is now|at present|in scene|given))?"
+)
+_MULTIPLES = (
+    rf"(?P<verb>{'|'.join(_HALVED)})(?:es|e) (?P<what>[^#]+)",
+    rf"(?P<what>[^#]+?) (?:to )?be (?P<verb>{'|'.join(_HALVED)})ed",
+    rf"(?P<what>[^#]+?) (?:to )?be (?P<mult>{'|'.join(MULTIPLES)}){_AS_LARGE}",
+)
+"""Statements that something is to be a multiple of what it is."""
+
+
+def _factor(found: re.Match[str]) -> float:
+    groups = found.groupdict()
+    if groups.get("verb"):
+        return _HALVED[groups["verb"]]
+    return next(value for told, value in MULTIPLES.items() if re.fullmatch(told, groups["mult"]))
 
 
 def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
@@ -65,17 +98,28 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedConditio
     if outcome is not None:
         yield outcome
         return
+    for told in _MULTIPLES:
+        found = re.fullmatch(told, said)
+        if found is not None:
+            yield StatedCondition(question=f"what is {found['what']}", factor=_factor(found))
+            return
     for question, stated in asked_by(said, heard):
         yield StatedCondition(question=question, stated=stated)
+
+
+_EMPTY = re.compile(
+    r"\b(?:just|exactly|precisely|barely|only(?! @)|still|yet|in fact|actually|then|ever|at all|possibly)\b ?"
+)
 
 
 def _statement(text: str, subject: str) -> str:
     """Return a clause as a statement that begins with its subject, without what turns it into a wish."""
     said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
+    said = plainer_condition(said)
     said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
     if subject:
         said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
-    said = re.sub(r"\b(?:just|exactly|precisely|barely|only|in fact|actually|then|ever|at all|possibly)\b ?", "", said)
+    said = _EMPTY.sub("", said)
     gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
     if gets is not None and said.startswith("prevent"):
         said = re.sub(rf"^prevents? ({_S}) from (\w+)", r"\1 not \2", said)
@@ -115,11 +159,19 @@ def _is_predicate(said: str) -> bool:
     )
 
 
+_MEANWHILE = re.compile(
+    rf"(?: ,)? (?:while|as) (?P<who>{_S}(?: and {_S})?) (?:(?:move|fall|rise|accelerate)s?"
+    rf"|slides? (?:on|over|along) (?:it|{_S}|top of {_S}))$"
+)
+
+
 def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     """Return the outcome that a statement says, if every word of the statement has its place."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
-    bare = re.sub(rf"(?: ,)? (?:while|as) {_S}(?: and {_S})? (?:move|fall|rise|accelerate)s?$", "", bare)
+    meanwhile = _MEANWHILE.search(bare)
+    moving = tuple(map(heard.subject, re.findall(_S, meanwhile["who"]))) if meanwhile is not None else ()
+    bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = based(bare)
@@ -142,5 +194,5 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
             if both is not None
             else heard.subject(who or None)
         )
-        return StatedCondition(outcome, named, taut=taut)
+        return StatedCondition(outcome, named, taut=taut, moving=moving)
     return None

@@ -23,12 +23,14 @@ _AUX = "(?:would|must|should|does|do|will|can|could|may|is|are|has|have|did)"
 _BE = "(?:have to be|need to be|needs to be|has to be|have been|have had to be|to be|be)"
 _GETS = (
     "(?:allow|enable|let|make|give|cause|bring|keep|take|carry|get|leave|set|send|lift|prevent|ensure that"
-    "|hold|cause|permit)"
+    "|hold|cause|permit|haul|drag|draw|pull|raise|move|push|start|halve|double|treble|triple|put)"
 )
 _GETTING = (
     f"(?:{_GETS}|allows|enables|lets|makes|gives|causes|brings|keeps|takes|carries|gets|leaves|sets|sends|lifts"
     f"|prevents"
-    "|ensures that|holds|permits|made|kept|carried|brought|given|taken)"
+    "|ensures that|holds|permits|made|kept|carried|brought|given|taken|sent|let|caused|allowed|enabled|got|set|left"
+    "|haul|drag|draw|pull|raise|move|push|start|halve|double|treble|triple|halves|doubles|hauls|drags|draws|pulls"
+    "|raises|moves|starts)"
 )
 _CONN = (
     "(?:for|and still|and yet|so that|such that|if|to|in order that|in order to|in order for|that|so|before"
@@ -41,12 +43,12 @@ _FIND = (
 )
 _LAUNCHED = (
     "(?:thrown|launched|started|set moving|set in motion|set off|projected|fired|kicked|pushed off|struck"
-    "|sent off|released|set going|pushed)"
+    "|sent off|released|set going|pushed|set turning|set rolling|set rotating|shot|hit|sent|rolled|spun)"
 )
 _CONST = f"(?: (?:at start|initially|off|upwards|up {GROUNDS}|down {GROUNDS}))?"
 P = "NUMBER"
 FRAMES = (
-    f"(?:for|with|at|from|by) (?:what|which) {_SIZE}{P} {_AUX} (?P<c>.+)",
+    f"(?:for|with|at|from|by|on|under|in) (?:what|which) {_SIZE}{P} {_AUX} (?P<c>.+)",
     (
         f"(?:with )?(?:what|which) {_SIZE}{P} {_AUX} (?P<s>@\\d+@) (?:need|have|require)(?: to have| to be"
         f" given)?{_BOUND}(?: {_CONN})? (?P<c>.+)"
@@ -111,6 +113,36 @@ OTHERS = (
         ),
         "speed",
     ),
+    (
+        (
+            f"(?:{SPEEDS}) {_AUX} (?:blow|kick|push|hammer) (?:have to |need to )?(?:send|start|launch|knock|drive|set"
+            f"|push|throw) (?P<s>@\\d+@)(?: off| away| going| in motion| moving)?{_CONST}{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "speed",
+    ),
+    (
+        (
+            f"(?:at|from|under|with) what SIZE(?:initial |starting |release )?angle(?: (?:to|from|with)"
+            f" (?:downward )?vertical)? {_AUX} (?P<s>@\\d+@)"
+            f" (?:have to |need to )?be (?:released|let go|started|held)(?: from rest)? {_CONN} (?P<c>.+)"
+        ),
+        "swing angle",
+    ),
+    (
+        (
+            f"how high {_AUX} point of (?:projection|launch|release|throw)(?: of (?P<s>@\\d+@))? {_BE}{_BOUND} {_CONN}"
+            f" (?P<c>.+)"
+        ),
+        "height",
+    ),
+    (
+        (
+            f"how fast {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be (?:turning|rotating|spinning)(?: at start|"
+            f" initially)?"
+            f"{_BOUND} {_CONN} (?P<c>.+)"
+        ),
+        "angular speed",
+    ),
     (f"how long {_AUX} (?P<s>@\\d+@) {_BE} (?:at start|initially){_BOUND} {_CONN} (?P<c>.+)", "initial length"),
     (
         (
@@ -135,7 +167,8 @@ OTHERS = (
     ),
     (
         (
-            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be going|be"
+            f"(?:{SPEEDS}) {_AUX} (?P<s>@\\d+@) (?:have to |need to |has to )?(?:be {_LAUNCHED}|be moving|be"
+            f" rolling|be sliding|be going|be"
             f" travelling|move|travel|go|be){_CONST}{_BOUND} {_CONN} (?P<c>.+)"
         ),
         "speed",
@@ -149,8 +182,8 @@ OTHERS = (
     ),
     (
         (
-            f"(?:with what SIZEangular (?:speed|velocity)) {_AUX} (?P<s>@\\d+@) (?:have to |need to )?(?:be"
-            f" {_LAUNCHED}|start){_CONST} {_CONN} (?P<c>.+)"
+            f"(?:(?:with|at) what SIZE(?:initial )?angular (?:speed|velocity)) {_AUX} (?P<s>@\\d+@) (?:have to |need to"
+            f" )?(?:be {_LAUNCHED}|start|begin|turn|rotate){_CONST}{_BOUND} {_CONN} (?P<c>.+)"
         ),
         "angular speed",
     ),
@@ -183,6 +216,15 @@ OTHERS = (
 """Frames in which a verb or an adjective tells the number."""
 
 
+_BOUNDED = re.compile(
+    r"(?:(?P<early>at (?:least|most)) (?=(?:with |for |at |from )?(?:what|how)\b)"
+    rf"|(?P<head>(?:with |for |at |from )?(?:how [a-z]+|what (?:[a-z]+ ){{1,4}}?)) ?(?P<bound>at (?:least|most))"
+    rf" (?={_AUX} ))"
+    r"(?P<rest>.+)"
+)
+"""A sentence that says first that the least number, or the greatest, is wanted."""
+
+
 class WantedFrame(NamedTuple):
     """What a sentence wants: a number, an end of its range, how it is told, its condition and the subject of that."""
 
@@ -197,6 +239,15 @@ class WantedFrame(NamedTuple):
 def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
     """Yield the number that a sentence wants with the condition for it, in every way in which it has them."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
+    bound = _BOUNDED.fullmatch(text)
+    if bound is not None:
+        end = LEAST if "least" in (bound["early"] or bound["bound"]) else GREATEST
+        yield from (
+            frame._replace(end=end)
+            for frame in framed(f"{bound['head'] or ''}{bound['rest']}", heard)
+            if frame.end in ("", end)
+        )
+        return
     for told in FRAMES:
         found = _frame(told).fullmatch(text)
         if found is not None:

@@ -1,7 +1,6 @@
 """Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import isclose, isfinite
 
@@ -14,8 +13,14 @@ from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
-from sim2reason.questions.ordinary.whatif.numbers import NUMBERS, paths_of
-from sim2reason.questions.ordinary.whatif.outcomes import by_outcome, moves_nevertheless, slips_nevertheless
+from sim2reason.questions.ordinary.whatif.numbers import paths_of
+from sim2reason.questions.ordinary.whatif.outcomes import (
+    by_outcome,
+    moves_nevertheless,
+    on_the_other_side,
+    slips_nevertheless,
+)
+from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import MINUS, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
@@ -26,29 +31,9 @@ from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
+UNENDING = "followed no longer"  # how a reason ends where one motion already takes all the work that is allowed
+OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
 MOST = 4  # readings of a result whose numbers are looked for
-_NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
-_SAME = "(?:same|unchanged|present|given|original)"
-_ELSE = (
-    "(?:all|everything|every thing|other things|all other (?:data|numbers|values|quantities|things)|nothing"
-    "|rest|other data)"
-)
-_CONSTANT = re.compile(
-    rf"(?: ,)? (?:,? ?(?:but|and) )?(?:at|with|for|from|in|keeping|starting (?:from|with|at)|leaving) {_SAME}"
-    rf" (?:(?:{_NOUNS}|position|place"
-    rf"|point|direction|way|start|compression|extension|stretch|initial compression|conditions)(?: and )?)+(?= "
-    rf"|$)(?: ,)?"
-    rf"|(?: ,)? (?:with |if |and |keeping |leaving )?{_ELSE} (?:else )?(?:is |are |being |remain |remains |stay "
-    rf"|stays |kept |left )*"
-    r"(?:unchanged|same|equal|changed|constant|as before|as they are|as it is|as given|fixed)(?: ,)?"
-    r"|(?: ,)? \(?in (?:kg|kilograms|newtons|metres|seconds|kg/s|n|m/s|degrees)\)?(?: ,)?(?= |$)"
-    r"|(?: ,)? (?:from|in|at) (?:its |this |that |their )?(?:initial|starting|original|present|same|own initial)"
-    r" (?:position|point|place|height)(?= |$)"
-    r"|(?: ,)? from (?:this|that) (?:position|point|place|height)(?= |$)"
-    r"|^ ?suppose (?:that )?@\d+@ (?:could be|were|is|was) (?:swapped|replaced|exchanged|changed)[^.]*\. "
-    r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
-)
-"""What says only that all else stays as it is."""
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
@@ -57,7 +42,7 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
     """
-    text = " ".join(_CONSTANT.sub(" ", f" {heard.text}").split()).strip(" ,")
+    text = plainer(heard.text)
     told = replace(heard, text=text)
     found: list[Understood] = []
     for frame in framed(text, told):
@@ -79,9 +64,11 @@ def _meant(
     frame: WantedFrame, condition: StatedCondition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     number = frame.number
-    if not number.owners and number.kind == "mass" and frame.subject:
+    if not number.owners and number.kind in OWN and frame.subject:
         number = number._replace(owners=(heard.subject(frame.subject),))
     paths = paths_of(number, motion.study, words)
+    if not paths and not number.owners and number.kind in OWN and condition.subject:
+        paths = paths_of(number._replace(owners=(condition.subject,)), motion.study, words)
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
     if condition.outcome:
@@ -89,6 +76,8 @@ def _meant(
         found = reader.first_of(readings, motion, words) if readings else None
         if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
             return None
+        if on_the_other_side(found, frame, condition, motion, words):
+            raise TextError("question", "it comes about on the other side of that number", "ask for the other end")
         return found
     return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
 
@@ -106,7 +95,7 @@ def _by_result(
     told = replace(heard, text=condition.question)
     found: list[Understood] = []
     for asked, unit in _askable(told, motion, words, reader):
-        stated = condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+        stated = _stated(condition, asked, unit, motion, words)
         given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
         wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
         try:
@@ -116,10 +105,11 @@ def _by_result(
         unknown = question.unknown
         if unknown is None or not _ever(question, motion):
             continue
-        values = sorted(values_giving(question.query, question.given, unknown, motion.study))
+        values = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         if frame.end:
             values = [values[0 if frame.end == LEAST else -1]] if values else []
-        leading = [value for value in values if _leads(value, path, told, condition, motion, words, reader)]
+        meant = condition._replace(stated=stated)
+        leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
@@ -132,6 +122,25 @@ def _by_result(
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
     return next(iter(answered or found), None)
+
+
+def _distinct(values: Sequence[float]) -> list[float]:
+    """Return values in order, without those that are another one but for the error of finding it."""
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or not isclose(value, found[-1], rel_tol=SAME):
+            found.append(value)
+    return found
+
+
+def _stated(
+    condition: StatedCondition, asked: StructuredQuestion, unit: str, motion: FollowedMotion, words: Words
+) -> str:
+    """Return the answer that is to be, with its unit: a number, or a multiple of the answer in the scene as it is."""
+    if not condition.factor:
+        return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
+    answer = posed(asked, motion, words).followed(motion).answer
+    return f"{condition.factor * abs(answer):.15g} {unit}".strip() if answer else ""
 
 
 def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
@@ -154,6 +163,8 @@ def _askable(
         plain = of_all(reader.read, heard, motion, words)
     except TextError:
         plain = None
+    if plain is not None and plain.followed.reason.endswith(UNENDING):
+        raise TextError("question", plain.followed.reason, "ask about a stated stretch of time")
     if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
         if MINUS not in plain.asked.when:
             yield plain.asked, plain.posed.unit(words)

@@ -12,14 +12,15 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.derived_numbers import derived_numbers
+from sim2reason.questions.derived_numbers import derived_numbers, with_number
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 EVERY_MASS = "every mass"  # of all bodies that the text has
-NEVER_ZERO = "friction", "mass", "speed", "angular speed"
+NEVER_ZERO = "friction", "mass", "speed", "angular speed", "motion at start"
+MORE = 1.01  # times a number, to see what it decides
 EXACT = 1e-9  # relative: an initial speed that a body has
 
 
@@ -35,6 +36,7 @@ _STARTING = "(?:initial|launch|launching|starting|start|release|throwing|firing|
 _FIELD = "(?:field|field strength|induction|flux density)"
 NUMBERS: Mapping[str, NumberKind] = {
     "empty mass": NumberKind("mass without (?:its )?fuel|dry mass|empty mass|mass when empty", ("dry",)),
+    "stellar mass": NumberKind("stellar mass", ("star.mass",)),
     "mass": NumberKind(f"(?:(?:total|{_STARTING}) )?mass", ("mass",), ("kg", "mg", "Msun")),
     "angular speed": NumberKind(
         f"(?:{_STARTING} )?(?:angular (?:speed|velocity)|rate of rotation|spin|rotation rate)",
@@ -81,7 +83,7 @@ NUMBERS: Mapping[str, NumberKind] = {
     ),
     "slope": NumberKind(
         f"(?:inclination|slope angle|tilt|gradient|steepness|angle of inclination|angle of (?:{GROUNDS})"
-        f"|(?:{GROUNDS}) angle)"
+        f"|(?:{GROUNDS})(?: 's)? (?:angle|inclination))"
         f"(?: of (?:{GROUNDS}))?",
         ("angle", "tilt"),
         ("plane",),
@@ -108,7 +110,10 @@ NUMBERS: Mapping[str, NumberKind] = {
         "|gravitational field strength|gravity)(?: there)?",
         ("gravity",),
     ),
-    "force": NumberKind("(?:pulling |applied |constant |steady |hand 's )?(?:force|pull)(?: of hand)?", ("force",)),
+    "force": NumberKind(
+        "(?:(?:pulling|applied|constant|steady|horizontal|hand 's) )*(?:force|pull)(?: of hand)?", ("force",)
+    ),
+    "motion at start": NumberKind("(?!)", ("speed", "rate", "spin"), ("m/s", "km/s", "rad/s")),  # by no noun
 }
 """By its name, each kind of number that a question may vary or ask for; the more specific ones first."""
 
@@ -208,6 +213,8 @@ def _belongs(path: str, value: float, owner: str, study: Study, words: Words, co
 def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
     """Return the only coefficient of friction, if the owners named rub on one another, or on the fixed surface."""
     if len(every) != 1:
+        if len(owners) == 2:
+            return _between(every, owners, study, words)
         alone = [path for path, _ in every if words.mentions.get(path.rpartition(".")[0]) in owners]
         return tuple(alone) if len(alone) == 1 else ()
     mechanism = study.mechanism
@@ -222,3 +229,19 @@ def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
     else:
         fits = all(name in rubs or name in faces for name in names)
     return (every[0][0],) if fits else ()
+
+
+def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
+    """Return the coefficient of friction between a body and the one it rides on; empty if there is none."""
+    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    one, other = (bodies.get(said, "") for said in owners)
+    mechanism = study.mechanism
+    riders = [a for a, b in ((one, other), (other, one)) if a in mechanism.body and mechanism.body[a].parent == b]
+    found = [path for path, value in every if _roughens(study, path, value) == set(riders)]
+    return tuple(found) if len(riders) == len(found) == 1 else ()
+
+
+def _roughens(study: Study, path: str, value: float) -> set[str]:
+    """Return the bodies whose friction a number decides."""
+    faces = with_number(study.scene, path, value * MORE).mechanism.contacts
+    return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}

@@ -19,6 +19,8 @@ from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.condition_rows import (
     BOUND,
     CIRCULAR,
+    CLIMBS,
+    DESCENDS,
     ESCAPES,
     HOLDS,
     LIFTS,
@@ -34,12 +36,14 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
 from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
 from sim2reason.questions.ordinary.whens import AFTER
+from sim2reason.questions.posing import posed
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9
+BEYOND = 1.0 + 1e-3  # times a number at which an outcome changes, to see what comes about beyond it
 STILL = 1e-6  # of g: a smaller acceleration is none
 SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
@@ -68,7 +72,10 @@ def by_outcome(
         of = who or next(iter(frame.number.owners), "")
         if frame.end != GREATEST:
             yield from _needed(path, of, motion, words, stopped=outcome == STAYS)
-    elif path and outcome == RESTS:
+    elif path and outcome == CLIMBS and _rubs(words):
+        if _as_rough_at_rest(words):  # what just begins to climb then goes on without acceleration
+            yield from _thresholds(frame, condition, (("rises", True),), path, who)
+    elif path and outcome in (RESTS, CLIMBS, DESCENDS):
         yield from _balanced(path, who, words)
     elif path and outcome in (ESCAPES, BOUND, CIRCULAR):
         for pair in _orbits(who, words):
@@ -87,6 +94,10 @@ def _thresholds(
         for after, of in enumerate(dict.fromkeys((who, ""))):
             asked = StructuredQuestion(path, when=f"{of} {does}".strip())
             yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
+
+
+def _as_rough_at_rest(words: Words) -> bool:
+    return all(contact.static_ratio == 1.0 for contact in words.mechanism.contacts.values())
 
 
 def _rubs(words: Words) -> bool:
@@ -120,8 +131,24 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
         yield Reading(asked, side=AFTER, steady=not change)
 
 
+def on_the_other_side(
+    found: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
+) -> bool:
+    """Return whether an orbit that is to be open, or closed, is so on the other side of a number that is found."""
+    value, path = found.followed.answer, found.asked.find
+    if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not found.asked.given:
+        return False
+    factor = BEYOND if frame.end == LEAST else 1.0 / BEYOND
+    there = motion_of(with_number(motion.study.scene, path, value * factor))
+    shape = posed(StructuredQuestion("eccentricity", found.asked.of, START), there, words).followed(there).answer
+    return shape is None or (shape > 1.0) != (condition.outcome == ESCAPES)
+
+
 def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found."""
+    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found.
+
+    Or whether one that is told to move meanwhile is not.
+    """
     value, path = found.followed.answer, found.asked.find
     if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):
         return False
@@ -131,8 +158,12 @@ def moves_nevertheless(found: Understood, condition: StatedCondition, motion: Fo
     arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
     names = named or ({found.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
     largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
-    moving = (float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) for name in names or words.called(Bodies()))
-    return any(size > STILL * largest for size in moving)
+
+    def moves(name: str) -> bool:
+        return float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) > STILL * largest
+
+    told = [name for name, phrase in words.called(Bodies()).items() if phrase in condition.moving]
+    return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, told))
 
 
 def slips_nevertheless(found: Understood) -> bool:
@@ -148,10 +179,15 @@ def _rolling(words: Words) -> bool:
 
 
 def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
-    """Yield the questions for the number with which a body, or each, is not accelerated; none on rough faces."""
-    if _rubs(words):
-        return  # within a whole range of numbers
+    """Yield the questions for the number with which a body, or each, is not accelerated; none if it is on a rough face.
+
+    Where anything rubs, only one that lies on a smooth face itself is meant.
+    """
     alone = addresses(words).get(who)
+    if _rubs(words):
+        contact = words.mechanism.contacts.get(alone or "")
+        if contact is None or contact.friction > 0.0 or not Bodies().senses(words.mechanism, contact.subject):
+            return  # within a whole range of numbers
     bodies = words.called(Bodies())
     senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
     for name in (alone,) if alone is not None and len(senses) == 1 else bodies:

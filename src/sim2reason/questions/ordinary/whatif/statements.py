@@ -15,7 +15,8 @@ _VERB = r"[a-z]+"
 RESULTS = (
     (
         (
-            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|centre of mass)(?: (?:of|in|on"
+            rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|amplitude|time of flight"
+            rf"|radius of path|energy lost in (?:first |second )?collision|centre of mass)(?: (?:of|in|on"
             rf"|between|acting on|exerted on|for|at|when|after|before|just|as) .+?)?) (?:(?:(?:to )?(?:be|is|become"
             rf"|becomes|reach|reaches|equal|equals|amount to|have value of|come to|are)) )?(?:equal to"
             rf" )?{_ABOUT}{_N}(?P<rest>.*)"
@@ -51,7 +52,8 @@ RESULTS = (
     ),
     (
         (
-            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|move down|drop) with acceleration of"
+            rf"(?P<s>{_S}) (?:fall|falls|sink|sinks|descend|descends|go down|come down|move down|drop) with"
+            rf" acceleration of"
             rf" {_ABOUT}{_N}(?P<rest>.*)"
         ),
         "what is acceleration of {s} downwards{rest}",
@@ -60,7 +62,10 @@ RESULTS = (
         rf"(?P<s>{_S}) (?:move|moves|start|starts|go) (?:off )?with acceleration of {_ABOUT}{_N}(?P<rest>.*)",
         "what is acceleration of {s}{rest}",
     ),
-    (rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??{_Q}) of {_ABOUT}{_N}(?P<rest>.*)", "what is {what}{rest}"),
+    (
+        rf"(?P<what>(?:{_S} 's |its )?(?:[a-z]+ )??(?:{_Q}|period|amplitude)) of {_ABOUT}{_N}(?P<rest>.*)",
+        "what is {what}{rest}",
+    ),
 )
 SPEEDS = (
     (
@@ -137,6 +142,7 @@ LENGTHS = (
         ),
         "how high does {s} rise{rest}",
     ),
+    (rf"(?P<s>{_S}) go down {_ABOUT}{_N}(?P<rest>)", "how far down does {s} go"),
     (rf"(?P<s>{_S}) (?:rise|rises|get|go|climb) {_ABOUT}{_N} high(?P<rest>.*)", "how high does {s} rise{rest}"),
     (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N} (?P<dir>away|far)(?P<rest>.*)",
@@ -169,8 +175,25 @@ LENGTHS = (
 )
 ANGLES = (
     (
+        (
+            rf"(?P<s>{_S}) (?:swing|turn|rise|go|move) (?:out |up |away )?to (?:angle of )?{_ABOUT}{_N}"
+            rf" (?:from|to|with) (?:downward )?vertical(?P<rest>)"
+        ),
+        "what is greatest angle of {s} with vertical",
+    ),
+    (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:(?:through|up to|by|out to) )?(?:angle of )?{_ABOUT}{_N}(?P<rest>.*)",
         "through what angle does {s} {verb}{rest}",
+    ),
+)
+_TOLD = r"(?:accelerate|rise|go|move|climb|fall|sink|descend|drop|come|start|be|pass|reach|have)s?\b"  # elsewhere
+ACCELERATIONS = (
+    (
+        (
+            rf"(?P<s>{_S}) (?P<verb>(?!{_TOLD}){_VERB})(?: off)?(?: (?:up|down|upwards|downwards)(?: {GROUNDS})?)?"
+            rf" (?:at|with) (?:acceleration of )?{_ABOUT}{_N}(?P<rest>.*)"
+        ),
+        "what is acceleration of {s}{rest}",
     ),
 )
 """By the form of a statement with a number, the question that asks for the number."""
@@ -179,6 +202,7 @@ _UNITS = (
     (TIMES, ("s", "yr", "ms")),
     (LENGTHS, ("m", "cm", "mm", "km", "au")),
     (ANGLES, ("°", "rad")),
+    (ACCELERATIONS, ("m/s²",)),
 )
 OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, units in _UNITS for unit in units}
 """By its unit, the forms of a statement with a number of it."""

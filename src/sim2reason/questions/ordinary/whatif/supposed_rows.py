@@ -67,9 +67,18 @@ ROWS = (
     (rf"(?P<s>{_S}) (?:had|were given) {P} {_MULT}{_LIKE}", TIMES),
 )
 OTHERS = (
+    (
+        (
+            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from"
+            rf" rest(?: instead)?"
+        ),
+        "motion at start",
+        NONE,
+    ),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:heavy|massive)(?: as)?{_SAME}", "mass", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:stiff|strong|hard)(?: as)?{_SAME}", "stiffness", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:long)(?: as)?{_SAME}", "length", TIMES),
+    (rf"(?P<s>{_S}) {_W} replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
     (rf"(?P<s>{_S}) (?:weighed|had mass) (?:only )?{_N}{_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) long{_INSTEAD}", "length", VALUE),
@@ -143,11 +152,13 @@ OTHERS = (
         "slope",
         VALUE,
     ),
+    (rf"(?:{GROUNDS}) {_W} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter)) by {_N}", "slope", MORE),
+    (rf"(?:{GROUNDS}) {_W} {_N} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter))", "slope", MORE),
     (rf"(?:{GROUNDS}) {_W} (?P<flat>horizontal|level)", "slope", VALUE),
     (
         (
             rf"(?P<s>{_S}) {_W} (?:instead )?(?:(?:released|let go|started|held|initially|first|start) )*(?:from |at"
-            rf" )(?:angle of )?{_N} (?:to|from|with)(?: downward)? vertical(?: at start)?{_INSTEAD}"
+            rf" )(?:angle of )?{_N}(?: (?:to|from|with)(?: downward)? vertical)?(?: at start)?{_INSTEAD}"
         ),
         "swing angle",
         VALUE,
@@ -222,7 +233,7 @@ OTHERS = (
     (
         (
             rf"(?:(?:{GROUNDS})|(?P<s>{_S})|top of (?P<t>{_S})|contact|all surfaces|surfaces) {_W} (?:perfectly "
-            rf"|completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
+            rf"|made |completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
         ),
         "friction",
         NONE,
@@ -273,6 +284,7 @@ ADJUNCTS = (
     (rf"(?:on|with) (?:perfectly |completely )?(?:smooth|frictionless) (?:{GROUNDS})", "friction", NONE),
     (rf"with {_MULT}{_SAME} {P}", "", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as (?:heavy|massive)", "mass", TIMES),
+    (rf"with (?P<s>{_S}) replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
     (rf"with (?P<s>{_S}) {_MULT} as stiff", "stiffness", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as long", "length", TIMES),
     (rf"with {P} of {_N}{_INSTEAD}", "", VALUE),
