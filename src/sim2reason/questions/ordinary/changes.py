@@ -85,7 +85,8 @@ _PEAK = pattern(
 _RISE = pattern(
     "(?:ASK|what) (?:@0@ 's )?GREATEST height(?: of @0@)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
     "|how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
-    "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
+    "|(?:how high|(?:to )?(?:what|which) (?:maximum |greatest )?height) above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    " ~@0@ (?:(?:rise|get|go|climb|swing|come|ascend|reach)(?: up)?|(?:come to rest|turn back|stop)(?: momentarily)?)"
 )
 _TOP = pattern(
     "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
@@ -124,9 +125,9 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
     if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
         yield Main("height above the ground", whole), When(f"{found['one']} {whole} top after bounce")
     if _RISE.fullmatch(heard.text) is not None:
-        for rank, top in enumerate(("highest point", "stopped")):
+        for top in ("highest point", "stopped"):
             when = f"{whole} {top}{MINUS}{whole} lowest point"
-            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),), rank)
+            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),))
 
 
 def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:

@@ -19,9 +19,8 @@ _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
     "|(?:release|launch|throw|throwing|launching|starting|kick|projection) (?:point|position)|(?:point|place|position"
     "|location) of"
-    " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch"
-    "|thrower|launch point"
-    "|release)|foot of (?:cliff|tower)"
+    " (?:release|launch|departure|projection|throw|start)|(?:point|place|spot) (?:on (?:level )?(?:ground|floor) )?(?:directly |vertically |straight"
+    " |exactly )?(?:below|beneath|under|underneath) (?:throw|launch|thrower|launch point|throwing point|release)|foot of (?:cliff|tower)"
     "|(?:original|initial) (?:point|position|place|location)"
     "|(?:place|point|position|spot) (?:it|@\\d+@) (?:first )?(?:start|begin|set off|leave|throw)(?: from)?"
     "|where (?:it|@\\d+@) (?:begin|at (?:very )?start|originally|initially)"
@@ -35,8 +34,10 @@ START_WORDS = (
     "(?:start(?! point| position| place| location)|release(?! point)|launch(?! point)|blow|kick|beginning"
     "|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
     "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set (?:in motion|move|going|go|free)"
-    "|leave (?:origin|HOME)|throw off|project|projection|departure|leave (?:thrower 's )?hand|free)"
+    "|set (?:down|on its way|loose)|put down|lay down|push off|kick off|turn loose"
+    "|engine (?:light|turn on|fire|fire up|come on|start up)|leave (?:origin|HOME)|throw off|project|projection|departure|leave (?:thrower 's )?hand|free)"
 )
+_GROWS = "(?:grow|shrink|climb|sink|go up|go down|come down|slow down|build up|diminish|mount|decline) to"
 _SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
 
 HEADS: Mapping[str, str] = {
@@ -78,7 +79,7 @@ HEADS: Mapping[str, str] = {
     " turning point)": "{s} at its lowest point",
     "(?:vertically |directly |straight |exactly )?(?:below|beneath|under|underneath) (?:axle|pivot|fixed point"
     "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
-    "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
+    "orientation)?|hang (?:straight|vertically|vertical)(?: down| downward| downwards)?|point (?:straight|vertically) "
     "(?:down|downward|downwards)": "{s} passes through vertical",
     "(?:closest|nearest)(?: approach| point| distance| position)?(?: to)?|perihelion|periapsis|pericentre|perigee"
     "|periastron"
@@ -135,6 +136,8 @@ HEADS: Mapping[str, str] = {
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
     rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
+    "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
+    " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
         "{s} moves parallel to {axis} axis"
     ),
@@ -145,7 +148,8 @@ HEADS: Mapping[str, str] = {
     "|full|complete|whole|entire) )+(?:turn|revolution|rotation)": "{s} makes one revolution",
     rf"(?:burn|use|consume|spend)(?: up)? (?P<n>{N}) of (?:its )?fuel|(?P<m>{N}) of (?:its )?fuel (?:burn|use|consume"
     "|spend|go)(?: up)?": "{s} burns {n} of fuel",
-    rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"
+    rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: (?:from|to|of|between) {S}(?: and {S})?)?"
+    rf"(?: of| reach| become| equal| be| {_GROWS}| fall to| drop to| increase to| decrease to)? (?P<m>{N})(?: (?:from|to) {S})?"
     rf"|(?P<k>{N}) apart": "{s} {n} from {t}",
     rf"(?:(?:incline|inclination|tilt|slant|deflect|deflection|deviate|lean|swing out|out|displace)(?: of)? )?(?:make"
     rf" |at |reach |by |through |have |enclose |form )*(?:an )?(?:(?:angle|inclination|deflection) of )?(?P<n>{N})"
@@ -161,9 +165,9 @@ HEADS: Mapping[str, str] = {
     rf"(?P<axis>[xy])(?: ?= ?|(?:-| )(?:coordinate|position) (?:of |reach |become |equal"
     rf" )*)(?P<sign>[-−]?)(?P<n>{N})": ("{s} at {axis} = {sign}{n}"),
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
-    rf"|decrease to))* (?P<n>{N})": "{q} of {s} equals {n}",
+    rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
-    rf"|be|go))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get to)"
+    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get to)"
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
@@ -201,7 +205,12 @@ HEADS: Mapping[str, str] = {
         "{s} falls {n} vertically"
     ),
     rf"{_MOVE} {_DROP}(?P<n>{N})": "{s} moves {n} vertically{way}",
-    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})": "{s} rises {n} vertically",
+    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})|(?P<k>{N}) higher(?: up)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:it|@\d+@) (?:at )?(?:start|first|beginning)| than (?:before|at (?:first|start|beginning)))?": (
+        "{s} rises {n} vertically"
+    ),
+    rf"(?P<k>{N}) lower(?: down)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:at )?(?:first|start|beginning))?": (
+        "{s} falls {n} vertically"
+    ),
     "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"
     " {axis} axis",
     "(?:move|go|travel|slide|run|swing|spin|turn|roll|rotate)(?: at)? (?:its )?(?:fast(?:est)?|(?:greatest"

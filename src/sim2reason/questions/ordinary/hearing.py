@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.base_forms import verb_forms
@@ -44,7 +45,7 @@ _FROM_REST = re.compile(
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(
-    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)"
+    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|(?:final|initial)(?! (?:position|point|place|height|level)))\b)"
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
@@ -59,6 +60,8 @@ _SIZES = re.compile(
     r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"
     r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
+_HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
+_CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
 _WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -84,7 +87,7 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
+    text = plainly(_HALF.sub(r"\1 0.5 \2", sentence), words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
@@ -110,6 +113,9 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
     if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
         text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+    if not subjects and len(alone := _rollers(words)) == 1:  # *the centre* of what rolls
+        text = _CENTER_ALONE.sub("@0@", text)
+        subjects = alone if "@0@" in text else subjects
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
@@ -195,6 +201,13 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 def _movers(words: Words) -> list[str]:
     return list(words.called(Bodies()).values())
+
+
+def _rollers(words: Words) -> list[str]:
+    """Return the only body, if it rolls on a face; none if there are several."""
+    known = words.called(Bodies())
+    rolling = all(name in words.mechanism.contacts and rolls(words, name) for name in known)
+    return list(known.values()) if len(known) == 1 and rolling else []
 
 
 def _phrases(words: Words) -> list[str]:

@@ -40,7 +40,7 @@ SIZES = {
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
     "|start) its motion",
-    "final": "final|finally|eventual|ultimate|terminal|in end",
+    "final": "final|finally|eventual|eventually|ultimate|ultimately|terminal|limiting|in end|in long run",
 }
 
 
@@ -61,7 +61,8 @@ ROWS = (
         "what is moment of inertia of {s} about axle"),
     WantedRow((f"{_FAST}|speed|velocity", "relative to|with respect to|over|as seen from", f"?{MOTION}"),
         "how fast does {s} move{way} relative to {t}", 2),
-    WantedRow((_FAR, "relative to|with respect to|along|over|on|across", "?top of|surface of", MOTION),
+    WantedRow((f"{_FAR}|by how much", "relative to|with respect to|along|over|on|across", "?top of|surface of",
+         f"{MOTION}|slip|skid"),
         "how far does {s} move relative to {t}", 2),
     WantedRow(("{quantity}", "{size}", f"?{MOTION}"), "what is {size} {quantity} of {s}"),
     WantedRow(("{quantity}", "horizontal|horizontally", "?component", f"?{MOTION}"),
@@ -222,6 +223,12 @@ ROWS = (
         "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
+    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "between|among|of|do|have with each other",
+         "?there|take place|happen|occur|undergo|have|suffer", f"?{_IN_ALL}"), "how many collisions between {s}"),
+    WantedRow(("how (?:many times|often)", "collide|meet|(?:hit|run into|bump into|strike|touch) (?:each other|one another)",
+         "?(?:with|against|into) (?:each other|one another)", f"?{_IN_ALL}"), "how many collisions between {s}"),
+    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "?there|take place|happen|occur",
+         _IN_ALL), "how many collisions take place"),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),
         "how many collisions take place"),
     WantedRow(("(?:x|y)(?:-| )(?:coordinate|position)", f"?{MOTION}"), "what is {axis} coordinate of {s}"),

@@ -22,7 +22,7 @@ _LOOSE = frozenset(
         "what which find determine calculate compute give how obtain work out large big great strong much high "
         "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
         "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
-        "exist between as from due body thing numerical modulus strength kind sort measured occur happen arise "
+        "exist between as from due upon body thing numerical modulus strength kind sort measured occur happen arise "
         "prevail through",
     )
 )
@@ -133,5 +133,5 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         speed="angular speed" if verb == "turn" else "speed",
     )
     yield re.sub(
-        r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
+        r" (?:of|in|by)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
     )

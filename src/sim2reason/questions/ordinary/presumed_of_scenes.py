@@ -3,12 +3,28 @@
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.pulleys import RIMS, Pulleys
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
-from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, PLACED, SIDEWAYS
+from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
+from sim2reason.questions.ordinary.vocabulary import (
+    CENTERED,
+    DIES_AWAY,
+    FREE_AXLE,
+    GOES_DOWN,
+    GOES_UP,
+    HEADING,
+    LIFTS,
+    LIGHT,
+    MUTUAL,
+    PLACED,
+    SIDEWAYS,
+)
 from sim2reason.questions.words import Words
 
 
@@ -81,6 +97,45 @@ def _before(case: Case) -> float:
     return _vertical(case, first) if first is not None else 0.0
 
 
+def _dies_away(case: Case) -> bool:
+    """Return whether a body moves no more at the instant asked about, and never stood still before."""
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    if not name or any(event.kind == "turn" for event in trace.events):
+        return False
+    speeds = np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
+    last = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name)))
+    return last <= STEADY * float(speeds.max(initial=0.0))
+
+
+def _free_axle(case: Case) -> bool:
+    """Return whether a string passes over a pulley, and none ends at its axle."""
+    mechanism = case.words.mechanism
+    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    ends = [site.rpartition(".") for line in mechanism.lines for site in (line.through[0], line.through[-1])]
+    rims = {rim for pair in RIMS for rim in pair}
+    return address in Pulleys().names(mechanism) and not any(
+        owner == address and place not in rims for owner, _, place in ends
+    )
+
+
+def _mutual(case: Case) -> bool:
+    """Return whether bodies may collide with one another alone."""
+    return all(meeting.a is not None for meeting in case.words.mechanism.meetings)
+
+
+def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
+    """Return the test whether a body moves along an axis, one way, at the instant asked about."""
+
+    def test(case: Case) -> bool:
+        name = named(case.who, case.words)
+        senses = Bodies().senses(case.words.mechanism, name) if name else ()
+        way = next((np.array(sense.vector) for sense in senses if sense.axis == axis), None)
+        velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0] if name else None
+        return way is not None and velocity is not None and sign * float(velocity @ way) > 0.0
+
+    return test
+
+
 PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     **OTHERS,
     LIGHT: ("{who} has a weight of its own", _light),
@@ -89,6 +144,14 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
+    DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
+    FREE_AXLE: ("a string is tied to the axle of {who}", _free_axle),
+    MUTUAL: ("there are walls, too", _mutual),
+    **{
+        f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))
+        for axis in "xy"
+        for sign in "+-"
+    },
     GOES_DOWN: ("{who} is not on its way down then", _falling),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

@@ -9,6 +9,7 @@ from sim2reason.questions.ordinary.changes import after_bounce, changed, differe
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
+from sim2reason.questions.ordinary.multiples import LATE, LONG
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
@@ -88,7 +89,7 @@ def readings(heard: Heard) -> tuple[Reading, ...]:
 
 def _tells(reading: Reading) -> bool:
     """Return whether a question about a time asks for one that the question does not itself state."""
-    return reading.asked.find != "time" or not reading.asked.when.startswith("at ")
+    return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
 def _together(heard: Heard) -> Heard:
@@ -158,6 +159,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
                     continue
+                if LATE.match(when.told) and main.needs in (STRETCH, *CHANGES):
+                    continue  # not counted from the start
                 if main.needs in CHANGES:
                     both = changed(main, when, side)
                     yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, each
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
-from sim2reason.questions.ordinary.vocabulary import CENTERED, HELD, ON, ORIGIN, RESTS, SIDEWAYS
+from sim2reason.questions.ordinary.vocabulary import CENTERED, FIXED_END, HELD, ON, ORIGIN, RESTS, SIDEWAYS
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 MASS_CENTER = "velocity of the centre of mass"
@@ -78,3 +78,17 @@ def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
     """Yield the work of a spring that is fixed at its other end: the energy that it gives away."""
     of, other = heard.subject(spring), heard.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
+
+
+def far_end(find: str, needs: str) -> Reader:
+    """Return a reader for the distance of a body from the fixed end of the spring to which it is tied: its length."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        said = [heard.subject(found[key]) for key in "st" if found[key]]
+        springs = [of for of in said if "spring" in of]
+        bodies = [of for of in said if of not in springs]
+        if len(bodies) == 1:
+            of = springs[0] if springs else FIXED_END
+            yield Main(find, of, needs=needs, ways=((bodies[0], f"{HELD}{of}"),))
+
+    return read

@@ -204,6 +204,7 @@ STRETCHES: Mapping[str, Reader] = {
         "impulse of an impact", needs=STRETCH
     ),
     "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": sums.count,
+    "how many collisions between {s}": sums.count_between,
     "how much ~{s} compressed at most": sums.most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": sums.most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),

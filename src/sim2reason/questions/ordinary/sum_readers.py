@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
 from sim2reason.questions.ordinary.shape_readers import spring_work
-from sim2reason.questions.ordinary.vocabulary import ONLY, OVER
+from sim2reason.questions.ordinary.vocabulary import MUTUAL, ONLY, OVER
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
@@ -53,6 +54,13 @@ def work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
     yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
     yield from spring_work(found["t"], found["s"], heard)
+
+
+def count_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the number of all collisions of bodies, if all of them are named together, and there is no wall."""
+    who = heard.subject(found["s"])
+    if who.startswith(f"{ALL} "):
+        yield from (replace(main, ways=((who, ALL), ("", MUTUAL))) for main in count(found, heard))
 
 
 def count(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -38,10 +38,9 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
-    found = understood_as_it_is(heard, motion, words)
-    found = found or of_small_oscillations(heard, motion, words, READER)
     return (
-        found
+        of_small_oscillations(heard, motion, words, READER)
+        or understood_as_it_is(heard, motion, words)
         or in_changed_scene(heard, motion, words, understood_as_it_is)
         or number_making_so(heard, motion, words, READER)
     )

@@ -20,8 +20,16 @@ _ABOUT = (
     r"|rest position|lowest point))"
 )
 _OF = r"(?: of (?:this |that )?(?:@\d+@|pendulum|system))?"
+_WITH = "(?:with|at) which"
+_SWING = "(?:oscillate|swing|vibrate)"
+_OSCILLATES = f"@0@ (?:would )?{_SWING}s?"
+_SLIGHTLY = f"(?:(?:through|with|at) {_SMALL}|slightly)"
 FORMS = (
-    rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}",
+    rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}?",
+    rf"(?:what is|find|determine|calculate) {_MEASURE} of @0@ 's {_SMALL}{_ABOUT}?",
+    rf"(?:what is|find|determine|calculate) {_MEASURE} {_WITH} {_OSCILLATES} {_SLIGHTLY}{_ABOUT}?",
+    rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} {_SLIGHTLY}{_ABOUT}?",
+    rf"(?:what is|find|determine|calculate) small(?:-angle|-amplitude)? {_MEASURE} of (?:@0@ 's (?:oscillations?|swings?|motion)|@0@)",
     rf"what would be {_MEASURE} (?:of|for) {_SMALL}{_OF}{_ABOUT}?",
     rf"what would {_MEASURE}{_OF} be (?:for|with|in case of) {_SMALL}{_OF}{_ABOUT}?",
     (
