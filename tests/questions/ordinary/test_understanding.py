@@ -112,7 +112,7 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
     [
         ("deflector", "What is the drag force on the bead?", "only the net one"),
         ("shell", "At what rate does gravity do work on the shell?", "--find"),
-        ("gliders", "How far apart are the carts 2 s after the collision?", "counted from the start"),
+        ("long_burn", "How fast is the probe 2 s after the fuel is used up?", "counted from the start"),
         ("pucks", "In which direction does puck B move off?", "ask for the components"),
         ("ramp", "What is the average speed of the block in the first 3 s?", "averages"),
     ],

@@ -89,7 +89,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]stops on other side": place.across,
     "[{s} ]~[PASSES ][its |@0@ 's ]TOP on other side": place.across,
     "[{s} ]~(?:lose|loses|lost) (?P<times>half|third|quarter|tenth) (?:of )?(?:its |@\\d+@ 's )(?:initial |original )?"
-    "{q=QUANTITY}": place.lost_share,
+    "(?P<q>speed|velocity)": place.lost_share,
     "[{s} ]~[only ](?P<times>half|third|quarter|tenth) of (?:its |@\\d+@ 's )(?:initial |original |first ){q=QUANTITY}"
     " left": place.fraction,
     "(?:{s} 's {q=QUANTITY}|QUANTITY of {t}) ~(?P<times>halved)": place.fraction,

@@ -8,7 +8,8 @@ import numpy as np
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.pulleys import RIMS, Pulleys
+from sim2reason.quantities.subjects.paths import chain
+from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
@@ -63,6 +64,17 @@ def held(who: str, spring: str, words: Words) -> bool:
     return None in ends and (who == spring or name in ends)
 
 
+def borne(who: str, on: str, words: Words) -> bool:
+    """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
+    mechanism, name = words.mechanism, named(who, words)
+    address = next((a for a, said in words.mentions.items() if said == on), "")
+    if not name:
+        return False
+    over = [line for line in mechanism.lines if any(site.rpartition(".")[0] == address for site in line.through[1:-1])]
+    hung = any(mechanism.site[end].body == name for line in over for end in (line.through[0], line.through[-1]))
+    return hung or named(on, words) in [body.name for body in chain(mechanism, name)[1:]]
+
+
 def _placed(case: Case) -> bool:
     """Return whether what is asked for is a place, or a length."""
     return case.query.target is not None and case.query.target.quantity in (
@@ -98,9 +110,9 @@ def _before(case: Case) -> float:
 
 
 def _dies_away(case: Case) -> bool:
-    """Return whether a body moves no more at the instant asked about, and never stood still before."""
+    """Return whether a body moves no more at the instant asked about."""
     name, trace = named(case.who, case.words), case.followed.study.trace
-    if not name or any(event.kind == "turn" for event in trace.events):
+    if not name:
         return False
     speeds = np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
     last = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name)))
@@ -108,14 +120,11 @@ def _dies_away(case: Case) -> bool:
 
 
 def _free_axle(case: Case) -> bool:
-    """Return whether a string passes over a pulley, and none ends at its axle."""
+    """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
     mechanism = case.words.mechanism
     address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
-    ends = [site.rpartition(".") for line in mechanism.lines for site in (line.through[0], line.through[-1])]
-    rims = {rim for pair in RIMS for rim in pair}
-    return address in Pulleys().names(mechanism) and not any(
-        owner == address and place not in rims for owner, _, place in ends
-    )
+    fixed = all(site.body is None for site in mechanism.site.values() if site.name.rpartition(".")[0] == address)
+    return address in Pulleys().names(mechanism) and fixed
 
 
 def _mutual(case: Case) -> bool:
@@ -145,7 +154,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
     DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
-    FREE_AXLE: ("a string is tied to the axle of {who}", _free_axle),
+    FREE_AXLE: ("{who} is not fixed in place", _free_axle),
     MUTUAL: ("there are walls, too", _mutual),
     **{
         f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))

@@ -20,6 +20,7 @@ from sim2reason.questions.ordinary.readers import (
 )
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
+    BORNE,
     COMPRESSED,
     DOWN,
     FIELDS_ALONE,
@@ -292,7 +293,7 @@ def relatively(name: str) -> Reader:
         ways = ((of, f"{ON}{on}"), *ways_of(found, of))
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
         if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
-            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED)
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
 
     return read
 

@@ -103,6 +103,7 @@ HEADING = "heads "  # along an axis, one way
 DIES_AWAY, FREE_AXLE, MUTUAL = "dies away", "free axle", "mutual"
 THEN_GOES = "then goes "  # a way, after the moment
 PLACED = "placed"  # asks for a place, whatever the motion
+BORNE = "borne by "  # by what carries it, or by the pulley over which its string runs
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
 LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
