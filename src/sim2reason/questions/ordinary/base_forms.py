@@ -16,7 +16,7 @@ REGULAR = re.split(
     "lower raise join tie attach connect carry hang cease possess reduce increase decrease transform stay "
     "pick remove drain withdraw rob deviate stray shift settle smash bump slam project depart haul progress"
     " proceed displace double triple halve switch emerge escape impinge jump hop skip tension loosen traverse"
-    " experience feel circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain fire reel hoist rob",
+    " experience feel circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain fire reel hoist rob develop arise appear",
 )
 IRREGULAR = {
     "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",

@@ -19,8 +19,9 @@ _HOME = (
     "(?:its )?(?:own )?(?:original |initial |first )?(?:origin|start(?:ing)?(?: point| position| place| location)?"
     "|(?:release|launch|throw|throwing|launching|starting|kick|projection) (?:point|position)|(?:point|place|position"
     "|location) of"
-    " (?:release|launch|departure|projection|throw|start)|(?:point|place|spot) (?:on (?:level )?(?:ground|floor) )?(?:directly |vertically |straight"
-    " |exactly )?(?:below|beneath|under|underneath) (?:throw|launch|thrower|launch point|throwing point|release)|foot of (?:cliff|tower)"
+    " (?:release|launch|departure|projection|throw|start)|point (?:directly |vertically )?below (?:throw|launch"
+    "|thrower|launch point"
+    "|release)|foot of (?:cliff|tower)"
     "|(?:original|initial) (?:point|position|place|location)"
     "|(?:place|point|position|spot) (?:it|@\\d+@) (?:first )?(?:start|begin|set off|leave|throw)(?: from)?"
     "|where (?:it|@\\d+@) (?:begin|at (?:very )?start|originally|initially)"
@@ -54,7 +55,7 @@ HEADS: Mapping[str, str] = {
     "|lose all (?:of )?(?:its )?(?:speed|velocity|motion)|(?:speed|velocity) (?:become |drop to |fall to |reach |vanish"
     "|equal to )?zero|have no (?:speed|velocity)": "{s} stops",
     "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)|(?:stay|remain) (?:at rest|still|where it)"
-    "|(?:stay|remain) put": "{s} finally stops",
+    "|(?:stay|remain) put|(?:end|wind) up": "{s} finally stops",
     # impacts
     "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter|smash"
     "|bump|run|slam)"
@@ -130,7 +131,7 @@ HEADS: Mapping[str, str] = {
     rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
     rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline)"
-    rf" )+"
+    rf" )*"
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
@@ -205,10 +206,10 @@ HEADS: Mapping[str, str] = {
         "{s} falls {n} vertically"
     ),
     rf"{_MOVE} {_DROP}(?P<n>{N})": "{s} moves {n} vertically{way}",
-    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})|(?P<k>{N}) higher(?: up)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:it|@\d+@) (?:at )?(?:start|first|beginning)| than (?:before|at (?:first|start|beginning)))?": (
+    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})|(?P<k>{N}) higher(?: up)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:it|@\d+@) (?:at )?(?:start|first|beginning)| than (?:before|at (?:very )?(?:first|start|begin)))?": (
         "{s} rises {n} vertically"
     ),
-    rf"(?P<k>{N}) lower(?: down)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:at )?(?:first|start|beginning))?": (
+    rf"(?P<k>{N}) lower(?: down)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:at )?(?:very )?(?:first|start|begin))?": (
         "{s} falls {n} vertically"
     ),
     "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"

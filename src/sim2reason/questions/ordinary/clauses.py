@@ -112,6 +112,9 @@ CLAUSES: Mapping[str, Reader] = {
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
+    "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
+    "speed of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to (?P<times>half|third|quarter|tenth) (?:of"
+    " )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)(?: value| one| speed)?)": place.slower_part,
     "[{s} ]finally stops": place.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
     "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,

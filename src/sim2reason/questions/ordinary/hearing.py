@@ -111,11 +111,11 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
-    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
-        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if not subjects and len(alone := _rollers(words)) == 1:  # *the centre* of what rolls
         text = _CENTER_ALONE.sub("@0@", text)
         subjects = alone if "@0@" in text else subjects
+    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
+        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())

@@ -132,9 +132,11 @@ ROWS = (
     WantedRow((_HIGH, "?{greatest}", f"{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
     WantedRow((_HIGH, "{greatest}", f"?{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
     # springs
-    WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|by what (?:length|amount|distance)|compression",
+         "compress|compression|shorten"),
         "how much is {s} compressed"),
-    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate|deform"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|by what (?:length|amount|distance)|extension",
+         "stretch|extend|lengthen|elongate|deform"),
         "how much is {s} stretched"),
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten", "{greatest}"),
         "how much is {s} compressed at most"),

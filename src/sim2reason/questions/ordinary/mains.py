@@ -10,7 +10,7 @@ from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, MOMENT, STRETCH, Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, STRETCH, Main, Reader, of_none, of_one, of_pair
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
@@ -154,9 +154,9 @@ FRAMES: Mapping[str, Reader] = {
     "what force of its string on pulley {s}": force.on_that_pulley,
     "what force of the one string on pulley {s}": force.on_free_pulley,
     "what force bears axle[ {s}][ {t}]": force.on_axle,
-    "how near to far end does {s} get[ {t}]": shape.far_end("least spring length", STRETCH),
-    "how far from far end does {s} get[ {t}]": shape.far_end("greatest spring length", STRETCH),
-    "how far from far end is {s}[ {t}]": shape.far_end("spring length", MOMENT),
+    "how near to far end does {s} get[ {t}]": shape.far_end("most compressed"),
+    "how far from far end does {s} get[ {t}]": shape.far_end("most stretched"),
+    "how far from far end is {s}[ {t}]": shape.far_end(),
     "what force on hook[ {s}]": force.on_hook,
     "how fast does mass centre move[ {s}]": shape.mass_center,
     "what is amplitude[ of {s}]": shape.amplitude,

@@ -11,6 +11,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either
 WAY = re.compile(
     r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
     r" )(?<!picks )(?<!picked )"
+    r"(?<!set )(?<!put )(?<!laid )(?<!end )(?<!ends )(?<!ended )(?<!wind )(?<!winds )"
     r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
     r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
     r"|to left)"

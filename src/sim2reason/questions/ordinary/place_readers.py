@@ -20,6 +20,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     RELAXED,
     RESTS,
     SETS_OFF,
+    STANDS,
     STRETCHED,
     UNMOVED,
     meant,
@@ -92,6 +93,7 @@ def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
+    yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
 
 
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -201,3 +203,8 @@ def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
     """Yield a moment so late that what is asked for changes no more."""
     del found, heard, subject
     yield When(LONG, side)
+
+
+def slower_part(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a speed is a fraction of the initial one."""
+    yield When(f"speed of {subject_of(found, heard, subject)} = {FRACTIONS[found['times']]}{TIMES}", side)

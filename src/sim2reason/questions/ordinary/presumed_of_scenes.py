@@ -6,15 +6,16 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO
-from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import chain
+from sim2reason.quantities.subjects.paths import center_path, chain
 from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
 from sim2reason.questions.ordinary.vocabulary import (
     CENTERED,
+    CENTRAL,
     DIES_AWAY,
     FREE_AXLE,
     GOES_DOWN,
@@ -22,9 +23,11 @@ from sim2reason.questions.ordinary.vocabulary import (
     HEADING,
     LIFTS,
     LIGHT,
+    LOWEST,
     MUTUAL,
     PLACED,
     SIDEWAYS,
+    STANDS,
 )
 from sim2reason.questions.words import Words
 
@@ -119,6 +122,28 @@ def _dies_away(case: Case) -> bool:
     return last <= STEADY * float(speeds.max(initial=0.0))
 
 
+def _lowest(case: Case) -> bool:
+    """Return whether a body is never lower than at the start."""
+    name = named(case.who, case.words)
+    return bool(name) and float(Displacement.evaluate(case.followed.study.trace.scan, name)[:, 2].min()) >= -EVEN
+
+
+def _stands(case: Case) -> bool:
+    """Return whether a body does not move at the instant asked about."""
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    speed = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name))) if name else np.inf
+    return speed <= STEADY * float(np.abs(trace.scan.v).max(initial=0.0))
+
+
+def _central(case: Case) -> bool:
+    """Return whether nothing acts along its path on the only body but one spring."""
+    mechanism = case.words.mechanism
+    heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
+    rubs = any(contact.friction > 0.0 for contact in mechanism.contacts.values())
+    free = not (mechanism.forces or mechanism.attractions or mechanism.meetings or mechanism.burns or rubs)
+    return free and len(heavy) == 1 and len(mechanism.lines) == 1 and not center_path(mechanism, heavy[0]).rises
+
+
 def _free_axle(case: Case) -> bool:
     """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
     mechanism = case.words.mechanism
@@ -154,6 +179,9 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
     DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
+    LOWEST: ("{who} is not lowest at first", _lowest),
+    STANDS: ("{who} does not stand still then", _stands),
+    CENTRAL: ("a force acts beside that of the spring", _central),
     FREE_AXLE: ("{who} is not fixed in place", _free_axle),
     MUTUAL: ("there are walls, too", _mutual),
     **{

@@ -14,6 +14,7 @@ from sim2reason.quantities.springs import Extension
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -255,12 +256,19 @@ def _unmoved(case: Case) -> bool:
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
 
 
+def _swung(who: str, words: Words) -> str:
+    """Return the only heavy body, on a swinging line of this name; empty if there is none."""
+    heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
+    return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
+
+
 def _across(case: Case) -> bool:
     """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
 
     What oscillates on a level line has been faster on its way than at both ends of it.
     """
-    name, trace = named(case.who, case.words), case.followed.study.trace
+    trace = case.followed.study.trace
+    name = named(case.who, case.words) or _swung(case.who, case.words)
     if not name:
         return False
     scan = trace.scan

@@ -50,6 +50,7 @@ _BEGINS = pattern(
 )
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+DEFLECTION = "angle of deflection"  # in a collision: the angle after it
 INCLINATION = "angle with the horizontal"  # of a velocity
 TURNED = "revolutions made", "angle rolled", "angle turned"
 RISES = "ascent", "climb", "rise"
@@ -158,6 +159,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
                 if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
+                    continue
+                if main.find == DEFLECTION and side in (THEN, DURING) and when.told.endswith(" before"):
                     continue
                 if LATE.match(when.told) and main.needs in (STRETCH, *CHANGES):
                     continue  # not counted from the start

@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
-from sim2reason.questions.ordinary.vocabulary import CENTERED, FIXED_END, HELD, ON, ORIGIN, RESTS, SIDEWAYS
+from sim2reason.questions.ordinary.vocabulary import CENTERED, CENTRAL, FIXED_END, HELD, ON, ORIGIN, RESTS, SIDEWAYS
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 MASS_CENTER = "velocity of the centre of mass"
@@ -80,8 +80,11 @@ def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
 
 
-def far_end(find: str, needs: str) -> Reader:
-    """Return a reader for the distance of a body from the fixed end of the spring to which it is tied: its length."""
+def far_end(turn: str = "") -> Reader:
+    """Return a reader for the distance of a body from the fixed end of the spring to which it is tied: its length.
+
+    At a `turn`, its extreme length is the same each time if nothing but the spring acts.
+    """
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         said = [heard.subject(found[key]) for key in "st" if found[key]]
@@ -89,6 +92,8 @@ def far_end(find: str, needs: str) -> Reader:
         bodies = [of for of in said if of not in springs]
         if len(bodies) == 1:
             of = springs[0] if springs else FIXED_END
-            yield Main(find, of, needs=needs, ways=((bodies[0], f"{HELD}{of}"),))
+            main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
+            alone = (*main.ways, ("", CENTRAL))
+            yield replace(main, needs=FREE, ways=alone, when=When(f"{of} {turn}")) if turn else main
 
     return read

@@ -13,6 +13,12 @@ _FAST = "how (?:fast|quick|quickly)|(?:what|which|how large) (?:speed|velocity)|
 
 _FAR_END = "(?:from|to|of|between|and) far end(?: of)?"
 SHAPE_ROWS = (
+    WantedRow(("(?:by )?how much|by what", "height|altitude", "change|alter|vary", "?of"), "how far vertically is {s}"),
+    WantedRow((_FAST, "(?:approach|near|recede from|part from|separate from|move away from) (?:each other|one another)"),
+        "how fast do {s} and {t} near or part", 2),
+    WantedRow(("heat|thermal energy|internal energy|energy", ("generate|produce|develop|create|dissipate|lose|release"
+    "|arise|appear|set free"), "?by friction|to friction|in form of heat|as heat", "between"),
+        "how much heat arises between {s} and {t}", 2),
     WantedRow(("how (?:close|near)", _FAR_END, "?get|come|approach|pass", "?at (?:closest|nearest)"),
         "how near to far end does {s} get {t}", 2),
     WantedRow(("distance|how far", _FAR_END, "?between", "{least}|closest|nearest", "?be|lie|get|come"),

@@ -11,10 +11,11 @@ _SLIP = "(?:slip|slid|skid|slide)(?:p?ing|d?ing)?"
 _SLIPPING = "(?:slipping|sliding|skidding)(?: phase| stage| motion)?"
 _PER_SECOND = "(?:radians?|rad) (?:per|a|in one|each|every) second"
 _TURNING = "(?:turning|rotating|spinning|revolving|rolling|turn|rotate|spin|revolve)(?: round| around)?"
-_MOTION = "(?:motion|movement|oscillations?|flight|ascent|descent|swing|slide|run|journey|fall|climb|revolution)"
+_MOTION = "(?:motion|movement|oscillations?|flight|swing|slide|run|journey|revolution)"
 _ITS = r"(?:its |their |this |@\d+@ 's |subsequent |whole |entire |ensuing |resulting |further |following )*"
 _APSIS = "(?:farthest|furthest|most distant|nearest|closest|most remote|remotest)"
 _STEADY = "(?:final |ultimate )?(?:constant|steady|uniform|terminal|limiting)"
+_POINT = "(?:point|position|place|spot|location|stage|state)"
 _OFF = "(?:right angles|90°) to|perpendicular(?:ly)? to|normal to"
 _FACE = f"(?:its surface|itself|@\\d+@ 's (?:surface|face)|surface of contact|contact surface|(?:{GROUNDS}))"
 
@@ -52,7 +53,9 @@ MOTION_TURNS: Mapping[str, str] = {
     f"\\bfrom (?P<one>perihelion|periapsis|pericentre|aphelion|apoapsis|apocentre) to (?:(?:next|following"
     f"|subsequent) )?(?=perihelion|aphelion|periapsis|apoapsis|pericentre|apocentre)": r"from \g<one> to ",
     # places
-    "^at what (?:value of )?(?P<axis>x|y)(?:[- ](?:value|coordinate|position))? (?:does|will) @0@ (?:(?:first|next)"
+    f"\\b(?:as|when|while|at moment when) @\\d+@ (?:passes|reaches|goes through|is at|gets to|arrives at|crosses)(?: (?:by"
+    f"|through|over))? {_POINT} (?:where|at which|in which) (?=@)": "when ",
+    "^at what (?:value of )?(?P<axis>x|y)(?:(?:-| )(?:value|coordinate|position))? (?:does|will) @0@ (?:(?:first|next)"
     " )?(?=(?:cross|meet|pass|hit|reach|cut|intersect))": r"what is \g<axis> coordinate of @0@ when @0@ ",
     f"^(?P<ask>how far|at what distance) ,? ?(?:measured |reckoned |counted )?(?:along|on|over) (?:{GROUNDS}) ,"
     "(?= )": r"\g<ask> horizontally",
@@ -63,6 +66,28 @@ MOTION_TURNS: Mapping[str, str] = {
     f"^how far(?: horizontally)? from (?P<home>.+?) horizontally (?=(?:does|will) @0@)": (
         r"how far horizontally from \g<home> "
     ),
+    "^(?:through|by|to) what angle (?:from|to|with|away from) vertical (?P<does>does|will) (?P<s>@\\d+@) (?:swing|rise|turn"
+    "|move|get)(?: (?:out|up|over))? on (?:far|other|opposite) side$": (
+        r"what angle \g<does> \g<s> make with vertical when \g<s> comes to rest on other side"
+    ),
+    "^through what angle does (?:collision|impact) (?:turn|deflect|change|rotate) (?:direction (?:in which (?P<s>@\\d+@) (?:is"
+    " )?(?:moving|moves|travels)|of motion of (?P<t>@\\d+@)|of (?P<u>@\\d+@) 's (?:motion|velocity))|(?P<v>@\\d+@) 's"
+    " direction(?: of motion)?|velocity of (?P<w>@\\d+@))$": (
+        r"through what angle is \g<s>\g<t>\g<u>\g<v>\g<w> deflected in collision"
+    ),
+    "^(?:through )?what angle (?:does|is) (?:velocity of (?P<s>@\\d+@)|(?P<t>@\\d+@) 's velocity) (?:turn|turned|rotate)"
+    "(?: through)? (?P<in>in|by|during|through) (?P<what>collision|impact)$": (
+        r"through what angle is \g<s>\g<t> deflected in collision"
+    ),
+    # how often
+    f"^how many (?:complete |full |whole )?(?P<what>oscillations|swings|vibrations|revolutions|orbits|circles|cycles)"
+    f" (?:per|a|in (?:one|a|each)|every|each) second {_DOES} {_S} (?:perform|make|complete|execute|carry out|go through"
+    "|describe)$": r"what is frequency of \g<s>",
+    f"^how (?:many times|often) (?:per|a|in (?:one|a|each)|every|each) second {_DOES} {_S} (?:go round(?: (?:its|the)"
+    " (?:circle|orbit|path))?|oscillate|swing(?: to and fro)?|vibrate|revolve|circle)$": r"what is frequency of \g<s>",
+    "^(?P<ask>how high .*?) (?:in total|in all|altogether|overall)$": r"\g<ask>",
+    "\\b(?P<verb>cross|crosses|crossed|meet|meets|hit|hits|cut|cuts) (?P<axis>x|y)(?:-| )axis(?: (?:again|next|(?:for )?first"
+    " time))? (?:after|since) (?:START|leaving (?:origin|it|there))": r"\g<verb> \g<axis> axis",
     # forces
     f"(?P<verb>\\b(?:push|press|bear|act)(?:es|s|ed|ing)?) (?P<on>(?:against |down )?(?:on|against|upon)? ?@\\d+@)"
     f" (?:at )?(?:{_OFF}) {_FACE}": r"\g<verb> \g<on>",
@@ -75,7 +100,7 @@ MOTION_TURNS: Mapping[str, str] = {
         r"\g<ask> \g<q> of \g<s> relative to"
     ),
     # on what carries it
-    f"^(?P<ask>what distance|how far) (?P<on>along|on|over|across) (?P<t>@\\d+@)(?: 's (?:top|surface|face))? {_DOES}"
+    f"^(?P<ask>what distance|how far) (?P<on>along|on|over|across) (?:(?:top|surface|face) of )?(?P<t>@\\d+@)(?: 's (?:top|surface|face))? {_DOES}"
     f" {_S} (?P<verb>\\w+)": r"\g<ask> does \g<s> \g<verb> \g<on> \g<t>",
     "(?<= )(?P<on>along|over|across|down|up|against) (?P<t>@\\d+@) 's (?:(?:left|right|sloping|inclined|upper|top|rough"
     "|smooth) )?(?:face|top|surface)\\b": r"\g<on> \g<t>",

@@ -101,6 +101,7 @@ SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
 LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE = "level", "smooth", "fields alone", "one line"
 HEADING = "heads "  # along an axis, one way
 DIES_AWAY, FREE_AXLE, MUTUAL = "dies away", "free axle", "mutual"
+LOWEST, STANDS, CENTRAL = "lowest at first", "stands", "central"
 THEN_GOES = "then goes "  # a way, after the moment
 PLACED = "placed"  # asks for a place, whatever the motion
 BORNE = "borne by "  # by what carries it, or by the pulley over which its string runs
@@ -189,7 +190,9 @@ PHRASES: Mapping[str, str] = {
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"
     "|engine starts|engine started|engine has started|engine is started|engine ignites|engine is switched on|ignition"
-    "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
+    "|motion begins|motion starts|BODY is set down|BODY is put down|BODY is set free|BODY is set moving|BODY is set going|BODY is set in motion"
+    "|BODY is laid down|BODY is pushed off|BODY is fired|engine is lit|engine is ignited|engine is turned on"
+    "|system is released|everything is set free|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
     "ALONG_IT": "along SURFACE|along straight line",
     "PERIOD": "period|orbital period|period of revolution|period of rotation|period of oscillation"
