@@ -13,10 +13,12 @@ from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
+from sim2reason.questions.ordinary.unsaid import fixed_end
 from sim2reason.questions.ordinary.vocabulary import (
     CENTERED,
     CENTRAL,
     DIES_AWAY,
+    FIXED_END,
     FREE_AXLE,
     GOES_DOWN,
     GOES_UP,
@@ -60,7 +62,8 @@ def _centered(case: Case) -> bool:
 def held(who: str, spring: str, words: Words) -> bool:
     """Return whether a spring is fixed at one end, and tied to a body at its other one."""
     known = {said: name for name, said in words.called(Springs()).items()}
-    line, name = words.mechanism.line.get(known.get(spring, "")), named(who, words)
+    alone = fixed_end(words) if spring == FIXED_END else (known.get(spring, ""),)
+    line, name = words.mechanism.line.get(next(iter(alone), "")), named(who, words)
     if line is None:
         return False
     ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}

@@ -94,6 +94,6 @@ def far_end(turn: str = "") -> Reader:
             of = springs[0] if springs else FIXED_END
             main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
             alone = (*main.ways, ("", CENTRAL))
-            yield replace(main, needs=FREE, ways=alone, when=When(f"{of} {turn}")) if turn else main
+            yield replace(main, needs=FREE, ways=alone, when=When(f"{springs[0] if springs else ''} {turn}".strip())) if turn else main
 
     return read
