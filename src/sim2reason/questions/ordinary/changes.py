@@ -90,7 +90,8 @@ _PEAK = pattern(
 _RISE = pattern(
     "(?:ASK|what) (?:@0@ 's )?GREATEST height(?: of @0@)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
     "|how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
-    "|(?:how high|(?:to )?(?:what|which) (?:maximum |greatest )?height) above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
+    "|(?:how high|(?:to )?(?:what|which) (?:maximum |greatest )?height) above (?:its |@0@ 's )?BOTTOM(?: of [its"
+    " ]PATH)?"
     " ~@0@ (?:(?:rise|get|go|climb|swing|come|ascend|reach)(?: up)?|(?:come to rest|turn back|stop)(?: momentarily)?)"
 )
 _TOP = pattern(

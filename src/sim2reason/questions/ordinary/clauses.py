@@ -94,26 +94,28 @@ CLAUSES: Mapping[str, Reader] = {
     " left": place.fraction,
     "(?:{s} 's {q=QUANTITY}|QUANTITY of {t}) ~(?P<times>halved)": place.fraction,
     "[{s} ]returns": read.returned,
+    "[{s} ]~(?:closest|nearest) to far end[ of {t}]": place.near_end,
+    "[{s} ]turns in (?P<axis>x|y)": place.turns,
     "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.heads,
-    "[very |sufficiently |extremely ]long time[ after START| (?:later|afterwards|has passed)]|~long enough|in long run": (
-        place.after_long
-    ),
+    "[very |extremely ]long time[ after START| (?:later|afterwards|has passed)]|in long run": place.after_long,
     "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,
     "[{s} ]makes (?P<turns>one|half|two|three|ten) revolutions?": place.revolved,
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) of (?:all |its )?fuel": (
+    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
         place.share_burnt
     ),
-    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)["
+    "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"
+    "|spent|gone)["
     " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
-    "speed of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to (?P<times>half|third|quarter|tenth) (?:of"
+    "speed of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to (?P<times>half|third|quarter|tenth)"
+    " (?:of"
     " )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)(?: value| one| speed)?)": place.slower_part,
     "[{s} ]finally stops": place.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,

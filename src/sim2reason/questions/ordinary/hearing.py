@@ -45,7 +45,8 @@ _FROM_REST = re.compile(
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(
-    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|(?:final|initial)(?! (?:position|point|place|height|level)))\b)"
+    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate"
+    r"|(?:final|initial)(?! (?:position|point|place|height|level)))\b)"
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
@@ -87,7 +88,8 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    text = plainly(_HALF.sub(r"\1 0.5 \2", sentence), words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
+    sentence = _HALF.sub(r"\1 0.5 \2", sentence)
+    text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
@@ -111,11 +113,8 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
-    if not subjects and len(alone := _rollers(words)) == 1:  # *the centre* of what rolls
-        text = _CENTER_ALONE.sub("@0@", text)
-        subjects = alone if "@0@" in text else subjects
-    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
-        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+    if not subjects and len(alone := _movers(words)) == 1:
+        text, subjects = _of_only(text, words), alone
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
@@ -203,11 +202,11 @@ def _movers(words: Words) -> list[str]:
     return list(words.called(Bodies()).values())
 
 
-def _rollers(words: Words) -> list[str]:
-    """Return the only body, if it rolls on a face; none if there are several."""
-    known = words.called(Bodies())
-    rolling = all(name in words.mechanism.contacts and rolls(words, name) for name in known)
-    return list(known.values()) if len(known) == 1 and rolling else []
+def _of_only(text: str, words: Words) -> str:
+    """Return a text with the token of the only body for *it* and *its*, and for *the centre* of what rolls."""
+    if all(name in words.mechanism.contacts and rolls(words, name) for name in words.called(Bodies())):
+        text = _CENTER_ALONE.sub("@0@", text)
+    return re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text))
 
 
 def _phrases(words: Words) -> list[str]:

@@ -24,7 +24,7 @@ _HIGH = "how high|(?:what|which) (?:height|altitude)|height|altitude"
 _HEAT = "(?:heat|thermal energy|internal energy|mechanical energy|kinetic energy|energy|work)"
 _LOST = (
     "(?:lose|loss|dissipate|dissipation|generate|produce|convert|transform|turn|develop|create|waste|consume|spend"
-    "|absorb|release|do)"
+    "|absorb|release|do|disappear|vanish)"
 )
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
@@ -35,8 +35,8 @@ _ONCE = (
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
 SIZES = {
-    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|longest|maximally",
-    "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
+    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|maximally",
+    "least": "least|minimum|minimal|smallest|lowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
     "|start) its motion",
@@ -57,7 +57,8 @@ ROWS = (
         "what friction of ground on {s}"),
     WantedRow(("{normal}", "between|exert|act|from|of|by|push|press", f"(?P<face>{GROUNDS})", "?between|on|from|by"),
         "what normal force of ground on {s}"),
-    WantedRow(("moment of inertia", "(?:about|around|round) (?:its )?(?:axle|axis of rotation|hinge|pivot)"),
+    WantedRow(("moment of inertia",
+         "(?:about|around|round|with respect to|relative to) (?:its )?(?:axle|axis of rotation|hinge|pivot)"),
         "what is moment of inertia of {s} about axle"),
     WantedRow((f"{_FAST}|speed|velocity", "relative to|with respect to|over|as seen from", f"?{MOTION}"),
         "how fast does {s} move{way} relative to {t}", 2),
@@ -143,11 +144,13 @@ ROWS = (
     WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate", "{greatest}"),
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
-    WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
-    WantedRow(("(?:to )?what", "{greatest}", "length", "?get", "?stretch|extend"), "what is longest length of {s}"),
-    WantedRow(("(?:to )?what", "{least}", "length", "?compress|shorten|get"), "what is shortest length of {s}"),
+    WantedRow(("how (?:long|short)|length", "{least}|at least|shortest"), "what is shortest length of {s}"),
+    WantedRow(("(?:to )?what", "{greatest}|longest", "length", "?get",
+         "?stretch|extend"), "what is longest length of {s}"),
+    WantedRow(("(?:to )?what", "{least}|shortest", "length",
+         "?compress|shorten|get"), "what is shortest length of {s}"),
     WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
-    WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
+    WantedRow(("how long|length", "{greatest}|longest"), "what is longest length of {s}"),
     WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring",
          "?together|in all|altogether|in total"),
         "how much energy is stored in {s}"),
@@ -164,13 +167,16 @@ ROWS = (
          "?between|by|in|through", f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|eat|rob", "?from|away|out", "friction",
          f"?{_IN_ALL}"), "how much energy is lost to friction"),
-    WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
+    WantedRow((r"(?:kinetic |mechanical )?energy",
+         "lose|loss|dissipate|disappear|vanish|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     WantedRow(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass",
          "?each other|one another|other", "?each"), "what impulse does {s} give"),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
+        "what impulse does {s} give {t}", 2),
+    WantedRow(("momentum", "transfer|transmit|hand over|pass on|give|impart|go over|pass", "from|to", "to|from"),
         "what impulse does {s} give {t}", 2),
     *FORCE_ROWS,
     *SHAPE_ROWS,
@@ -225,9 +231,11 @@ ROWS = (
         "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
-    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "between|among|of|do|have with each other",
+    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?",
+         "between|among|of|do|have with each other",
          "?there|take place|happen|occur|undergo|have|suffer", f"?{_IN_ALL}"), "how many collisions between {s}"),
-    WantedRow(("how (?:many times|often)", "collide|meet|(?:hit|run into|bump into|strike|touch) (?:each other|one another)",
+    WantedRow(("how (?:many times|often)",
+         "collide|meet|(?:hit|run into|bump into|strike|touch) (?:each other|one another)",
          "?(?:with|against|into) (?:each other|one another)", f"?{_IN_ALL}"), "how many collisions between {s}"),
     WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "?there|take place|happen|occur",
          _IN_ALL), "how many collisions take place"),

@@ -69,9 +69,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     raise TextError("when", "it never settles down", "name a moment")
 
 
-def _later(
-    asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words
-) -> StructuredQuestion:
+def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
     """Return a question about a time counted from the start in place of one counted from a collision."""
     began = posed(StructuredQuestion("time", "", found["event"]), motion, words)
     answer = began.followed(motion).answer

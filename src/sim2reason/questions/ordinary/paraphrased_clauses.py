@@ -49,6 +49,7 @@ _PASSING = frozenset(
     )
 )
 """Verbs that say nothing beside a place that a body passes."""
+_WITH = re.compile(rf"(?:with|into|against|by|of) (?:<> +)?(?:its +)?(?:first +)?{S}")  # *its collision with C*
 _ORDINAL = pattern("ORDINAL")
 
 
@@ -135,7 +136,7 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
     if "{t}" not in plain or len(subjects) > 1:
         return plain
     numbers = _ORDINAL.findall(rest)
-    if "collide" in plain and subjects and re.search(rf"(?:with|into|against|by|of) (?:<> +)?(?:its +)?(?:first +)?{S}", text):
+    if "collide" in plain and subjects and _WITH.search(text):
         return "" if numbers not in ([], ["first"]) else "meets {s}"
     if "collide" in plain:
         whose = "{s} 's" if subjects else "its" if re.search(r"\bits\b", rest) else ""

@@ -4,15 +4,18 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
-from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
+    CENTRAL,
     COMPRESSED,
     DIES_AWAY,
+    FIXED_END,
     HEADING,
+    HELD,
     LIFTS,
     ORIGIN,
     PLACED,
@@ -208,3 +211,16 @@ def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 def slower_part(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a speed is a fraction of the initial one."""
     yield When(f"speed of {subject_of(found, heard, subject)} = {FRACTIONS[found['times']]}{TIMES}", side)
+
+
+def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment at which a body stops moving along an axis."""
+    yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
+
+
+def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment at which a body is nearest to the fixed end of its spring, if nothing else acts on it."""
+    who = subject_of(found, heard, subject)
+    spring = heard.subject(found["t"])
+    ways = ((who, f"{HELD}{spring or FIXED_END}"), ("", CENTRAL))
+    yield When(f"{spring} most compressed".strip(), side, ways)

@@ -11,10 +11,12 @@ from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, chain
 from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
 from sim2reason.questions.ordinary.unsaid import fixed_end
 from sim2reason.questions.ordinary.vocabulary import (
+    ACROSS,
     CENTERED,
     CENTRAL,
     DIES_AWAY,
@@ -147,6 +149,27 @@ def _central(case: Case) -> bool:
     return free and len(heavy) == 1 and len(mechanism.lines) == 1 and not center_path(mechanism, heavy[0]).rises
 
 
+def _swung(who: str, words: Words) -> str:
+    """Return the only heavy body, on a swinging line of this name; empty if there is none."""
+    heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
+    return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
+
+
+def _across(case: Case) -> bool:
+    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
+
+    What oscillates on a level line has been faster on its way than at both ends of it.
+    """
+    trace = case.followed.study.trace
+    name = named(case.who, case.words) or _swung(case.who, case.words)
+    if not name:
+        return False
+    scan = trace.scan
+    depth = -Displacement.evaluate(scan, name)[:, 2][scan.times <= case.then]
+    passed = depth if float(np.ptp(depth)) > EVEN else np.linalg.norm(Velocity.evaluate(scan, name), axis=1)
+    return float(passed.max(initial=0.0)) > max(float(passed[0]), float(passed[len(depth) - 1])) + EVEN
+
+
 def _free_axle(case: Case) -> bool:
     """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
     mechanism = case.words.mechanism
@@ -182,6 +205,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
     DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
+    ACROSS: ("{who} is on the same side", _across),
     LOWEST: ("{who} is not lowest at first", _lowest),
     STANDS: ("{who} does not stand still then", _stands),
     CENTRAL: ("a force acts beside that of the spring", _central),

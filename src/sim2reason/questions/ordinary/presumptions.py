@@ -14,14 +14,12 @@ from sim2reason.quantities.springs import Extension
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.springs import Springs
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.vocabulary import (
-    ACROSS,
     ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
@@ -256,27 +254,6 @@ def _unmoved(case: Case) -> bool:
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
 
 
-def _swung(who: str, words: Words) -> str:
-    """Return the only heavy body, on a swinging line of this name; empty if there is none."""
-    heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
-    return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
-
-
-def _across(case: Case) -> bool:
-    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
-
-    What oscillates on a level line has been faster on its way than at both ends of it.
-    """
-    trace = case.followed.study.trace
-    name = named(case.who, case.words) or _swung(case.who, case.words)
-    if not name:
-        return False
-    scan = trace.scan
-    depth = -Displacement.evaluate(scan, name)[:, 2][scan.times <= case.then]
-    passed = depth if float(np.ptp(depth)) > EVEN else np.linalg.norm(Velocity.evaluate(scan, name), axis=1)
-    return float(passed.max(initial=0.0)) > max(float(passed[0]), float(passed[len(depth) - 1])) + EVEN
-
-
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
     ALOFT: ("{who} is on the ground then", _aloft),
@@ -300,7 +277,6 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     FIELDS_ALONE: ("there are other forces", _fields_alone),
     ONE_LINE: ("{who} does not move along a line", _one_line),
     LEVEL: ("{who} does not move on a level face", _level),
-    ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

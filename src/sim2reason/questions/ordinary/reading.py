@@ -158,12 +158,8 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
-                if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
+                if _not_meant(main, when, clause, side):
                     continue
-                if main.find == DEFLECTION and side in (THEN, DURING) and when.told.endswith(" before"):
-                    continue
-                if LATE.match(when.told) and main.needs in (STRETCH, *CHANGES):
-                    continue  # not counted from the start
                 if main.needs in CHANGES:
                     both = changed(main, when, side)
                     yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))
@@ -177,6 +173,18 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
             for way in (way for _, way in ways if way in ("up", "down")):  # on the way back
                 yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{way}"),))
+
+
+def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
+    """Return whether nobody asks for a value at a moment: in an impact without height, or before a deflection.
+
+    Nor for what adds up since the start until some time after a later event.
+    """
+    if main.find == "potential energy":
+        return side == THEN and _IMPACT.fullmatch(clause) is not None
+    if main.find == DEFLECTION:
+        return side in (THEN, DURING) and when.told.endswith(" before")
+    return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:

@@ -8,9 +8,23 @@ from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
-from sim2reason.questions.ordinary.vocabulary import CENTERED, CENTRAL, FIXED_END, HELD, ON, ORIGIN, RESTS, SIDEWAYS
-from sim2reason.questions.ordinary.whens import AFTER, When
+from sim2reason.questions.ordinary.vocabulary import (
+    BORNE,
+    CENTERED,
+    CENTRAL,
+    DOWN,
+    FIXED_END,
+    HELD,
+    MOTIONS,
+    ON,
+    ORIGIN,
+    RESTS,
+    SIDEWAYS,
+    UP,
+)
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
+_UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split())}|up|down)\b")
 MASS_CENTER = "velocity of the centre of mass"
 
 
@@ -46,6 +60,19 @@ def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the acceleration of a body relative to what carries it."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
+
+
+def relatively(name: str) -> Reader:
+    """Return a reader for a quantity of a body relative to what carries the body."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        of, on = heard.subject(found["s"]), heard.subject(found["t"])
+        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
+        if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
+
+    return read
 
 
 def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -94,6 +121,7 @@ def far_end(turn: str = "") -> Reader:
             of = springs[0] if springs else FIXED_END
             main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
             alone = (*main.ways, ("", CENTRAL))
-            yield replace(main, needs=FREE, ways=alone, when=When(f"{springs[0] if springs else ''} {turn}".strip())) if turn else main
+            when = When(" ".join((*springs, turn)))
+            yield replace(main, needs=FREE, ways=alone, when=when) if turn else main
 
     return read

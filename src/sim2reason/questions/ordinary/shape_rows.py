@@ -14,7 +14,7 @@ _FAST = "how (?:fast|quick|quickly)|(?:what|which|how large) (?:speed|velocity)|
 _FAR_END = "(?:from|to|of|between|and) far end(?: of)?"
 SHAPE_ROWS = (
     WantedRow(("(?:by )?how much|by what", "height|altitude", "change|alter|vary", "?of"), "how far vertically is {s}"),
-    WantedRow((_FAST, "(?:approach|near|recede from|part from|separate from|move away from) (?:each other|one another)"),
+    WantedRow((_FAST, "(?:approach|near|recede from|part from|move away from) (?:each other|one another)"),
         "how fast do {s} and {t} near or part", 2),
     WantedRow(("heat|thermal energy|internal energy|energy", ("generate|produce|develop|create|dissipate|lose|release"
     "|arise|appear|set free"), "?by friction|to friction|in form of heat|as heat", "between"),

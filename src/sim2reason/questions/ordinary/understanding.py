@@ -25,7 +25,7 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
-SPEED = "speed"  # which has no sign
+SPEEDS = "speed", "speed relative to its carrier"  # which have no sign
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -90,7 +90,7 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         if question is None:
             continue
         followed = question.followed(motion)
-        if reading.asked.find == SPEED and followed.answer is not None:  # along an axis, it is no velocity
+        if reading.asked.find in SPEEDS and followed.answer is not None:  # along an axis, it is no velocity
             followed = followed._replace(answer=abs(followed.answer))
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason

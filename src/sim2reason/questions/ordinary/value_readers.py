@@ -20,7 +20,6 @@ from sim2reason.questions.ordinary.readers import (
 )
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
-    BORNE,
     COMPRESSED,
     DOWN,
     FIELDS_ALONE,
@@ -285,20 +284,6 @@ def of_ground(find: str, *ways: str) -> Reader:
     return read
 
 
-def relatively(name: str) -> Reader:
-    """Return a reader for a quantity of a body relative to what carries the body."""
-
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        of, on = heard.subject(found["s"]), heard.subject(found["t"])
-        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
-        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
-        if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
-            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
-
-    return read
-
-
-_UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split())}|up|down)\b")
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 

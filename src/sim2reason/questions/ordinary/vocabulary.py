@@ -146,7 +146,8 @@ PHRASES: Mapping[str, str] = {
     "|reverse direction|reverse its direction|turn around|momentarily stops|is momentarily at rest"
     "|is brought to rest",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
-    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE"
+    "|reach SURFACE|hitting SURFACE|reaching SURFACE|striking SURFACE|touching SURFACE|touches SURFACE|impact with"
+    " SURFACE"
     "|comes down|touches down|strikes it|falls to SURFACE|arrives at SURFACE|arrive at SURFACE"
     "|arriving at SURFACE|fall to SURFACE"
     "|drops to SURFACE|arrives at SURFACE|land on SURFACE|lands on SURFACE|come down|touch SURFACE",
@@ -190,7 +191,8 @@ PHRASES: Mapping[str, str] = {
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"
     "|engine starts|engine started|engine has started|engine is started|engine ignites|engine is switched on|ignition"
-    "|motion begins|motion starts|BODY is set down|BODY is put down|BODY is set free|BODY is set moving|BODY is set going|BODY is set in motion"
+    "|motion begins|motion starts|BODY is set down|BODY is put down|BODY is set free|BODY is set moving|BODY is set"
+    " going|BODY is set in motion"
     "|BODY is laid down|BODY is pushed off|BODY is fired|engine is lit|engine is ignited|engine is turned on"
     "|system is released|everything is set free|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
