@@ -34,6 +34,7 @@ _ONCE = (
 )
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
+ALL_COLLISIONS = "how many collisions take place"  # of all bodies, so that none is named
 SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|maximally",
     "least": "least|minimum|minimal|smallest|lowest",
@@ -176,7 +177,8 @@ ROWS = (
          "?each other|one another|other", "?each"), "what impulse does {s} give"),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
-    WantedRow(("momentum", "transfer|transmit|hand over|pass on|give|impart|go over|pass", "from|to", "to|from"),
+    WantedRow(("momentum", "transfer|transmit|hand over|pass on|give|impart|go over|pass", "(?:from|to)(?= @)",
+         "(?:to|from)(?= @)"),
         "what impulse does {s} give {t}", 2),
     *FORCE_ROWS,
     *SHAPE_ROWS,
@@ -238,8 +240,8 @@ ROWS = (
          "collide|meet|(?:hit|run into|bump into|strike|touch) (?:each other|one another)",
          "?(?:with|against|into) (?:each other|one another)", f"?{_IN_ALL}"), "how many collisions between {s}"),
     WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "?there|take place|happen|occur",
-         _IN_ALL), "how many collisions take place"),
+         _IN_ALL), ALL_COLLISIONS),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),
-        "how many collisions take place"),
+        ALL_COLLISIONS),
     WantedRow(("(?:x|y)(?:-| )(?:coordinate|position)", f"?{MOTION}"), "what is {axis} coordinate of {s}"),
 )  # fmt: skip

@@ -122,7 +122,8 @@ def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return tuple(quantity.subjects(words.mechanism)[:1]) if quantity is not None else ()
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
-        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
+        rubbing = [name for name in functional.of.names(words.mechanism) if functional.present(words, name)]
+        return tuple(rubbing) if len(rubbing) == 1 else ()  # of several, it is the sum
     if quantity is not None and asked.find == "friction force" and words.mechanism.contacts:
         return tuple(name for name in words.called(quantity.of) if quantity.present(words.mechanism, name))
     return ()

@@ -15,6 +15,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     DOWN,
     FIXED_END,
     HELD,
+    LIES,
     MOTIONS,
     ON,
     ORIGIN,
@@ -78,7 +79,8 @@ def relatively(name: str) -> Reader:
 def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield how far a body slides on what carries it: up to a moment, or until it stops slipping for good."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
-    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"),))
+    along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
+    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"), *along))
     yield main
     yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
 
