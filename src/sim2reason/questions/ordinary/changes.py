@@ -47,9 +47,10 @@ _FOLLOWING = re.compile(
 )
 COLLISION = "energy lost in a collision"
 UNDER = (
-    "(?:point|place|spot)(?: on (?:level )?(?:ground|floor))?(?: (?:directly|vertically|straight|exactly))?"
+    "(?:(?:point|place|spot)(?: on (?:level )?(?:ground|floor))?(?: (?:directly|vertically|straight|exactly))?"
     " (?:below|beneath|under|underneath) (?:throw|thrower|launch(?: point)?|throwing point|(?:point|place) of (?:throw"
     "|release|launch|projection)|release(?: point)?)"
+    "|foot of (?:(?:throwing|launch|launching|starting|release) point|thrower|(?:point|place) of (?:throw|projection)))"
 )
 _HOMEWARD = re.compile(HOME)
 _AGAIN = re.compile(r"\b(?:again|next|another|second time|third time)\b")
@@ -79,7 +80,8 @@ _FROM_START = pattern(
     f" (?:{HOME}|{UNDER}|thrower|foot of (?:tower|cliff)) ~@0@ "
     f"(?:lands?|bounces?|comes? down|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?:(?: for)?"
     f" (?P<number>ORDINAL) time)?"
-    f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
+    f"|how far(?: ,? ?(?:measured )?horizontally(?: ,)?)? ~(?P<other>ORDINAL) {_LANDING} from"
+    f" (?:{HOME}|{UNDER}|thrower)"
 )
 _PEAK = pattern(
     "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb"
