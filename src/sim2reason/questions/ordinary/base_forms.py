@@ -16,7 +16,8 @@ REGULAR = re.split(
     "lower raise join tie attach connect carry hang cease possess reduce increase decrease transform stay "
     "pick remove drain withdraw rob deviate stray shift settle smash bump slam project depart haul progress"
     " proceed displace double triple halve switch emerge escape impinge jump hop skip tension loosen traverse"
-    " experience feel circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain",
+    " experience feel circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain"
+    " fire reel hoist rob develop arise appear disappear vanish transmit",
 )
 IRREGULAR = {
     "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",
@@ -32,7 +33,8 @@ IRREGULAR = {
     "hang": "hung", "stand": "stands stood standing", "draw": "draws drew drawn drawing", "burn": "burnt",
     "swap": "swaps swapped swapping", "ride": "rides rode riding", "grow": "grows grew grown growing", "shrink": "shr"
         "ank shrunk",
-    "bear": "bore borne", "sweep": "sweeps swept sweeping", "bring": "brings brought bringing", "lift": "lifts lifted"
+    "bear": "bore borne", "light": "lights lit lighting", "wind": "winds wound winding",
+    "sweep": "sweeps swept sweeping", "bring": "brings brought bringing", "lift": "lifts lifted"
         " lifting",
 }  # fmt: skip
 AUXILIARIES = frozenset(

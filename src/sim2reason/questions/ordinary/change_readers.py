@@ -27,7 +27,8 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the gain, the loss or the change of a quantity that has no direction."""
     name, verb = meant(QUANTITIES, found["q"]), found["verb"]
     needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
-    if name in UNDIRECTED:
+    who = heard.subject(found.groupdict().get("s"))
+    if name in UNDIRECTED and not (who.startswith(ALL) and needs != CHANGE):  # where one gains what the other loses
         yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
 
 

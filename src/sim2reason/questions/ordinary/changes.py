@@ -9,7 +9,7 @@ from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
-from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, ONCE, pattern
+from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
 from sim2reason.questions.posing import MINUS
 from sim2reason.questions.spoken import ORDINALS
@@ -46,6 +46,12 @@ _FOLLOWING = re.compile(
     rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?"
 )
 COLLISION = "energy lost in a collision"
+UNDER = (
+    "(?:(?:point|place|spot)(?: on (?:level )?(?:ground|floor))?(?: (?:directly|vertically|straight|exactly))?"
+    " (?:below|beneath|under|underneath) (?:throw|thrower|launch(?: point)?|throwing point|(?:point|place) of (?:throw"
+    "|release|launch|projection)|release(?: point)?)"
+    "|foot of (?:(?:throwing|launch|launching|starting|release) point|thrower|(?:point|place) of (?:throw|projection)))"
+)
 _HOMEWARD = re.compile(HOME)
 _AGAIN = re.compile(r"\b(?:again|next|another|second time|third time)\b")
 _LANDING = (
@@ -59,7 +65,7 @@ _SPAN = tuple(
     pattern(told)
     for told in (
         f"how far apart ~(?:points of )?(?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
-        f"how far ~(?P<other>ORDINAL) {_LANDING} from (?P<one>ORDINAL)(?: one| {_LANDING})?",
+        f"how far(?: horizontally)? ~(?P<other>ORDINAL) {_LANDING} from (?P<one>ORDINAL)(?: one| {_LANDING})?",
         f"(?:ASK|what) (?:horizontal )?distance between (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
         f"(?:ASK|what) distance between @0@ 's (?P<one>ORDINAL) and (?P<other>ORDINAL) {_LANDING}",
         (
@@ -70,11 +76,12 @@ _SPAN = tuple(
     )
 )
 _FROM_START = pattern(
-    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally ,?)?(?: away)? from"
-    f" (?:{HOME}|thrower|foot of (?:tower|cliff)) ~@0@ "
-    f"(?:lands?|bounces?|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?: for"
+    f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally(?: ,)?)?(?: away)? from"
+    f" (?:{HOME}|{UNDER}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f"(?:lands?|bounces?|comes? down|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?:(?: for)?"
     f" (?P<number>ORDINAL) time)?"
-    f"|how far(?: ,? ?(?:measured )?horizontally ,?)? ~(?P<other>ORDINAL) {_LANDING} from (?:{HOME}|thrower)"
+    f"|how far(?: ,? ?(?:measured )?horizontally(?: ,)?)? ~(?P<other>ORDINAL) {_LANDING} from"
+    f" (?:{HOME}|{UNDER}|thrower)"
 )
 _PEAK = pattern(
     "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb"
@@ -85,7 +92,9 @@ _PEAK = pattern(
 _RISE = pattern(
     "(?:ASK|what) (?:@0@ 's )?GREATEST height(?: of @0@)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
     "|how high ~@0@ (?:rise|get|go|climb|swing|come)(?: up)? above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)?"
-    "|how high above (?:its |@0@ 's )?BOTTOM(?: of [its ]PATH)? ~@0@ (?:rise|get|go|climb|swing|come)(?: up)?"
+    "|(?:how high|(?:to )?(?:what|which) (?:maximum |greatest )?height) above (?:its |@0@ 's )?BOTTOM(?: of [its"
+    " ]PATH)?"
+    " ~@0@ (?:(?:rise|get|go|climb|swing|come|ascend|reach)(?: up)?|(?:come to rest|turn back|stop)(?: momentarily)?)"
 )
 _TOP = pattern(
     "(?:(?:to )?(?:what|which) (?:maximum |greatest )?(?:height|altitude)|how high)(?: above SURFACE)? ~{s} "
@@ -124,9 +133,10 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
     if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
         yield Main("height above the ground", whole), When(f"{found['one']} {whole} top after bounce")
     if _RISE.fullmatch(heard.text) is not None:
-        for rank, top in enumerate(("highest point", "stopped")):
+        for top in ("highest point", "stopped"):
             when = f"{whole} {top}{MINUS}{whole} lowest point"
-            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),), rank)
+            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),))
+            yield Main("displacement", whole, "vertical"), When(f"{whole} {top}", AFTER, ((whole, LOWEST),))
 
 
 def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:
@@ -147,6 +157,9 @@ def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main,
             continue
         told = MINUS.join(when.told.removesuffix(" before") for when in (late, early))
         yield Main("time"), When(told, AFTER, (("", GAINED), *late.ways), early.rank + late.rank)
+        if {when.told.rpartition(" ")[2] for when in (early, late)} == {"closest", "farthest"}:  # half an orbit
+            told = MINUS.join(when.told for when in (early, late))
+            yield Main("time"), When(told, AFTER, (("", GAINED),), early.rank + late.rank)
 
 
 def after_bounce(question: str, clause: str, side: str, heard: Heard) -> Iterator[tuple[Main, When]]:

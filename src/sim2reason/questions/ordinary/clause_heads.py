@@ -35,8 +35,11 @@ START_WORDS = (
     "(?:start(?! point| position| place| location)|release(?! point)|launch(?! point)|blow|kick|beginning"
     "|lift-off|liftoff|takeoff|take-off|let go|ignition|throw|setting off"
     "|set off|outset|motion (?:begin|start)|engine (?:start|ignite|switch on)|set (?:in motion|move|going|go|free)"
-    "|leave (?:origin|HOME)|throw off|project|projection|departure|leave (?:thrower 's )?hand|free)"
+    "|set (?:down|on its way|loose)|put down|lay down|push off|kick off|turn loose"
+    "|engine (?:light|turn on|fire|fire up|come on|start up)|leave (?:origin|HOME)|throw off|project|projection"
+    "|departure|leave (?:thrower 's )?hand|free)"
 )
+_GROWS = "(?:grow|shrink|climb|sink|go up|go down|come down|slow down|build up|diminish|mount|decline) to"
 _SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
 
 HEADS: Mapping[str, str] = {
@@ -53,7 +56,7 @@ HEADS: Mapping[str, str] = {
     "|lose all (?:of )?(?:its )?(?:speed|velocity|motion)|(?:speed|velocity) (?:become |drop to |fall to |reach |vanish"
     "|equal to )?zero|have no (?:speed|velocity)": "{s} stops",
     "(?:motion|movement) (?:stop|cease|end|is over|over|come to end)|(?:stay|remain) (?:at rest|still|where it)"
-    "|(?:stay|remain) put": "{s} finally stops",
+    "|(?:stay|remain) put|(?:end|wind) up": "{s} finally stops",
     # impacts
     "(?:hit|strike|reach|touch|meet|impact|contact|land|return|fall|come|drop|arrive|get|crash|encounter|smash"
     "|bump|run|slam)"
@@ -78,7 +81,7 @@ HEADS: Mapping[str, str] = {
     " turning point)": "{s} at its lowest point",
     "(?:vertically |directly |straight |exactly )?(?:below|beneath|under|underneath) (?:axle|pivot|fixed point"
     "|point of suspension|suspension point|suspension|support|trolley|hinge)|vertical(?: position| line| line| "
-    "orientation)?|hang (?:straight|vertically)(?: down| downward| downwards)?|point (?:straight|vertically) "
+    "orientation)?|hang (?:straight|vertically|vertical)(?: down| downward| downwards)?|point (?:straight|vertically) "
     "(?:down|downward|downwards)": "{s} passes through vertical",
     "(?:closest|nearest)(?: approach| point| distance| position)?(?: to)?|perihelion|periapsis|pericentre|perigee"
     "|periastron"
@@ -129,12 +132,16 @@ HEADS: Mapping[str, str] = {
     rf"{FALL} {_DISTANCE}(?: from {HOME})?": "{s} falls {n}{way}",
     rf"{RISE} {_DISTANCE}(?: from {HOME})?": "{s} rises {n}{way}",
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE}(?: <(?:down|up)>)?(?: along| on)? (?:(?:its|leave|right|sloping|incline)"
-    rf" )+"
+    rf" )*"
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
     rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
+    "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
+    " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",
+    "(?:stop|cease) (?:move|go|travel|fly|run|advance) (?:in|along) (?:positive |negative )?(?P<axis>[xy])[- ]"
+    "(?:direction|axis)": "{s} turns in {axis}",
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
         "{s} moves parallel to {axis} axis"
     ),
@@ -145,7 +152,9 @@ HEADS: Mapping[str, str] = {
     "|full|complete|whole|entire) )+(?:turn|revolution|rotation)": "{s} makes one revolution",
     rf"(?:burn|use|consume|spend)(?: up)? (?P<n>{N}) of (?:its )?fuel|(?P<m>{N}) of (?:its )?fuel (?:burn|use|consume"
     "|spend|go)(?: up)?": "{s} burns {n} of fuel",
-    rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: of| reach| become)? (?P<m>{N})"
+    rf"(?P<n>{N})(?: away)? from {S}|(?:distance|separation)(?: (?:from|to|of|between) {S}(?: and {S})?)?"
+    rf"(?: of| reach| become| equal| be| {_GROWS}| fall to| drop to| increase to| decrease to)? (?P<m>{N})(?: (?:from"
+    rf"|to) {S})?"
     rf"|(?P<k>{N}) apart": "{s} {n} from {t}",
     rf"(?:(?:incline|inclination|tilt|slant|deflect|deflection|deviate|lean|swing out|out|displace)(?: of)? )?(?:make"
     rf" |at |reach |by |through |have |enclose |form )*(?:an )?(?:(?:angle|inclination|deflection) of )?(?P<n>{N})"
@@ -161,9 +170,10 @@ HEADS: Mapping[str, str] = {
     rf"(?P<axis>[xy])(?: ?= ?|(?:-| )(?:coordinate|position) (?:of |reach |become |equal"
     rf" )*)(?P<sign>[-−]?)(?P<n>{N})": ("{s} at {axis} = {sign}{n}"),
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
-    rf"|decrease to))* (?P<n>{N})": "{q} of {s} equals {n}",
+    rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
-    rf"|be|go))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get to)"
+    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get"
+    rf" to)"
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",
     rf"(?:t|time) ?= ?(?P<n>{N})|time (?P<m>{N})|(?P<k>{N})(?: (?:later|elapse|pass|go by|into (?:its )?motion"
@@ -201,7 +211,11 @@ HEADS: Mapping[str, str] = {
         "{s} falls {n} vertically"
     ),
     rf"{_MOVE} {_DROP}(?P<n>{N})": "{s} moves {n} vertically{way}",
-    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})": "{s} rises {n} vertically",
+    rf"{RISE} {_DROP}(?P<n>{N})(?: vertically)?|vertical rise of (?P<m>{N})|(?P<k>{N}) higher(?: up)?(?: than(?:"
+    rf" (?:at|in|from))?(?: very)? {HOME}| than (?:it|@\d+@) (?:at )?(?:start|first|beginning)| than (?:before|at"
+    rf" (?:very )?(?:first|start|begin)))?": ("{s} rises {n} vertically"),
+    rf"(?P<k>{N}) lower(?: down)?(?: than(?: (?:at|in|from))?(?: very)? {HOME}| than (?:at )?(?:very )?(?:first|start"
+    rf"|begin))?": ("{s} falls {n} vertically"),
     "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"
     " {axis} axis",
     "(?:move|go|travel|slide|run|swing|spin|turn|roll|rotate)(?: at)? (?:its )?(?:fast(?:est)?|(?:greatest"

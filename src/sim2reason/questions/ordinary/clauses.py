@@ -8,12 +8,16 @@ from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.moment_readers import Reader
+from sim2reason.questions.ordinary.moment_readers import Reader, is_time
+from sim2reason.questions.ordinary.multiples import PAST
 from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
 from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
-from sim2reason.questions.ordinary.whens import When
+from sim2reason.questions.ordinary.whens import AFTER, THEN, When
 
 _ON_THE_WAY = re.compile(r" (?:(?:while|when) )?(?:on (?:its )?way|going|moving) (?P<way>up|down)(?:wards?)?$")
+
+_ON_ONE_SIDE = re.compile(r" (?:on|at) (?:its )?(?P<side>left|right)(?:(?: |-)hand)?(?: side)?$")
+_LATER = re.compile(r"(?P<n>#\d+#) (?:after|past|following) (?P<event>.+)")
 
 
 def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -22,9 +26,31 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     if going is not None and going.start() > 0:
         yield from _on_the_way(clause[: going.start()].strip(), going["way"], heard, subject, side)
         return
+    beside = _ON_ONE_SIDE.search(clause)
+    if beside is not None and beside.start() > 0:
+        yield from _on_one_side(clause[: beside.start()].strip(), beside["side"], heard, subject, side)
+        return
     found = list(_of_tables(clause, heard, subject, side))
     plain = dict.fromkeys(paraphrased(clause)) if not found else ()
-    yield from found or (when for told in plain for when in _of_tables(told, heard, subject, side))
+    found = found or [when for told in plain for when in _of_tables(told, heard, subject, side)]
+    yield from found or _later(clause, heard, subject)
+
+
+def _later(clause: str, heard: Heard, subject: str) -> Iterator[When]:
+    """Yield a time counted from a collision."""
+    found = _LATER.fullmatch(clause)
+    if found is None or not is_time(heard.number(found["n"])):
+        return
+    for when in whens(found["event"], heard, subject, AFTER):
+        if "collided" in when.told and not when.told.endswith(" before"):
+            yield replace(when, told=f"{heard.number(found['n'])}{PAST}{when.told}", side=THEN)
+
+
+def _on_one_side(clause: str, beside: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield a turning point of what swings, presuming that it is on the other side than at the start, as named."""
+    who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
+    for when in whens(f"{clause} on other side", heard, subject, side):
+        yield replace(when, ways=(*when.ways, (who, beside)))
 
 
 def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -61,22 +87,37 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} leaves surface": place.lifts_off,
     "{s} returns to origin": place.back_at_origin,
     "[{s} ]stops on other side": place.across,
+    "[{s} ]~[PASSES ][its |@0@ 's ]TOP on other side": place.across,
+    "[{s} ]~(?:lose|loses|lost) (?P<times>half|third|quarter|tenth) (?:of )?(?:its |@\\d+@ 's )(?:initial |original )?"
+    "(?P<q>speed|velocity)": place.lost_share,
+    "[{s} ]~[only ](?P<times>half|third|quarter|tenth) of (?:its |@\\d+@ 's )(?:initial |original |first ){q=QUANTITY}"
+    " left": place.fraction,
+    "(?:{s} 's {q=QUANTITY}|QUANTITY of {t}) ~(?P<times>halved)": place.fraction,
     "[{s} ]returns": read.returned,
+    "[{s} ]~(?:closest|nearest) to far end[ of {t}]": place.near_end,
+    "[{s} ]turns in (?P<axis>x|y)": place.turns,
+    "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.heads,
+    "[very |extremely ]long time[ after START| (?:later|afterwards|has passed)]|in long run": place.after_long,
     "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,
     "[{s} ]makes (?P<turns>one|half|two|three|ten) revolutions?": place.revolved,
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) of (?:all |its )?fuel": (
+    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
         place.share_burnt
     ),
-    "(?P<times>half|third|quarter) of (?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed|spent|gone)["
+    "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"
+    "|spent|gone)["
     " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
-    "[{s} ]finally stops": read.for_good,
+    "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
+    "speed of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to (?P<times>half|third|quarter|tenth)"
+    " (?:of"
+    " )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)(?: value| one| speed)?)": place.slower_part,
+    "[{s} ]finally stops": place.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
     "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,
     "{q=QUANTITY} of {s} equals {n}": read.quantity_is,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.readers import Main
 from sim2reason.questions.ordinary.value_readers import FORCES
-from sim2reason.questions.ordinary.vocabulary import FIXED_END, LIGHT
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, FREE_AXLE, LIGHT
 
 ON_PULLEY, ON_AXLE = "force on a pulley", "force on the axle"
 
@@ -29,6 +29,12 @@ def on_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def on_that_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the force on a pulley of the string that passes over it."""
     yield Main(ON_PULLEY, heard.subject(found["s"]))
+
+
+def on_free_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the force on a pulley of the only string that touches it, as none ends at its axle."""
+    of = heard.subject(found["s"])
+    yield Main(ON_PULLEY, of, ways=((of, FREE_AXLE),))
 
 
 def on_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -25,6 +25,8 @@ FORCE_ROWS = (
         "what force of guide on {s}"),
     WantedRow((FORCE, "?net|resultant|total|whole", f"?{_ACT}", _ON, _ON, "?in total|in all|altogether|together"),
         "what force of string on pulley {s} {t}", 2),
+    WantedRow((FORCE, "string|rope|cord|cable|thread", f"?{_ACT}", _ON, "?by|from|of"),
+        "what force of the one string on pulley {s}"),
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?on|by|from|of", "?have|in total|in all|altogether"),
         "what force bears axle {s} {t}", 2),
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?have"), "what force bears axle {s}"),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.base_forms import verb_forms
@@ -44,7 +45,8 @@ _FROM_REST = re.compile(
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(
-    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate|final|initial)\b)"
+    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate"
+    r"|(?:final|initial)(?! (?:position|point|place|height|level)))\b)"
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
@@ -59,6 +61,8 @@ _SIZES = re.compile(
     r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"
     r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
+_HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
+_CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
 _WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
@@ -84,7 +88,8 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    text = plainly(sentence, words.units).replace(" ", " ").strip().rstrip("?.!").replace("? ", ". ")
+    sentence = _HALF.sub(r"\1 0.5 \2", sentence)
+    text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
     def token(phrase: str) -> str:
@@ -108,8 +113,8 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
-    if not subjects and len(alone := _movers(words)) == 1:  # *its speed*: whose can only be that
-        text, subjects = re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text)), alone
+    if not subjects and len(alone := _movers(words)) == 1:
+        text, subjects = _of_only(text, words), alone
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
@@ -195,6 +200,13 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 def _movers(words: Words) -> list[str]:
     return list(words.called(Bodies()).values())
+
+
+def _of_only(text: str, words: Words) -> str:
+    """Return a text with the token of the only body for *it* and *its*, and for *the centre* of what rolls."""
+    if all(name in words.mechanism.contacts and rolls(words, name) for name in words.called(Bodies())):
+        text = _CENTER_ALONE.sub("@0@", text)
+    return re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text))
 
 
 def _phrases(words: Words) -> list[str]:

@@ -24,7 +24,7 @@ _HIGH = "how high|(?:what|which) (?:height|altitude)|height|altitude"
 _HEAT = "(?:heat|thermal energy|internal energy|mechanical energy|kinetic energy|energy|work)"
 _LOST = (
     "(?:lose|loss|dissipate|dissipation|generate|produce|convert|transform|turn|develop|create|waste|consume|spend"
-    "|absorb|release|do)"
+    "|absorb|release|do|disappear|vanish)"
 )
 _RUBS = "(?:friction|frictional force|force of friction|friction force|into heat|to heat)"
 _ROUND = "(?:revolution|turn|oscillation|swing|round|orbit|circle|cycle|vibration|rotation|lap|loop|circuit|trip round)"
@@ -34,13 +34,14 @@ _ONCE = (
 )
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
+ALL_COLLISIONS = "how many collisions take place"  # of all bodies, so that none is named
 SIZES = {
-    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|longest|maximally",
-    "least": "least|minimum|minimal|smallest|lowest|shortest|slowest",
+    "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|maximally",
+    "least": "least|minimum|minimal|smallest|lowest",
     "initial": "initial|initially|at first|starting|at (?:very )?(?:start|beginning)|(?:start|set|go|move) off"
     "|(?:begin|start)(?: to)? (?:move|motion|turn|rotate|slide|roll|fall|drop|rise|swing|spin|descend)|(?:begin"
     "|start) its motion",
-    "final": "final|finally|eventual|ultimate|terminal|in end",
+    "final": "final|finally|eventual|eventually|ultimate|ultimately|terminal|limiting|in end|in long run",
 }
 
 
@@ -57,11 +58,13 @@ ROWS = (
         "what friction of ground on {s}"),
     WantedRow(("{normal}", "between|exert|act|from|of|by|push|press", f"(?P<face>{GROUNDS})", "?between|on|from|by"),
         "what normal force of ground on {s}"),
-    WantedRow(("moment of inertia", "(?:about|around|round) (?:its )?(?:axle|axis of rotation|hinge|pivot)"),
+    WantedRow(("moment of inertia",
+         "(?:about|around|round|with respect to|relative to) (?:its )?(?:axle|axis of rotation|hinge|pivot)"),
         "what is moment of inertia of {s} about axle"),
     WantedRow((f"{_FAST}|speed|velocity", "relative to|with respect to|over|as seen from", f"?{MOTION}"),
         "how fast does {s} move{way} relative to {t}", 2),
-    WantedRow((_FAR, "relative to|with respect to|along|over|on|across", "?top of|surface of", MOTION),
+    WantedRow((f"{_FAR}|by how much", "relative to|with respect to|along|over|on|across", "?top of|surface of",
+         f"{MOTION}|slip|skid"),
         "how far does {s} move relative to {t}", 2),
     WantedRow(("{quantity}", "{size}", f"?{MOTION}"), "what is {size} {quantity} of {s}"),
     WantedRow(("{quantity}", "horizontal|horizontally", "?component", f"?{MOTION}"),
@@ -131,20 +134,24 @@ ROWS = (
     WantedRow((_HIGH, "?{greatest}", f"{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
     WantedRow((_HIGH, "{greatest}", f"?{_RISE}|{_GO}|fly", "?point"), "how high does {s} rise"),
     # springs
-    WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|by what (?:length|amount|distance)|compression",
+         "compress|compression|shorten"),
         "how much is {s} compressed"),
-    WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate|deform"),
+    WantedRow(("(?:by )?how (?:much|far|strongly)|by what (?:length|amount|distance)|extension",
+         "stretch|extend|lengthen|elongate|deform"),
         "how much is {s} stretched"),
     WantedRow(("(?:by )?how (?:much|far|strongly)|compression", "compress|compression|shorten", "{greatest}"),
         "how much is {s} compressed at most"),
     WantedRow(("(?:by )?how (?:much|far|strongly)|extension", "stretch|extend|lengthen|elongate", "{greatest}"),
         "how much is {s} stretched at most"),
     WantedRow(("how long|(?:total |whole )?length",), "how long is {s}"),
-    WantedRow(("how (?:long|short)|length", "{least}|at least"), "what is shortest length of {s}"),
-    WantedRow(("(?:to )?what", "{greatest}", "length", "?get", "?stretch|extend"), "what is longest length of {s}"),
-    WantedRow(("(?:to )?what", "{least}", "length", "?compress|shorten|get"), "what is shortest length of {s}"),
+    WantedRow(("how (?:long|short)|length", "{least}|at least|shortest"), "what is shortest length of {s}"),
+    WantedRow(("(?:to )?what", "{greatest}|longest", "length", "?get",
+         "?stretch|extend"), "what is longest length of {s}"),
+    WantedRow(("(?:to )?what", "{least}|shortest", "length",
+         "?compress|shorten|get"), "what is shortest length of {s}"),
     WantedRow(("how short", "?get|become"), "what is shortest length of {s}"),
-    WantedRow(("how long|length", "{greatest}"), "what is longest length of {s}"),
+    WantedRow(("how long|length", "{greatest}|longest"), "what is longest length of {s}"),
     WantedRow(("(?:elastic |potential |spring |stored )*energy", "?store|stored|contain|hold|in spring",
          "?together|in all|altogether|in total"),
         "how much energy is stored in {s}"),
@@ -161,13 +168,17 @@ ROWS = (
          "?between|by|in|through", f"?{_IN_ALL}"), "how much energy is lost to friction"),
     WantedRow((r"(?:kinetic |mechanical )?energy", "take|remove|drain|withdraw|eat|rob", "?from|away|out", "friction",
          f"?{_IN_ALL}"), "how much energy is lost to friction"),
-    WantedRow((r"(?:kinetic |mechanical )?energy", "lose|loss|dissipate|convert into heat|turn into heat"),
+    WantedRow((r"(?:kinetic |mechanical )?energy",
+         "lose|loss|dissipate|disappear|vanish|convert into heat|turn into heat"),
         "how much kinetic energy is lost"),
     WantedRow(("impulse", "give|receive|transfer|deliver|impart|get|exchange|exert|act", "?to|on|from"),
         "what impulse does {s} give {t}", 2),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass",
          "?each other|one another|other", "?each"), "what impulse does {s} give"),
     WantedRow(("impulse", "?give|receive|transfer|deliver|impart|get|exchange|exert|act|pass", "?to|on|from"),
+        "what impulse does {s} give {t}", 2),
+    WantedRow(("momentum", "transfer|transmit|hand over|pass on|give|impart|go over|pass", "(?:from|to)(?= @)",
+         "(?:to|from)(?= @)"),
         "what impulse does {s} give {t}", 2),
     *FORCE_ROWS,
     *SHAPE_ROWS,
@@ -222,7 +233,15 @@ ROWS = (
         "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
     WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
+    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?",
+         "between|among|of|do|have with each other",
+         "?there|take place|happen|occur|undergo|have|suffer", f"?{_IN_ALL}"), "how many collisions between {s}"),
+    WantedRow(("how (?:many times|often)",
+         "collide|meet|(?:hit|run into|bump into|strike|touch) (?:each other|one another)",
+         "?(?:with|against|into) (?:each other|one another)", f"?{_IN_ALL}"), "how many collisions between {s}"),
+    WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?", "?there|take place|happen|occur",
+         _IN_ALL), ALL_COLLISIONS),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),
-        "how many collisions take place"),
+        ALL_COLLISIONS),
     WantedRow(("(?:x|y)(?:-| )(?:coordinate|position)", f"?{MOTION}"), "what is {axis} coordinate of {s}"),
 )  # fmt: skip

@@ -6,13 +6,14 @@ from dataclasses import replace
 from math import tau
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
+    DIES_AWAY,
     ON,
     ORIGIN,
     QUANTITIES,
-    RESTS,
     SETS_OFF,
     STRAIGHT,
     WAYS,
@@ -44,6 +45,7 @@ def simply(name: str, side: str = "") -> Reader:
         if name == "stopped":  # what rides on something comes to rest where that is at rest, too
             told = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
             yield When(told, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
+            yield When(LONG, side or asked, ((who, DIES_AWAY),))
 
     return read
 
@@ -176,13 +178,6 @@ def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
     """Yield the moment when a body that goes one way comes to rest."""
     for when in simply("stopped")(found, heard, subject, side):
         yield replace(when, ways=(*when.ways, *ways_of(found, subject_of(found, heard, subject))))
-
-
-def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment from which a body stays at rest: its last stop or, where there is but one, that."""
-    who = subject_of(found, heard, subject)
-    yield When(f"{who} halted", side)
-    yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
 
 
 def has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -1,8 +1,9 @@
-"""Values told as multiples of the initial one, as *its speed has doubled*, with the number in place of the multiple."""
+"""Moments told without a number: by a multiple of a value, after a long time, or some time after a collision."""
 
 import re
 from dataclasses import replace
 
+from sim2reason.dsl.fields import Resistance
 from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.posing import posed
@@ -16,12 +17,23 @@ _MULTIPLE = re.compile(
 SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # what greatest values are called by
 
 
+LONG, PAST = "after a long time", " after "
+LATE = re.compile(rf"(?P<late>[\d.e-]+) (?P<unit>\S+){PAST}")
+_LATER = re.compile(rf"{LATE.pattern}(?P<event>.*collided)")
+DOUBLINGS, SETTLED = 10, 1e-7  # of the time that is long enough, and what changes by less, relative, changes no more
+
+
 def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question with the number, with its unit, that its moment tells as a multiple; others unchanged.
+    """Return a question with the number, with its unit, that its moment stands for; others unchanged.
 
     Raises:
-        TextError: there is no such quantity, or it is zero at the start.
+        TextError: there is no such quantity, or it is zero at the start, or never settles down, or nothing collides.
     """
+    if asked.when == LONG:
+        return _settled(asked, motion, words)
+    later = _LATER.fullmatch(asked.when)
+    if later is not None:
+        return _later(asked, later, motion, words)
     found = _MULTIPLE.fullmatch(asked.when)
     if found is None:
         return asked
@@ -36,3 +48,31 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
         raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
     told = f"{find}{of} = {float(found['factor']) * value:.15g} {initial.unit(words)}"
     return replace(asked, when=told)
+
+
+def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
+    """Return a question about a time from which its answer changes no more, in a scene with a medium that resists."""
+    resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
+    if asked.find == "time" or not resisted:
+        raise TextError("when", "nothing settles down here", "name a moment")
+    until, unit, before = motion.study.scene.horizon, words.mechanism.units.time, list[float]()
+    for _ in range(DOUBLINGS):
+        told = replace(asked, when=f"at {until:.15g} {unit}")
+        answer = posed(told, motion, words).followed(motion).answer
+        if answer is None:
+            break
+        before.append(answer)
+        size = SETTLED * max(map(abs, before))
+        if len(before) > 2 and all(abs(each - answer) <= size for each in before[-3:]):
+            return told
+        until *= 2.0
+    raise TextError("when", "it never settles down", "name a moment")
+
+
+def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
+    """Return a question about a time counted from the start in place of one counted from a collision."""
+    began = posed(StructuredQuestion("time", "", found["event"]), motion, words)
+    answer = began.followed(motion).answer
+    if answer is None or began.unit(words) != found["unit"] or asked.find == "time":
+        raise TextError("when", "there is no such collision", "name a moment")
+    return replace(asked, when=f"at {answer + float(found['late']):.15g} {found['unit']}")

@@ -11,6 +11,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either
 WAY = re.compile(
     r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
     r" )(?<!picks )(?<!picked )"
+    r"(?<!set )(?<!put )(?<!laid )(?<!end )(?<!ends )(?<!ended )(?<!wind )(?<!winds )"
     r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
     r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
     r"|to left)"
@@ -48,6 +49,7 @@ _PASSING = frozenset(
     )
 )
 """Verbs that say nothing beside a place that a body passes."""
+_WITH = re.compile(rf"(?:with|into|against|by|of) (?:<> +)?(?:its +)?(?:first +)?{S}")  # *its collision with C*
 _ORDINAL = pattern("ORDINAL")
 
 
@@ -66,7 +68,7 @@ def _head(told: str) -> re.Pattern[str]:
 def paraphrased(clause: str) -> Iterator[str]:
     """Yield plain clauses that say what a clause says, if every word of the clause has its place."""
     if re.search(r"\b(?:not|half|without|unless|never|except|last|another|more|less|next|than)\b", clause) and not (
-        re.search(r"without (?:slip|slid|skid)|(?:shorter|longer) than", clause)
+        re.search(r"without (?:slip|slid|skid)|(?:shorter|longer|higher|lower) than", clause)
     ):
         return
     clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
@@ -113,6 +115,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         count=f" for {count[0]} time" if count else "",
         axis=groups.get("axis", ""),
         sign="-" if groups.get("sign") else "",
+        heading=groups.get("heading", ""),
         q=next((groups[key] for key in "qro" if groups.get(key)), ""),
         times=next((groups[key] for key in ("times", "fold", "tripled") if groups.get(key)), ""),
         sense=_sense(groups),
@@ -133,8 +136,8 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
     if "{t}" not in plain or len(subjects) > 1:
         return plain
     numbers = _ORDINAL.findall(rest)
-    if "collide" in plain and subjects and re.search(rf"(?:with|into|against|by|of) (?:<> +)?{S}", text):
-        return "" if numbers else "meets {s}"
+    if "collide" in plain and subjects and _WITH.search(text):
+        return "" if numbers not in ([], ["first"]) else "meets {s}"
     if "collide" in plain:
         whose = "{s} 's" if subjects else "its" if re.search(r"\bits\b", rest) else ""
         return f"{whose} {numbers[0]} collision" if len(numbers) == 1 else "" if numbers else "{s} collides"

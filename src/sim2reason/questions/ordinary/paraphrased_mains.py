@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.main_rows import ROWS, SIZES, VERBS, S
+from sim2reason.questions.ordinary.main_rows import ALL_COLLISIONS, ROWS, SIZES, VERBS, S
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 from sim2reason.questions.ordinary.wanted_row import WantedRow
@@ -22,7 +22,7 @@ _LOOSE = frozenset(
         "what which find determine calculate compute give how obtain work out large big great strong much high "
         "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
         "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
-        "exist between as from due body thing numerical modulus strength kind sort measured occur happen arise "
+        "exist between as from due upon body thing numerical modulus strength kind sort measured occur happen arise "
         "prevail through",
     )
 )
@@ -109,13 +109,15 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     subjects = list(dict.fromkeys(re.findall(S, rest)))
     if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
         return
-    if row.subjects == 2 and not subjects:
+    if (row.subjects == 2 and not subjects) or (row.plain == ALL_COLLISIONS and subjects):
         return
     force = row.plain.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
         "quantity"
     ) in ("force", "pull")
     if force and _ON_GROUND.search(text) is not None:
         return
+    if "impulse does {s}" in row.plain and re.search(GROUNDS, text) is not None:
+        return  # exchanged with that
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"
     one, other = (*subjects, "", "")[:2]
@@ -133,5 +135,5 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         speed="angular speed" if verb == "turn" else "speed",
     )
     yield re.sub(
-        r" (?:of|in)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
+        r" (?:of|in|by)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
     )

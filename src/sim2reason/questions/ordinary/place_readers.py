@@ -4,18 +4,26 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
-from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, TIMES
+from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
+    CENTRAL,
     COMPRESSED,
+    DIES_AWAY,
+    FIXED_END,
+    HEADING,
+    HELD,
     LIFTS,
     ORIGIN,
     PLACED,
     QUANTITIES,
     RELAXED,
+    RESTS,
     SETS_OFF,
+    STANDS,
     STRETCHED,
     UNMOVED,
     meant,
@@ -88,6 +96,7 @@ def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
+    yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
 
 
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -141,7 +150,7 @@ def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 TURNS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three": "3", "ten": "10"}
-FRACTIONS = {"half": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
+FRACTIONS = {"half": "0.5", "halved": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
 
 
 def revolved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -163,5 +172,55 @@ def share_burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity is a fraction of its greatest or its initial value."""
     who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
-    greatest = re.search(r"maximum|greatest|largest|highest", found["ref"]) is not None
+    greatest = re.search(r"maximum|greatest|largest|highest", found.groupdict().get("ref") or "") is not None
     yield When(f"{find} of {who} = {FRACTIONS[found['times']]}{GREATEST if greatest else TIMES}", side)
+
+
+def lost_share(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a fraction of a quantity has been lost, of what it was at the start."""
+    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[found['times']]):.12g}{TIMES}", side)
+
+
+def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment after the start when a body moves along an axis, the way that is told."""
+    who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
+    sign = "+" if found["heading"] in ("positive", "+") else "-"
+    for again in ("", AGAIN):
+        told = f"{again}velocity of {who} along {other} = 0 m/s"
+        yield When(told, side, ((who, f"{HEADING}{sign}{found['axis']}"),))
+
+
+def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment from which a body stays at rest: its last stop or, where there is but one, that.
+
+    What a medium slows down comes to rest after a long time.
+    """
+    who = subject_of(found, heard, subject)
+    yield When(f"{who} halted", side)
+    yield When(LONG, side, ((who, DIES_AWAY),))
+    yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
+
+
+def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield a moment so late that what is asked for changes no more."""
+    del found, heard, subject
+    yield When(LONG, side)
+
+
+def slower_part(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a speed is a fraction of the initial one."""
+    yield When(f"speed of {subject_of(found, heard, subject)} = {FRACTIONS[found['times']]}{TIMES}", side)
+
+
+def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the first moment at which a body stops moving along an axis."""
+    yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
+
+
+def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment at which a body is nearest to the fixed end of its spring, if nothing else acts on it."""
+    who = subject_of(found, heard, subject)
+    spring = heard.subject(found["t"])
+    ways = ((who, f"{HELD}{spring or FIXED_END}"), ("", CENTRAL))
+    yield When(f"{spring} most compressed".strip(), side, ways)

@@ -16,6 +16,7 @@ from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.force_readers import ON_AXLE
+from sim2reason.questions.ordinary.multiples import LATE
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.unsaid import (
     AMPLITUDE,
@@ -67,13 +68,17 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
                 continue
             asked = replace(asked, along=axis_named(asked.along, asked, words))
             for whens in product(*(list(_hung(part, words)) for part in asked.when.split(MINUS))):
-                parts = (
-                    _met(_collided(_component(velocities_equal(when, words), words), words, events), words)
-                    for when in whens
-                )
+                parts = (_named_by_scene(when, words, events) for when in whens)
                 told = MINUS.join(parts) or (START if reading.steady else "")
                 asked = replace(asked, of=_pair(asked, told, words))
                 yield replace(reading, asked=replace(asked, when=told or _apsis(asked, words)))
+
+
+def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
+    """Return a moment with the scene's names of pairs and axes, also of one that is some time after it."""
+    late = LATE.match(when)
+    told = _component(velocities_equal(when[late.end() :] if late else when, words), words)
+    return f"{late[0] if late else ''}{_met(_collided(told, words, events), words)}"
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
@@ -117,7 +122,8 @@ def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return tuple(quantity.subjects(words.mechanism)[:1]) if quantity is not None else ()
     functional = FUNCTIONALS.get(asked.find)
     if functional is not None and functional.name.endswith("friction"):
-        return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
+        rubbing = [name for name in functional.of.names(words.mechanism) if functional.present(words, name)]
+        return tuple(rubbing) if len(rubbing) == 1 else ()  # of several, it is the sum
     if quantity is not None and asked.find == "friction force" and words.mechanism.contacts:
         return tuple(name for name in words.called(quantity.of) if quantity.present(words.mechanism, name))
     return ()

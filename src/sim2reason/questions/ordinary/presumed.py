@@ -12,10 +12,11 @@ from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.afterwards import goes_then
 from sim2reason.questions.ordinary.hearing import ALL
-from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, held
+from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
 from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
+    BORNE,
     FIXED_FACE,
     HELD,
     ON,
@@ -95,7 +96,7 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(THEN_GOES):
                 goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
-            elif way == ALL or way.startswith((HELD, ROUND)):
+            elif way == ALL or way.startswith((HELD, ROUND, BORNE)):
                 yield _beside(who, way, words)
             else:
                 told, holds = PRESUMED[way]
@@ -115,6 +116,8 @@ def _beside(who: str, way: str, words: Words) -> str:
     if way.startswith(HELD):
         spring = way.removeprefix(HELD)
         return "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
+    if way.startswith(BORNE):
+        return "" if borne(who, way.removeprefix(BORNE), words) else f"{way.removeprefix(BORNE)} does not carry {who}"
     center = named(way.removeprefix(ROUND), words)
     pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
     return "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"

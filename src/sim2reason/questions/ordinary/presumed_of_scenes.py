@@ -3,12 +3,37 @@
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import ZERO
-from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path, chain
+from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, Case, named, one_way
-from sim2reason.questions.ordinary.vocabulary import CENTERED, GOES_DOWN, GOES_UP, LIFTS, LIGHT, PLACED, SIDEWAYS
+from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
+from sim2reason.questions.ordinary.unsaid import fixed_end
+from sim2reason.questions.ordinary.vocabulary import (
+    ACROSS,
+    CENTERED,
+    CENTRAL,
+    DIES_AWAY,
+    FIXED_END,
+    FREE_AXLE,
+    GOES_DOWN,
+    GOES_UP,
+    HEADING,
+    LIES,
+    LIFTS,
+    LIGHT,
+    LOWEST,
+    MUTUAL,
+    PLACED,
+    SIDEWAYS,
+    STANDS,
+)
 from sim2reason.questions.words import Words
 
 
@@ -40,11 +65,23 @@ def _centered(case: Case) -> bool:
 def held(who: str, spring: str, words: Words) -> bool:
     """Return whether a spring is fixed at one end, and tied to a body at its other one."""
     known = {said: name for name, said in words.called(Springs()).items()}
-    line, name = words.mechanism.line.get(known.get(spring, "")), named(who, words)
+    alone = fixed_end(words) if spring == FIXED_END else (known.get(spring, ""),)
+    line, name = words.mechanism.line.get(next(iter(alone), "")), named(who, words)
     if line is None:
         return False
     ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
     return None in ends and (who == spring or name in ends)
+
+
+def borne(who: str, on: str, words: Words) -> bool:
+    """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
+    mechanism, name = words.mechanism, named(who, words)
+    address = next((a for a, said in words.mentions.items() if said == on), "")
+    if not name:
+        return False
+    over = [line for line in mechanism.lines if any(site.rpartition(".")[0] == address for site in line.through[1:-1])]
+    hung = any(mechanism.site[end].body == name for line in over for end in (line.through[0], line.through[-1]))
+    return hung or named(on, words) in [body.name for body in chain(mechanism, name)[1:]]
 
 
 def _placed(case: Case) -> bool:
@@ -81,6 +118,85 @@ def _before(case: Case) -> float:
     return _vertical(case, first) if first is not None else 0.0
 
 
+def _dies_away(case: Case) -> bool:
+    """Return whether a body moves no more at the instant asked about."""
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    if not name:
+        return False
+    speeds = np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
+    last = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name)))
+    return last <= STEADY * float(speeds.max(initial=0.0))
+
+
+def _lowest(case: Case) -> bool:
+    """Return whether a body is never lower than at the start."""
+    name = named(case.who, case.words)
+    return bool(name) and float(Displacement.evaluate(case.followed.study.trace.scan, name)[:, 2].min()) >= -EVEN
+
+
+def _stands(case: Case) -> bool:
+    """Return whether a body does not move at the instant asked about."""
+    name, trace = named(case.who, case.words), case.followed.study.trace
+    speed = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name))) if name else np.inf
+    return speed <= STEADY * float(np.abs(trace.scan.v).max(initial=0.0))
+
+
+def _central(case: Case) -> bool:
+    """Return whether nothing acts along its path on the only body but one spring."""
+    mechanism = case.words.mechanism
+    heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
+    rubs = any(contact.friction > 0.0 for contact in mechanism.contacts.values())
+    free = not (mechanism.forces or mechanism.attractions or mechanism.meetings or mechanism.burns or rubs)
+    return free and len(heavy) == 1 and len(mechanism.lines) == 1 and not center_path(mechanism, heavy[0]).rises
+
+
+def _swung(who: str, words: Words) -> str:
+    """Return the only heavy body, on a swinging line of this name; empty if there is none."""
+    heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
+    return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
+
+
+def _across(case: Case) -> bool:
+    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
+
+    What oscillates on a level line has been faster on its way than at both ends of it.
+    """
+    trace = case.followed.study.trace
+    name = named(case.who, case.words) or _swung(case.who, case.words)
+    if not name:
+        return False
+    scan = trace.scan
+    depth = -Displacement.evaluate(scan, name)[:, 2][scan.times <= case.then]
+    passed = depth if float(np.ptp(depth)) > EVEN else np.linalg.norm(Velocity.evaluate(scan, name), axis=1)
+    return float(passed.max(initial=0.0)) > max(float(passed[0]), float(passed[len(depth) - 1])) + EVEN
+
+
+def _free_axle(case: Case) -> bool:
+    """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
+    mechanism = case.words.mechanism
+    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    fixed = all(site.body is None for site in mechanism.site.values() if site.name.rpartition(".")[0] == address)
+    return address in Pulleys().names(mechanism) and fixed
+
+
+def _mutual(case: Case) -> bool:
+    """Return whether bodies may collide with one another alone."""
+    return all(meeting.a is not None for meeting in case.words.mechanism.meetings)
+
+
+def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
+    """Return the test whether a body moves along an axis, one way, at the instant asked about."""
+
+    def test(case: Case) -> bool:
+        name = named(case.who, case.words)
+        senses = Bodies().senses(case.words.mechanism, name) if name else ()
+        way = next((np.array(sense.vector) for sense in senses if sense.axis == axis), None)
+        velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0] if name else None
+        return way is not None and velocity is not None and sign * float(velocity @ way) > 0.0
+
+    return test
+
+
 PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     **OTHERS,
     LIGHT: ("{who} has a weight of its own", _light),
@@ -89,6 +205,19 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
+    DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
+    ACROSS: ("{who} is on the same side", _across),
+    LIES: ("{who} does not lie on a face", lambda case: named(case.who, case.words) in case.words.mechanism.contacts),
+    LOWEST: ("{who} is not lowest at first", _lowest),
+    STANDS: ("{who} does not stand still then", _stands),
+    CENTRAL: ("a force acts beside that of the spring", _central),
+    FREE_AXLE: ("{who} is not fixed in place", _free_axle),
+    MUTUAL: ("there are walls, too", _mutual),
+    **{
+        f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))
+        for axis in "xy"
+        for sign in "+-"
+    },
     GOES_DOWN: ("{who} is not on its way down then", _falling),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

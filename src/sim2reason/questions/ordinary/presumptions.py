@@ -20,7 +20,6 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.vocabulary import (
-    ACROSS,
     ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
@@ -255,20 +254,6 @@ def _unmoved(case: Case) -> bool:
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
 
 
-def _across(case: Case) -> bool:
-    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
-
-    What oscillates on a level line has been faster on its way than at both ends of it.
-    """
-    name, trace = named(case.who, case.words), case.followed.study.trace
-    if not name:
-        return False
-    scan = trace.scan
-    depth = -Displacement.evaluate(scan, name)[:, 2][scan.times <= case.then]
-    passed = depth if float(np.ptp(depth)) > EVEN else np.linalg.norm(Velocity.evaluate(scan, name), axis=1)
-    return float(passed.max(initial=0.0)) > max(float(passed[0]), float(passed[len(depth) - 1])) + EVEN
-
-
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
     ALOFT: ("{who} is on the ground then", _aloft),
@@ -292,7 +277,6 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     FIELDS_ALONE: ("there are other forces", _fields_alone),
     ONE_LINE: ("{who} does not move along a line", _one_line),
     LEVEL: ("{who} does not move on a level face", _level),
-    ACROSS: ("{who} is on the same side", _across),
     OVER: ("it goes on after that", _over),
 }
 """By what is taken for granted: what is said where it is not so, and whether it is."""

@@ -9,6 +9,7 @@ from sim2reason.questions.ordinary.changes import after_bounce, changed, differe
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
+from sim2reason.questions.ordinary.multiples import LATE, LONG
 from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
@@ -49,6 +50,7 @@ _BEGINS = pattern(
 )
 _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
+DEFLECTION = "angle of deflection"  # in a collision: the angle after it
 INCLINATION = "angle with the horizontal"  # of a velocity
 TURNED = "revolutions made", "angle rolled", "angle turned"
 RISES = "ascent", "climb", "rise"
@@ -88,7 +90,7 @@ def readings(heard: Heard) -> tuple[Reading, ...]:
 
 def _tells(reading: Reading) -> bool:
     """Return whether a question about a time asks for one that the question does not itself state."""
-    return reading.asked.find != "time" or not reading.asked.when.startswith("at ")
+    return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
 def _together(heard: Heard) -> Heard:
@@ -156,7 +158,7 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
             for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
-                if main.find == "potential energy" and side == THEN and _IMPACT.fullmatch(clause) is not None:
+                if _not_meant(main, when, clause, side):
                     continue
                 if main.needs in CHANGES:
                     both = changed(main, when, side)
@@ -171,6 +173,18 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
             for way in (way for _, way in ways if way in ("up", "down")):  # on the way back
                 yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{way}"),))
+
+
+def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
+    """Return whether nobody asks for a value at a moment: in an impact without height, or before a deflection.
+
+    Nor for what adds up since the start until some time after a later event.
+    """
+    if main.find == "potential energy":
+        return side == THEN and _IMPACT.fullmatch(clause) is not None
+    if main.find == DEFLECTION:
+        return side in (THEN, DURING) and when.told.endswith(" before")
+    return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:

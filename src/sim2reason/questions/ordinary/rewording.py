@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
 from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
 
@@ -63,6 +64,6 @@ REWORDINGS: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in {**TURNS, **REWORDINGS, **LATER_TURNS}.items():
+    for told, plain in {**MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

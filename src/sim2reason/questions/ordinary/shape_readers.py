@@ -6,11 +6,26 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, each
+from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
-from sim2reason.questions.ordinary.vocabulary import CENTERED, HELD, ON, ORIGIN, RESTS, SIDEWAYS
-from sim2reason.questions.ordinary.whens import AFTER, When
+from sim2reason.questions.ordinary.vocabulary import (
+    BORNE,
+    CENTERED,
+    CENTRAL,
+    DOWN,
+    FIXED_END,
+    HELD,
+    LIES,
+    MOTIONS,
+    ON,
+    ORIGIN,
+    RESTS,
+    SIDEWAYS,
+    UP,
+)
+from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 
+_UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split())}|up|down)\b")
 MASS_CENTER = "velocity of the centre of mass"
 
 
@@ -48,10 +63,24 @@ def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
 
 
+def relatively(name: str) -> Reader:
+    """Return a reader for a quantity of a body relative to what carries the body."""
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        of, on = heard.subject(found["s"]), heard.subject(found["t"])
+        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
+        if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
+
+    return read
+
+
 def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield how far a body slides on what carries it: up to a moment, or until it stops slipping for good."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
-    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"),))
+    along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
+    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"), *along))
     yield main
     yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
 
@@ -78,3 +107,23 @@ def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
     """Yield the work of a spring that is fixed at its other end: the energy that it gives away."""
     of, other = heard.subject(spring), heard.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
+
+
+def far_end(turn: str = "") -> Reader:
+    """Return a reader for the distance of a body from the fixed end of the spring to which it is tied: its length.
+
+    At a `turn`, its extreme length is the same each time if nothing but the spring acts.
+    """
+
+    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+        said = [heard.subject(found[key]) for key in "st" if found[key]]
+        springs = [of for of in said if "spring" in of]
+        bodies = [of for of in said if of not in springs]
+        if len(bodies) == 1:
+            of = springs[0] if springs else FIXED_END
+            main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
+            alone = (*main.ways, ("", CENTRAL))
+            when = When(" ".join((*springs, turn)))
+            yield replace(main, needs=FREE, ways=alone, when=when) if turn else main
+
+    return read

@@ -11,7 +11,21 @@ _ONE = f"(?:(?:one|a|single|full|complete|whole|each|entire|every) )+{_ROUND}"
 _CENTER = "(?:centre|center) of (?:mass|gravity)"
 _FAST = "how (?:fast|quick|quickly)|(?:what|which|how large) (?:speed|velocity)|speed|velocity"
 
+_FAR_END = "(?:from|to|of|between|and) far end(?: of)?"
 SHAPE_ROWS = (
+    WantedRow(("(?:by )?how much|by what", "height|altitude", "change|alter|vary", "?of"), "how far vertically is {s}"),
+    WantedRow((_FAST, "(?:approach|near|recede from|part from|move away from) (?:each other|one another)"),
+        "how fast do {s} and {t} near or part", 2),
+    WantedRow(("heat|thermal energy|internal energy|energy", ("generate|produce|develop|create|dissipate|lose|release"
+    "|arise|appear|set free"), "?by friction|to friction|in form of heat|as heat", "between"),
+        "how much heat arises between {s} and {t}", 2),
+    WantedRow(("how (?:close|near)", _FAR_END, "?get|come|approach|pass", "?at (?:closest|nearest)"),
+        "how near to far end does {s} get {t}", 2),
+    WantedRow(("distance|how far", _FAR_END, "?between", "{least}|closest|nearest", "?be|lie|get|come"),
+        "how near to far end does {s} get {t}", 2),
+    WantedRow(("distance|how far", _FAR_END, "?between|of", "{greatest}|farthest|furthest", "?be|lie|get|come|go"),
+        "how far from far end does {s} get {t}", 2),
+    WantedRow(("distance|how far", _FAR_END, "?between|of", "?be|lie|away"), "how far from far end is {s} {t}", 2),
     WantedRow(("friction|frictional force", "?force", "on|upon"), "what is friction force on {s}"),
     WantedRow(("amplitude", "?(?:of )?{motion}"), "what is amplitude of {s}"),
     WantedRow(("how eccentric|how elongated|how flat", "?orbit|path|ellipse"), "what is eccentricity of {s}"),

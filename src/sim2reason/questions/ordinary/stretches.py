@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary import sum_readers as sums
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.readers import (
     FREE,
     STRETCH,
@@ -50,6 +51,7 @@ def _extreme(size: str) -> Reader:
             if name == "distance":
                 continue
             yield Main(f"{size} {name}", of, needs=STRETCH)
+            yield Main(f"{size} {name}", of, needs=FREE, when=When(LONG, AFTER), rank=1)
             if turn := sums.TURNS.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
@@ -204,6 +206,8 @@ STRETCHES: Mapping[str, Reader] = {
         "impulse of an impact", needs=STRETCH
     ),
     "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": sums.count,
+    "how much heat arises between {s} and {t}": sums.heat_between,
+    "how many collisions between {s}": sums.count_between,
     "how much ~{s} compressed at most": sums.most("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": sums.most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),

@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
 from sim2reason.questions.ordinary.shape_readers import spring_work
-from sim2reason.questions.ordinary.vocabulary import ONLY, OVER
+from sim2reason.questions.ordinary.vocabulary import MUTUAL, ON, ONLY, OVER
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
@@ -21,6 +22,15 @@ def heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
         yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+
+
+def heat_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the energy dissipated by friction between a body and what carries it, whichever is named first."""
+    said = [heard.subject(found[key]) for key in "st"]
+    for of, on in (said, said[::-1]):
+        main = Main("energy dissipated by friction", of, ways=((of, f"{ON}{on}"),))
+        yield replace(main, needs=STRETCH)
+        yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER), rank=1)
 
 
 def in_collision(*finds: str) -> Reader:
@@ -53,6 +63,13 @@ def work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
     yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
     yield from spring_work(found["t"], found["s"], heard)
+
+
+def count_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the number of all collisions of bodies, if all of them are named together, and there is no wall."""
+    who = heard.subject(found["s"])
+    if who.startswith(f"{ALL} "):
+        yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(found, heard))
 
 
 def count(found: re.Match[str], heard: Heard) -> Iterator[Main]:

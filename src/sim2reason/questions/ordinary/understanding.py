@@ -26,7 +26,7 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
-SPEED = "speed"  # which has no sign
+SPEEDS = "speed", "speed relative to its carrier"  # which have no sign
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -39,10 +39,9 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
-    found = understood_as_it_is(heard, motion, words)
-    found = found or of_small_oscillations(heard, motion, words, READER)
     found = (
-        found
+        of_small_oscillations(heard, motion, words, READER)
+        or understood_as_it_is(heard, motion, words)
         or in_changed_scene(heard, motion, words, understood_as_it_is)
         or number_making_so(heard, motion, words, READER)
     )
@@ -99,7 +98,7 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         if question is None:
             continue
         followed = question.followed(motion)
-        if reading.asked.find == SPEED and followed.answer is not None:  # along an axis, it is no velocity
+        if reading.asked.find in SPEEDS and followed.answer is not None:  # along an axis, it is no velocity
             followed = followed._replace(answer=abs(followed.answer))
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason

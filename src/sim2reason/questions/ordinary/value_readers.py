@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
@@ -45,6 +46,8 @@ from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
 ABOVE = "height above the start"
+_COMES_DOWN = re.compile(rf"\b(?:come|comes|came|go|goes|gone|went) (?:straight )?down(?! (?:along )?(?:{GROUNDS}|@))")
+DOWN_WAY = "down"
 SINKING = frozenset(
     re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
 )
@@ -135,6 +138,7 @@ def final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         for when in ("burned out", "stopped slipping", "collided", "last collision"):
             last = ((main.of, LASTS),)
             yield replace(main, needs=FREE, ways=(*main.ways, *last), when=When(when, AFTER))
+        yield replace(main, needs=FREE, when=When(LONG, AFTER))
 
 
 def common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -165,10 +169,11 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("displacement", of, way, needs=STRETCH)
         else:
             upright = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") in (UP, DOWN)
-            ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright else ()))
+            comes = way == DOWN_WAY and _COMES_DOWN.search(heard.text) is not None
+            ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright or comes else ()))
             yield Main("displacement", of, needs=STRETCH, ways=ways)
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)
-            if groups.get("motion") in SINKING:
+            if comes or groups.get("motion") in SINKING:
                 yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down"), (of, SIDEWAYS)))
 
 
@@ -275,17 +280,6 @@ def of_ground(find: str, *ways: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         for of in each(heard, found["s"]):
             yield Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"), *((of, way) for way in ways)))
-
-    return read
-
-
-def relatively(name: str) -> Reader:
-    """Return a reader for a quantity of a body relative to what carries the body."""
-
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        of, on = heard.subject(found["s"]), heard.subject(found["t"])
-        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
-        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
 
     return read
 

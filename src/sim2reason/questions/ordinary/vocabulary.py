@@ -99,8 +99,12 @@ SOLE = "sole "  # force of a kind
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
 LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE = "level", "smooth", "fields alone", "one line"
+HEADING = "heads "  # along an axis, one way
+DIES_AWAY, FREE_AXLE, MUTUAL = "dies away", "free axle", "mutual"
+LOWEST, STANDS, CENTRAL, LIES = "lowest at first", "stands", "central", "lies on a face"
 THEN_GOES = "then goes "  # a way, after the moment
 PLACED = "placed"  # asks for a place, whatever the motion
+BORNE = "borne by "  # by what carries it, or by the pulley over which its string runs
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
 LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
@@ -142,7 +146,8 @@ PHRASES: Mapping[str, str] = {
     "|reverse direction|reverse its direction|turn around|momentarily stops|is momentarily at rest"
     "|is brought to rest",
     "LANDS": "lands|land|landing|hits SURFACE|hit SURFACE|strikes SURFACE|strike SURFACE|reaches SURFACE"
-    "|reach SURFACE|hitting SURFACE|reaching SURFACE|touches SURFACE|impact with SURFACE"
+    "|reach SURFACE|hitting SURFACE|reaching SURFACE|striking SURFACE|touching SURFACE|touches SURFACE|impact with"
+    " SURFACE"
     "|comes down|touches down|strikes it|falls to SURFACE|arrives at SURFACE|arrive at SURFACE"
     "|arriving at SURFACE|fall to SURFACE"
     "|drops to SURFACE|arrives at SURFACE|land on SURFACE|lands on SURFACE|come down|touch SURFACE",
@@ -186,7 +191,10 @@ PHRASES: Mapping[str, str] = {
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"
     "|engine starts|engine started|engine has started|engine is started|engine ignites|engine is switched on|ignition"
-    "|motion begins|motion starts|system is released|everything is released|everything is let go|system is let go",
+    "|motion begins|motion starts|BODY is set down|BODY is put down|BODY is set free|BODY is set moving|BODY is set"
+    " going|BODY is set in motion"
+    "|BODY is laid down|BODY is pushed off|BODY is fired|engine is lit|engine is ignited|engine is turned on"
+    "|system is released|everything is set free|everything is released|everything is let go|system is let go",
     "BODY": r"it|@\d+@",
     "ALONG_IT": "along SURFACE|along straight line",
     "PERIOD": "period|orbital period|period of revolution|period of rotation|period of oscillation"

@@ -1,0 +1,49 @@
+"""Moments told without a number: what is so after a long time, and some time after a collision."""
+
+from pathlib import Path
+
+import pytest
+
+from sim2reason.errors import TextError
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.ordinary.multiples import LONG, in_numbers
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.scene_files import load
+
+SCENES = Path(__file__).parents[2] / "data" / "ordinary_scenes"
+
+
+def answer(scene: str, asked: StructuredQuestion) -> float | None:
+    """Return the answer to a question about a stored scene."""
+    read = load(SCENES / f"{scene}.yaml")
+    motion, words = motion_of(read), words_of(describe(read))
+    return posed(in_numbers(asked, motion, words), motion, words).followed(motion).answer
+
+
+def test_a_medium_stops_a_body_after_a_long_time() -> None:
+    """After m v/b, by the integral of the exponential."""
+    found = answer("braked_bead", StructuredQuestion("distance travelled", "the bead", LONG))
+    assert found == pytest.approx(2.2 * 3.7 / 0.75, rel=1e-6)
+
+
+def test_a_time_counts_from_a_collision() -> None:
+    """After which a puck keeps its speed."""
+    late = answer("bounced_pucks", StructuredQuestion("speed", "puck A", "2.0 s after collided"))
+    assert late == pytest.approx(answer("bounced_pucks", StructuredQuestion("speed", "puck A", "collided")))
+
+
+@pytest.mark.parametrize(
+    ("scene", "asked"),
+    [
+        ("tight_orbit", StructuredQuestion("speed", "the planet", LONG)),
+        ("braked_bead", StructuredQuestion("time", "", LONG)),
+        ("light_pull_up", StructuredQuestion("speed", "block A", LONG)),
+    ],
+)
+def test_what_never_settles_down_is_refused(scene: str, asked: StructuredQuestion) -> None:
+    """Where no medium resists; and a time is asked for by an event."""
+    with pytest.raises(TextError, match="nothing settles down"):
+        answer(scene, asked)
