@@ -39,6 +39,7 @@ TURNS: Mapping[str, str] = {
     "^(?P<prep>at|in|after|by|within|for|with|to) which (?=\\w)": r"\g<prep> what ",
     "^by what time (?=does|is|has|will|are|do)": "when ",
     "\\b(?:launch |launching |launch-)?pad\\b": "ground",
+    "\\b(?P<verb>fall|drop|come)(?P<s>s?)(?: back)?(?: down)? (?:to|on|onto|upon) (?=ground|floor)": r"hit\g<s> ",
     "^how long does (?:flight|throw) last$": "what is time of flight",
     "^how long does (?:slipping|sliding|skidding)(?: phase)? (?:last|go on|continue)$": "when does slipping stop",
     "^how long does (?:motion|movement|slide) (?:last|go on|continue)$": "when does motion stop",
