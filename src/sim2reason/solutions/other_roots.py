@@ -124,8 +124,10 @@ class OtherRoots:
 
     def _say_never(self, step: Writing, name: str, value: float) -> None:
         """Say that another root does not count as no value that the unknown could have leads to it, if that is so."""
+        if name == self.unknown:
+            return
         chain = self._chain(name)
-        if name != self.unknown and is_explicit(chain) and not values_with(chain, value, self.unknown, self.book):
+        if is_explicit(chain) and not values_with(chain, value, self.unknown, self.book):
             what = told_range(self.unknown, self.book)
             step.say(f"No {what} gives the other root, {self._number(name, value)}.")
 
