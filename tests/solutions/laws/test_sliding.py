@@ -159,3 +159,10 @@ def test_a_direction_is_not_shown_by_an_acceleration_that_a_given_speed_fixes() 
 def test_the_direction_of_bodies_is_shown_whose_acceleration_a_string_gives() -> None:
     text = solution_text("hybrid-hard-reverse-301931-0")
     assert r"Even against friction the acceleration $a_C = a_P + a_A = 2.6095\ \text{m/s}^2$ is positive" in text
+
+
+def test_what_rolls_without_a_limit_of_friction_is_no_surface_that_could_be_smooth() -> None:
+    """Beside a block that slides, a ring rolls whose friction has no coefficient."""
+    text = solution_text("mixed-hard-reverse-77-21")
+    assert "friction can only reduce it" not in text
+    assert r"\boxed{" in text

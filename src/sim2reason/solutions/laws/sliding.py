@@ -131,6 +131,8 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
     target = dynamics.setting.target
     if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
         return None
+    if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
+        return None  # what holds without a limit may act along the motion, too
     for name in reversed(book.formulas):
         formula = put(formula, name, book.formulas[name]) if name != found.name else formula
     for face in dynamics.newton.rough:
