@@ -75,9 +75,10 @@ class _Scene:
 
 
 def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
-    """Return all ways to close a port: if possible by entities with bodies if this one has none, else without.
+    """Return the connections, with their partner entities, that can be made to an entity's port.
 
-    `widely`: to any entity.
+    Preferred are partners that have bodies if the entity has none (a hand needs a block to pull), and partners without
+    bodies if it has some; others are returned only if there are none of these, or with `widely`.
     """
     port = outer_ports(cls)[name]
     found = list(_passed(port) if isinstance(port, Pass) else _ended(port))
@@ -87,7 +88,7 @@ def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Opti
 
 
 def _ended(port: Port) -> Iterator[Option]:
-    """Yield the connections from this port to another one, or from there to it if only that is allowed."""
+    """Yield the connections that end at a port: to a partner, or from it where only that fits."""
     for kind in CONNECTIONS.values():
         for partner, other in _ends():
             if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):
@@ -97,7 +98,7 @@ def _ended(port: Port) -> Iterator[Option]:
 
 
 def _passed(port: Port) -> Iterator[Option]:
-    """Yield the connections from one end to another that pass through this port."""
+    """Yield the connections that run through a port, such as a string over a pulley, with a partner at each end."""
     for kind in CONNECTIONS.values():
         if kind.admits(port, 1, 2):
             first = [end for end in _ends() if kind.admits(outer_ports(end[0])[end[1]], 0, 2)]

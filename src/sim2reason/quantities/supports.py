@@ -93,7 +93,7 @@ def _held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
 
 @quantity
 class GuideForce(Quantity):
-    """The force of a smooth vertical guide on a body that slides in it, where what carries the guide is accelerated."""
+    """The horizontal force, in N, that a smooth vertical guide on an accelerating box exerts on the body in it."""
 
     name, unit, symbol = "force of the guide", "N", "N"
     of, vector = Bodies(), True

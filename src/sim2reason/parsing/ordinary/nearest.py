@@ -53,7 +53,10 @@ def filled(form: Form, said: Content) -> str:
 
 
 def _values(form: Form, said: Content) -> Iterator[str | None]:
-    """Yield for each number of a form the sentence's next number of that kind; None if another one may be meant."""
+    """Yield, for each number that a form asks for, the number of the user's sentence that fills it.
+
+    It is the next unused one of the same kind (a mass for a mass), or None where another one could be meant as well.
+    """
     left = list(enumerate(said.numbers))
     kinds = [coherent(unit)[0] for unit in form.units]
     for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):

@@ -77,7 +77,7 @@ def recast(said: Sequence[str]) -> Iterator[Recast]:
 
 
 def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
-    """Return the forms whose bodies all occur in the text; all forms if there are none."""
+    """Return the forms that name only bodies of the text; if every form names others, too, return all forms."""
     return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
 
 
@@ -109,7 +109,10 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
 
 
 def _known(sentence: str) -> list[tuple[str, float]] | None:
-    """Return the library's sentences with a clause's meaning; empty for a start from rest, None if there are none."""
+    """Return the sentences by which the library says what a clause of the user's text says, each with its usual place.
+
+    None stands for a clause that the library cannot say, an empty list for *it starts from rest*, which needs no words.
+    """
     forms = same(sentence)
     if any(form.text in RESTS for form in forms):
         return []

@@ -18,7 +18,7 @@ class Hands(Subject):
         return tuple(line.name for line in mechanism.pulls)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return *the hand* for the only hand; empty if there are several."""
+        """Return the phrase *the hand* by the name of its string; no phrase if several hands pull."""
         del mentions
         names = self.names(mechanism)
         return {names[0]: "the hand"} if len(names) == 1 else {}

@@ -62,7 +62,11 @@ THRESHOLDS = {
 def by_outcome(
     frame: WantedFrame, condition: StatedCondition, path: str, motion: FollowedMotion, words: Words
 ) -> Iterator[Reading]:
-    """Yield the readings of a sentence that asks for a number, whose address may be empty, by an outcome."""
+    """Yield the readings of a question such as *what mass must B have for A to stay at rest*.
+
+    The number (the mass of B) is at the address `path`, empty where the scene does not state it; the outcome that it
+    is to bring about (A stays at rest) is that of `condition`.
+    """
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
