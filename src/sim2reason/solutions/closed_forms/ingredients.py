@@ -88,7 +88,7 @@ class _LastAlgebra:
 
     @cached_property
     def told(self) -> list[Relation]:
-        """Return equations that give intermediate results by given quantities; of many, only those in the last formula."""
+        """Return equations that give intermediate results by given quantities; of many, those of the last formula."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]
