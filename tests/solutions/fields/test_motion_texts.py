@@ -150,3 +150,9 @@ def test_two_cases_name_their_velocities_apart() -> None:
 )
 def test_words_that_refer_to_something_are_clear(problem: str, told: str) -> None:
     assert told in solution_text(problem)
+
+
+def test_the_speed_along_a_line_is_no_root_of_a_square() -> None:
+    text = solution_text("electromagnetic-hard-symbolic-9191-0")
+    assert r"The speed is then $v = -a_{\text{E}} t - \tfrac{1}{2} j t^{2}$." in text
+    assert r"$v = \frac{E^{2} q}{2\,m k}$" in text

@@ -113,7 +113,7 @@ class FieldMoment:
         return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
 
     def _size(self, parts: list[Expression]) -> Expression:
-        """Of a vector: a single component without its sign, or a root."""
+        """Return the magnitude of a vector by its components: a single one without its sign, else a root."""
         kept = [part for part in parts if part != ZERO]
         if len(kept) != 1:
             return Root(squares(parts)) if kept else ZERO
@@ -225,7 +225,7 @@ class FieldMoment:
                 step.close()
             else:
                 self._turned(rates, sign, rates[drive.axis] if slow else pull, said)
-        return self.book.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
+        return self.book.told("extremum", "The speed is then", self.book.fresh("v"), self._size(rates), SPEED)
 
     @property
     def _from_rest(self) -> bool:
