@@ -19,7 +19,8 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import count, islice
+from itertools import count as counted
+from itertools import islice
 from statistics import median
 
 from sim2reason.datasets.grade import grade
@@ -99,7 +100,7 @@ class Solved:
 def requests(seed: int, recipes: list[str], modes: list[str], units: str, kept: str) -> Iterator[Request]:
     """Yield requests without end: recipes in turn, then difficulties, then modes."""
     difficulties = ("hard",) if kept == EVENTS else DIFFICULTIES
-    for number in count():
+    for number in counted():
         index, at = divmod(number, len(recipes))
         difficulty, mode = difficulties[index % len(difficulties)], modes[index // len(difficulties) % len(modes)]
         yield Request(recipes[at], difficulty, mode, seed, index, units=units)

@@ -46,6 +46,6 @@ def test_a_velocity_after_half_a_turn_rests_on_no_sine_that_was_not_written() ->
 
 
 def test_an_extension_of_either_sign_is_not_told_as_a_stretch() -> None:
-    """At the maximum compression that is asked about the spring is shorter than its natural length."""
+    """Where the spring is compressed the most, `the spring is stretched by ...` would be false."""
     text = solution_text("mixed-medium-reverse-301932-1")
     assert r"The extension of the spring is $\ell + x - \ell_0$." in text

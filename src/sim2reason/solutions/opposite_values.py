@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.reached import is_explicit, told_range, values_with
-from sim2reason.solutions.opposite_sign import exclude_opposite
+from sim2reason.solutions.opposite_sign import ONLY, exclude_opposite
 from sim2reason.solutions.other_roots import OtherRoots
 from sim2reason.solutions.writing.steps import Writing
 
-OPPOSITE = "Only a magnitude is given; with the opposite sign, for which {} would be {}"
+OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 """How the sentence begins that excludes such a value."""
 
 
@@ -21,12 +21,11 @@ def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequ
     """
     if chain is None:
         return
-    (goal, _), shown = chain.formulas[-1], len(step.relations)
-    exclude_opposite(roots.book, step, goal, found)
-    if len(step.relations) > shown or not is_explicit(chain):
+    goal, _ = chain.formulas[-1]
+    if exclude_opposite(roots.book, step, goal, found) or not is_explicit(chain):
         return
     others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
     if not others:
         what = told_range(roots.unknown, roots.book)
-        step.say(f"Only a magnitude is given; no {what} gives $-{goal}$ in place of ${goal}$.")
+        step.say(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
     roots.exclude(others, OPPOSITE)

@@ -84,6 +84,11 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
     return held.built_of([put(part, name, formula) for part in held.parts])
 
 
+def put_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
+    """Return a formula with other formulas in place of symbols, put in one after the other."""
+    return reduce(lambda whole, pair: put(whole, *pair), formulas.items(), held)
+
+
 def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
     """A formula in which all that holds nothing unknown is written as the numbers that it comes to.
 

@@ -88,7 +88,7 @@ class _LastAlgebra:
 
     @cached_property
     def told(self) -> list[Relation]:
-        """Return the intermediate quantities in terms of given ones: all if they are few, otherwise the last ones."""
+        """Return equations that give intermediate quantities by given ones, such as a = F/m; of many, the last ones."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]

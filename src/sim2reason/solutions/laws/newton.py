@@ -253,11 +253,11 @@ class Newton:
         return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
-        """Return the coefficient of kinetic friction of a contact: µ, or µ_k where the static one differs."""
+        """Return the symbol of the coefficient of kinetic friction of a contact, such as µ or µ_k."""
         return self.read(lambda m, _: m.faces[face].friction)
 
     def static_coefficient(self, face: int) -> Polynomial:
-        """Return the coefficient of static friction of a contact: µ_s, or µ where the two are equal."""
+        """Return the symbol of the coefficient of static friction of a contact, such as µ or µ_s."""
         return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:

@@ -5,7 +5,7 @@ from math import isinf
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put_all
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -133,12 +133,9 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
         return None  # what holds without a limit may act along the motion, too
-    for name in reversed(book.formulas):
-        formula = put(formula, name, book.formulas[name]) if name != found.name else formula
-    for face in dynamics.newton.rough:
-        for name in dynamics.newton.coefficient(face).names():
-            formula = put(formula, name, ZERO)
-    return formula
+    formula = put_all(formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name})
+    coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.rough)
+    return put_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put, put_all
 from sim2reason.solutions.closed_forms.closed_form import defined_by
 from sim2reason.solutions.laws.nested import AGAIN, NEW
 from sim2reason.solutions.solution import Relation, Step
@@ -39,9 +39,7 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
 
 def _changed(side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]) -> Expression:
     """Return a formula with all inserted that hangs on a symbol, and `changed` for that."""
-    for name, formula in hanging.items():
-        side = put(side, name, formula)
-    return put(side, symbol, changed)
+    return put(put_all(side, hanging), symbol, changed)
 
 
 def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:

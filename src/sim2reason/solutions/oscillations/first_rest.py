@@ -4,6 +4,7 @@ from math import pi
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call
+from sim2reason.solutions.laws.turning_back import later_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.setting import capital
@@ -79,14 +80,13 @@ def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Sy
         return
     step = book.open("verify")
     exceeds(book, step, left, ZERO)
-    exceeds(book, step, formula if half is None else half, left)
     if half is not None:
+        exceeds(book, step, half, left)
         step.rest_on(half.name)
         step.say(
             f"As ${left.name} < {half.name}$, it does not come to rest{' again' if again else ''} within this time."
         )
     else:
-        told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
         rest = "next" if again else "first"
-        step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")
+        step.say(f"It would {rest} come to rest {later_words(book, step, formula, left)}.")
     step.close()

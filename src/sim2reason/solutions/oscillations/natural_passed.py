@@ -10,7 +10,7 @@ from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.oscillations.lone_spring import LoneSpring
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import JOULES
 
@@ -47,11 +47,11 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
     outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
     lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
     sides = (body.length, body.natural) if stretched else (body.natural, body.length)
-    relation = f"${body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}$"
+    relation = f"{body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}"
     match query.moment:
         case MostCompressed() if lengthens and not (stretched and known):
             why = "and goes on to do so as long as it is compressed; in the end it is compressed"
-            return _passes(book, step, (outward, ZERO), f"${outward.latex()} > 0$", "lengthens at first", why)
+            return _passes(book, step, (outward, ZERO), f"{outward.latex()} > 0", "lengthens at first", why)
         case MostCompressed() if stretched:
             said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
         case MostStretched() if not stretched:
@@ -59,7 +59,7 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
         case MostStretched() if not lengthens:
             book.afterwards.append(lambda: _verify_reached(launch))
             why = "and does not turn back before"
-            return _passes(book, step, (ZERO, outward), f"${outward.latex()} < 0$", "shortens at first", why)
+            return _passes(book, step, (ZERO, outward), f"{outward.latex()} < 0", "shortens at first", why)
         case _:
             raise UnsolvedError("nothing shows that it passes its natural length")
     if known or lengthens == stretched or book.is_hidden(outward):
@@ -76,17 +76,9 @@ def _passes(
     """Return that the spring passes its natural length, as it does what it `begins` with by a `relation` of `sides`."""
     if not any(map(book.is_hidden, sides)):
         exceeds(book, step, *sides)
-        return f"The spring passes that length, as it {begins}, {relation}, {ends}."
-    book.afterwards.append(lambda: _verify(book, sides, relation))
-    return f"Assume that {relation}. Then the spring passes that length, as it {begins} {ends}."
-
-
-def _verify(book: Book, sides: tuple[Expression, Expression], relation: str) -> None:
-    """Write that a relation holds which was assumed."""
-    step = book.open("verify")
-    exceeds(book, step, *sides)
-    step.say(f"Indeed {relation}, as was assumed.")
-    step.close()
+        return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."
+    book.afterwards.append(lambda: verify_assumed(book, *sides, relation))
+    return f"Assume that ${relation}$. Then the spring passes that length, as it {begins} {ends}."
 
 
 def _verify_reached(launch: Launch) -> None:
