@@ -48,7 +48,7 @@ def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple
 
 
 def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no value, in words; empty if that needs none; None if it has one, or several."""
+    """Return why a formula has no value, in words; empty if that is plain to see; None if it has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
             if goal not in part.symbols():
@@ -69,7 +69,7 @@ def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expres
 
 
 def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str:
-    """Return that an unknown would be negative, or a coefficient of restitution more than one; else nothing."""
+    """Return that an unknown would be negative, or a coefficient of restitution more than 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
         found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
@@ -90,7 +90,7 @@ def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expr
 
 
 def _of_either_sign(goal: str, held: Expression) -> list[Expression]:
-    """Return a formula with the square root that holds the goal, if there is one, of both signs.
+    """Return a formula, and the same with the opposite sign of the square root that contains the goal, if there is one.
 
     Raises:
         UnsolvedError: there are several.

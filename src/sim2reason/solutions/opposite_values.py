@@ -1,4 +1,4 @@
-"""Values of the unknown with which a goal of which only the magnitude is given would have the opposite sign."""
+"""The reason why a goal whose magnitude is given has its sign: values of the unknown that give the opposite one."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 
 
 def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:
-    """Say why the goal has its sign, once the unknown is found: by the formulas `found`, or by its other values.
+    """Say why the goal has its sign, by the formulas `found` from it to the unknown, or by other values of the unknown.
 
     The `chain` leads from the unknown to the goal, and is None where the sign is known. Where one of its formulas is a
     root that was found numerically, no other values are looked for.

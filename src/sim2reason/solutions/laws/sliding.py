@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 FORCES = frozenset({"tension", "normal force", "friction force", "impulse of a tension", "work of a tension"})
-"""Quantities from which an acceleration follows with its sign."""
+"""Quantities that, if given, determine an acceleration together with its sign."""
 SLOW = 1e-9  # m/s: nothing slips at the beginning
 
 
@@ -122,9 +122,9 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
 
 
 def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
-    """Return the only acceleration without friction, where a given speed or time is all that the text has it from.
+    """Return the acceleration without friction, if the text has the one with friction from a given speed or time alone.
 
-    Such a value is positive whichever way the bodies move.
+    That is positive whichever way the bodies move, so it does not show the direction. None for any other.
     """
     book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
     solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
@@ -139,7 +139,7 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
-    """Return the symbol of the acceleration in the sense of slip, which a string binds to that of another body."""
+    """Return the symbol of an acceleration in the sense of slip that a string binds to another one, or None."""
     slips = [*dynamics.newton.slip(face).items()]
     if len(slips) != 1:
         return None

@@ -15,9 +15,10 @@ LONG = 200  # characters of a formula that is better not written; that it exceed
 
 
 def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
-    """Write that what exceeds something else does so with `changed` for a symbol on which it hangs.
+    """Write that each comparison that depends on a symbol still holds with `changed` in place of it.
 
-    UnsolvedError where it does not.
+    Raises:
+        UnsolvedError: one does not.
     """
     formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
     hanging = _hanging(formulas, symbol)
@@ -29,7 +30,7 @@ def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> Non
 
 
 def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
-    """Return the formulas that hold a symbol, or names that hang on it, each before those on which it hangs."""
+    """Return the formulas of names that depend on a symbol, by name, the last defined one first."""
     found: dict[str, Expression] = {}
     for name, formula in formulas.items():
         if not {symbol, *found}.isdisjoint(formula.symbols()):
@@ -38,7 +39,7 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
 
 
 def _changed(side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]) -> Expression:
-    """Return a formula with all inserted that hangs on a symbol, and `changed` for that."""
+    """Return a formula with `changed` for a symbol, also in the formulas of names that depend on it."""
     return put(put_all(side, hanging), symbol, changed)
 
 

@@ -1,4 +1,4 @@
-"""Whether a body has turned back, or a stage has ended, by an instant or a distance, shown in numbers."""
+"""Proofs in numbers that a body has turned back, or a stage has ended, by an instant or a distance, or has not."""
 
 from collections.abc import Callable
 

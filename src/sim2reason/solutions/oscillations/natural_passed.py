@@ -1,4 +1,4 @@
-"""Why a body that is launched across a spring is fastest where that has its natural length: it passes that length."""
+"""The reason why a body launched across a spring is fastest where the spring has its natural length."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,15 +19,18 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body that is launched across a spring: its velocity, and what writes its energy and its angular momentum."""
+    """A body that is launched across a spring, with its velocity and with what writes its conserved quantities.
+
+    `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
+    """
 
     body: LoneSpring
     velocity: Sequence[Expression]
-    kept: Callable[[], tuple[Symbol, Expression]]  # the latter per unit of mass
+    kept: Callable[[], tuple[Symbol, Expression]]
 
 
 def passed_words(launch: Launch, step: Writing) -> str:
-    """Return, of a greatest value, that it is taken at the natural length, and why that is passed; else nothing.
+    """Return that a greatest value is taken at the natural length, and why that is passed; empty for no greatest value.
 
     Raises:
         UnsolvedError: nothing shows that it is passed.
@@ -41,7 +44,7 @@ def passed_words(launch: Launch, step: Writing) -> str:
 
 
 def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
-    """Return the sentences that say why it passes that length before it is stretched, or compressed, the most."""
+    """Return why the spring passes its natural length before it is stretched, or compressed, the most."""
     body, (u, v) = launch.body, launch.velocity
     book, (x, y) = body.book, body.apart
     outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
@@ -73,7 +76,10 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
 def _passes(
     book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
 ) -> str:
-    """Return that the spring passes its natural length, as it does what it `begins` with by a `relation` of `sides`."""
+    """Return that the spring passes its natural length, as it `begins` short or long and `ends` otherwise.
+
+    A `relation` in LaTeX says that the first of two `sides` is larger, which shows the beginning.
+    """
     if not any(map(book.is_hidden, sides)):
         exceeds(book, step, *sides)
         return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."

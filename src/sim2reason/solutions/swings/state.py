@@ -84,7 +84,7 @@ class SwingState(SwingAngle):
 
     @property
     def goes_round(self) -> bool:
-        """Whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
+        """Return whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
         return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
@@ -157,7 +157,7 @@ class SwingState(SwingAngle):
 
     @property
     def _energy(self) -> Expression:
-        """Of the start, above the lowest point."""
+        """Return the initial energy above the lowest point, in J."""
         m, g, ell = self.mass, self.gravity, self.length
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
         if self.launch == ZERO:
@@ -193,5 +193,5 @@ class SwingState(SwingAngle):
 
     @property
     def who(self) -> str:
-        """Who swings."""
+        """Return the noun phrase of the body that swings."""
         return self.setting.called(self.body)
