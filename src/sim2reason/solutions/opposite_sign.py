@@ -13,7 +13,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # of no sign
 ONLY = "Only a magnitude is given;"
-"""How the sentence begins that excludes the opposite sign."""
+"""Beginning of the sentence that excludes the opposite sign."""
 SINES = {"arcsin": "sine", "arccos": "cosine"}
 
 

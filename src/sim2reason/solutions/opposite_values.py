@@ -10,7 +10,7 @@ from sim2reason.solutions.other_roots import OtherRoots
 from sim2reason.solutions.writing.steps import Writing
 
 OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
-"""How the sentence begins that excludes such a value."""
+"""Beginning of the sentence that excludes such a value of the unknown."""
 
 
 def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:

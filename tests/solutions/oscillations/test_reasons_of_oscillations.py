@@ -161,7 +161,7 @@ def test_in_equilibrium_the_net_force_is_zero_whatever_acts() -> None:
 
 
 def test_on_a_rough_track_displacements_count_from_where_the_net_force_is_zero() -> None:
-    """That is no equilibrium: there friction would be static."""
+    """The place of zero net force is no equilibrium, as friction on a body at rest there would be static."""
     text = solution_text("chain-medium-multipart-301930-0")
     assert "The displacement from the point at which the net force is zero is $A \\cos(\\omega t - \\varphi)$" in text
     assert "equilibrium" not in text
@@ -193,7 +193,7 @@ def test_a_later_part_does_not_begin_with_there() -> None:
 
 
 def test_what_is_always_negative_is_no_case_of_several() -> None:
-    """Of a relaxed spring on a rough track, x₀ = −μmg/k."""
+    """With a relaxed spring on a rough track, x₀ = −μmg/k is negative for all numbers."""
     scene = row((2.2,), (116.0,), "right", friction=0.62, speed=1.2)
     cart = next(body.name for body in scene.mechanism.bodies if body.mass)
     plain = asked(scene, Query("time_to_event", None, Stopped(cart)))

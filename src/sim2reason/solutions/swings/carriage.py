@@ -162,7 +162,7 @@ class Carriage:
         return self.setting.called(self.riding.carriage)
 
     def hanging(self) -> Iterator[str]:
-        """Yield a sentence for each body that hangs from a string, and so adds to the mass and force of the carriage."""
+        """Yield a sentence for each body that hangs from a string, and so adds to the mass of the carriage."""
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:
             if pull.body:
