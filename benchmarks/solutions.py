@@ -19,7 +19,8 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import count, islice
+from itertools import count as counted
+from itertools import islice
 from statistics import median
 
 from sim2reason.datasets.grade import grade
@@ -64,7 +65,7 @@ MEDIAN, WORST = 0.1, 1.0  # s of CPU
 
 @dataclass
 class Tally:
-    """What is counted of one difficulty."""
+    """Counts and times of the solutions of one difficulty."""
 
     count: Counter[str] = field(default_factory=Counter[str])
     times: list[float] = field(default_factory=list[float])
@@ -99,7 +100,7 @@ class Solved:
 def requests(seed: int, recipes: list[str], modes: list[str], units: str, kept: str) -> Iterator[Request]:
     """Yield requests without end: recipes in turn, then difficulties, then modes."""
     difficulties = ("hard",) if kept == EVENTS else DIFFICULTIES
-    for number in count():
+    for number in counted():
         index, at = divmod(number, len(recipes))
         difficulty, mode = difficulties[index % len(difficulties)], modes[index // len(difficulties) % len(modes)]
         yield Request(recipes[at], difficulty, mode, seed, index, units=units)
@@ -145,7 +146,7 @@ def derivations(setting: Setting) -> list[Solution]:
 
 
 def differ(held: list[Solution]) -> bool:
-    """Whether two derivations lead to different answers."""
+    """Return whether two derivations lead to different answers."""
     answers = [solution.answer for solution in held if solution.answer is not None]
     return any(abs(one - answers[0]) > AGREED * abs(answers[0]) for one in answers[1:])
 
@@ -182,7 +183,7 @@ def main(
 
 
 def _wrong(solved: Solved, tally: Tally) -> Iterator[str]:
-    """What checks, other strategies and the grader have to say."""
+    """Yield what checks, other strategies and the grader find wrong with a solution."""
     setting, solution = forward(solved.setting), solved.solution
     assert setting.answer is not None
     near = SEEN.get(setting.query.kind, WELL)
@@ -209,12 +210,12 @@ def _wrong(solved: Solved, tally: Tally) -> Iterator[str]:
 
 
 def _but_for_length(told: list[str]) -> list[str]:
-    """What is wrong with a derivation that is not shown, of which a shorter way was found: its length is no fault."""
+    """Return the faults of a derivation apart from its length, which may be great where a shorter one is shown."""
     return [fault for fault in told if not fault.startswith("superfluous")]
 
 
 def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
-    """What the text says; of a problem in symbols, at its own numbers."""
+    """Yield what is wrong with the text alone; of a problem in symbols, read at its own numbers."""
     known = item.answer.formula.points[0] if item.answer.formula is not None else {}
     shown = LETTER.sub("", solution.text)
     difficulty, reading, size = item.difficulty, read(shown, known), words(shown)
@@ -232,7 +233,7 @@ def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -
 
 
 def _recomputed(setting: Setting, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
-    """What comes of its data, and which faults in them are not refused."""
+    """Yield what is wrong when a solution is recomputed from its data, and count which planted faults are refused."""
     assert setting.answer is not None
     begin, data = time.process_time(), as_data(solution)
     found = recompute(data)

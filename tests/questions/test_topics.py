@@ -231,7 +231,7 @@ def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
 
 @pytest.mark.parametrize("by", [0.12, 0.0])
 def test_how_springs_between_two_walls_are_strained_at_first_matters_to_their_equilibrium(by: float) -> None:
-    """From one wall alone, springs are stretched by the weight alone, whatever they were at first."""
+    """A chain that hangs from one wall is stretched by its weight alone, whatever the initial strain of a spring."""
     stored = asked(EquilibriumQuery("equilibrium", Target("spring energy", "it.springs.1")))
     assert "start" not in irrelevant(stored, study(strained("both", by)))
     assert "start" in irrelevant(stored, study(strained("left", by)))

@@ -14,7 +14,7 @@ F, M = Symbol("F"), Symbol("m")
 
 
 def said(formula: Expression, value: float) -> str:
-    """What is said of m by a formula of the given magnitude F = 2."""
+    """Return what is said of −F, for a formula of m by the given magnitude F = 2."""
     book = Book()
     book.know("F", 2.0)
     book.know("m", value)
@@ -42,6 +42,6 @@ def test_the_unknown_of_a_quadratic_equation_would_be_negative() -> None:
 
 
 def test_a_sine_of_another_angle_is_not_that_of_the_unknown() -> None:
-    """Of m = arcsin(1 − F) + 2 the sine is that of m − 2: for −F it would be 3."""
+    """In m = arcsin(1 − F) + 2 the sine 1 − F is that of m − 2, not of m; for −F it would be 3."""
     text = said(Call("arcsin", Number(1.0) - F) + Number(2.0), 2.0 - 0.5 * pi)
     assert text.endswith("there would be no angle $m$, as the sine would be $3.0000$.")

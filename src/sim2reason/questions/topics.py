@@ -17,14 +17,15 @@ from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
 AXES = "x", "y", "z"
-STRAIN = ".strain.by"  # how far one of an entity's springs is stretched or compressed at first, as its start tells
-SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: times one, and, in m, where there is none
+STRAIN = ".strain.by"  # ends the paths of initial strains of springs
+SHIFTED = 0.9  # times a strain: another one
+FROM_NONE = 0.05, 0.01  # m: other strains of springs without one
 SAME = 1e-6  # relative, and in SI units: answers that differ by less are one
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
 
 def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
-    """The topics among those of a text that do not matter to a question, on which it need say nothing.
+    """Return the topics among those of a text that do not matter to a question, on which it need say nothing.
 
     Of what the text leaves open, only what is so for all that its numbers could be counts.
     """
@@ -32,7 +33,7 @@ def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPI
 
 
 def _uses_axes(question: Question, study: Study) -> bool:
-    """Whether a component along one is asked about, or says when the moment is."""
+    """Return whether a component along an axis is asked about, or says when the moment is."""
     del study
     moment = question.query.moment
     targets = question.query.target, moment.target if isinstance(moment, Reached) else None
@@ -40,7 +41,7 @@ def _uses_axes(question: Question, study: Study) -> bool:
 
 
 def _slackens(question: Question, study: Study) -> bool:
-    """Whether a string goes slack before what is asked about, or may with other numbers than the text tells."""
+    """Return whether a string goes slack before what is asked about, or may with other numbers than the text tells."""
     query = question.query
     if query.hides:
         return True
@@ -54,7 +55,7 @@ def _slackens(question: Question, study: Study) -> bool:
 
 
 def _others(question: Question, study: Study) -> Iterator[Study]:
-    """Motions with other values of the number that a text leaves unknown, as long as what is asked about may take."""
+    """Yield motions with other values of the number that a text leaves unknown, as long as what is asked may take."""
     time = KINDS[question.query.kind].time(question.query, study)
     until = time * BEYOND if time is not None else None
     values = range_of(study.scene, question.unknown)[::STRIDE] if question.unknown else ()
@@ -62,15 +63,15 @@ def _others(question: Question, study: Study) -> Iterator[Study]:
 
 
 def _has_slackened(question: Question, study: Study) -> bool:
-    """Whether some string goes slack before what is asked about, or before the end where that does not come."""
+    """Return whether some string goes slack before what is asked about, or before the end where that does not come."""
     time = KINDS[question.query.kind].time(question.query, study)
     return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
 
 
 def depends_on_start(query: Query, study: Study) -> bool:
-    """Return whether a query is about a motion that begins in one way, or springs strained at first decide its answer.
+    """Return whether the answer to a query depends on the state in which the motion begins.
 
-    Between two walls these push and pull at rest, too, with forces that hang on how long the springs are by themselves.
+    It also does where nothing moves, if springs hold each other strained, as those of a chain between two walls do.
     """
     kind = KINDS[query.kind]
     if kind.of_motion(query):
@@ -82,7 +83,7 @@ def depends_on_start(query: Query, study: Study) -> bool:
 
 
 def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
-    """Other values of how far a spring is strained at first, even where it is not."""
+    """Yield other initial strains, in m, of each spring of a scene whose strain is a parameter."""
     for parameter in scene.parameters:
         if parameter.path.endswith(STRAIN):
             values = (SHIFTED * parameter.value,) if parameter.value else FROM_NONE
@@ -90,7 +91,7 @@ def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
 
 
 def _depends_on_start(question: Question, study: Study) -> bool:
-    """Whether the answer does."""
+    """Return whether the answer to a question depends on the state in which the motion begins."""
     return depends_on_start(question.query, study)
 
 

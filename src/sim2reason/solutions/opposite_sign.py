@@ -1,17 +1,19 @@
 """Why a quantity of which only the magnitude is given has the sign with which its equations were solved."""
 
 from collections.abc import Iterator, Sequence
-from functools import reduce
 
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put_all
+from sim2reason.solutions.algebra.reached import is_restitution
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # of no sign
+ONLY = "Only a magnitude is given;"
+"""Beginning of the sentence that excludes the opposite sign."""
 SINES = {"arcsin": "sine", "arccos": "cosine"}
 
 
@@ -24,29 +26,29 @@ def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
     return book.sign_chosen != 0 or (target.quantity == "friction force" and not slides)
 
 
-def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> None:
-    """Say why the opposite sign of a goal leads to no possible value, where the formulas `found` from it show that.
+def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> bool:
+    """Say why the opposite sign of a goal leads to no possible value, and return whether anything is said.
 
-    They give names one after the other, of which the last one is the unknown.
+    The formulas `found` from the goal give names one after the other, of which the last one is the unknown.
     """
     values: dict[str, Expression] = {goal: -Symbol(goal)}
     for number, (name, held) in enumerate(found):
         try:
-            formula = reduce(lambda whole, pair: put(whole, *pair), values.items(), held)
+            formula = put_all(held, values)
         except TypeError:  # a number that is not written as a formula
-            return
+            return False
         reason = _impossible(book, step, goal, name, formula)
         if reason is None and number == len(found) - 1:
             reason = _out_of_range(book, step, goal, name, formula)
         if reason is not None:
-            only = "Only a magnitude is given; with"
-            step.say(f"{only} $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
-            return
+            step.say(f"{ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
+            return bool(reason)
         values[name] = formula
+    return False
 
 
 def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no value, in words; empty if that needs none; None if it has one, or several."""
+    """Return why a formula has no value, in words; empty if that is plain to see; None if it has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
             if goal not in part.symbols():
@@ -67,7 +69,7 @@ def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expres
 
 
 def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str:
-    """Return that an unknown would be negative, or a coefficient of restitution more than one; else nothing."""
+    """Return that an unknown would be negative, or a coefficient of restitution more than 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
         found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
@@ -81,14 +83,14 @@ def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expr
         return f"{would}, which is negative" if len(found) == 1 else f"{would}, both negative"
     if len(branches) > 1:
         return ""
-    if name.partition("_")[0] == "e" and not book.units[name] and value > 1.0 >= book.values[name]:
+    if is_restitution(name, book) and value > 1.0:
         exceeds(book, step, formula, ONE)
         return f"{would}, which is more than 1"
     return ""
 
 
 def _of_either_sign(goal: str, held: Expression) -> list[Expression]:
-    """Return a formula with the square root that holds the goal, if there is one, of both signs.
+    """Return a formula, and the same with the opposite sign of the square root that contains the goal, if there is one.
 
     Raises:
         UnsolvedError: there are several.

@@ -1,32 +1,31 @@
-"""Values of the unknown with which a goal of which only the magnitude is given would have the opposite sign."""
+"""The reason why a goal whose magnitude is given has its sign: values of the unknown that give the opposite one."""
 
 from collections.abc import Sequence
 
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.reached import is_explicit, told_range, values_with
-from sim2reason.solutions.opposite_sign import exclude_opposite
+from sim2reason.solutions.opposite_sign import ONLY, exclude_opposite
 from sim2reason.solutions.other_roots import OtherRoots
 from sim2reason.solutions.writing.steps import Writing
 
-OPPOSITE = "Only a magnitude is given; with the opposite sign, for which {} would be {}"
-"""How the sentence begins that excludes such a value."""
+OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
+"""Beginning of the sentence that excludes such a value of the unknown."""
 
 
 def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:
-    """Say why the goal has its sign, once the unknown is found: by the formulas `found`, or by its other values.
+    """Say why the goal has its sign, by the formulas `found` from it to the unknown, or by other values of the unknown.
 
     The `chain` leads from the unknown to the goal, and is None where the sign is known. Where one of its formulas is a
     root that was found numerically, no other values are looked for.
     """
     if chain is None:
         return
-    (goal, _), shown = chain.formulas[-1], len(step.relations)
-    exclude_opposite(roots.book, step, goal, found)
-    if len(step.relations) > shown or not is_explicit(chain):
+    goal, _ = chain.formulas[-1]
+    if exclude_opposite(roots.book, step, goal, found) or not is_explicit(chain):
         return
     others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
     if not others:
         what = told_range(roots.unknown, roots.book)
-        step.say(f"Only a magnitude is given; no {what} gives $-{goal}$ in place of ${goal}$.")
+        step.say(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
     roots.exclude(others, OPPOSITE)

@@ -123,7 +123,7 @@ class OtherRoots:
             step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
     def _say_never(self, step: Writing, name: str, value: float) -> None:
-        """Say that another root does not count as no value that the unknown could have leads to it, if that is so."""
+        """Say that no possible value of the unknown gives another root, if that is so."""
         if name == self.unknown:
             return
         chain = self._chain(name)

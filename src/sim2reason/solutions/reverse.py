@@ -30,10 +30,11 @@ LONGEST = 40  # formulas put into each other
 
 
 def forward(setting: Setting) -> Setting:
-    """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; of a threshold the limiting case.
+    """Return the setting that is solved in place of one whose answer the engine knows; others as they are.
 
-    There the number whose limit is meant has that value; where a result states it, another number is the unknown. Of an
-    optimum it is the scene that has it. Else the setting itself.
+    For *when is the speed 2.1 m/s?* it asks for the speed at the time t, the answer. For a threshold, the number whose
+    limit is meant has its limiting value; if a result states that, another number is the unknown. For an optimum, the
+    scene is the one that has it.
     """
     if isinstance(setting.query, ThresholdQuery) and setting.answer is not None and setting.sought is None:
         path, sought = setting.query.parameter, setting.answer
@@ -143,7 +144,7 @@ class Inversion:
         return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
 
     def _worked(self, held: Polynomial) -> Expression:
-        """Return a coefficient as the number that it comes to, with guard digits where digits cancel."""
+        """Return the value of a coefficient, with guard digits if a difference of such numbers would lose digits."""
         found = self.book.worked(held.factored())
         return replace(found, guarded=True) if self._guarded and isinstance(found, Worked) else found
 
@@ -152,7 +153,7 @@ class Inversion:
         return settled(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
-        """What else a name might be by an equation."""
+        """Return the other values of a name that satisfy an equation."""
         if self.book.in_symbols:
             return ()
         found = other_solutions(name, formula, value, self.book.values)
@@ -242,7 +243,7 @@ class Inversion:
         return Chain(tuple((name, self._formula(name)) for name in (*names, at)))
 
     def _formula(self, name: str) -> Expression:
-        """That of a name, also of a goal that is set to zero and so has none any more."""
+        """Return the formula of a name, or of the goal, even where it was set to zero and has none any more."""
         return self._defined if name == self.goal else self.book.formulas[name]
 
     def _lead(self, at: str, equation: Sides) -> str:

@@ -45,9 +45,9 @@ class Setting:
 
     @classmethod
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
-        """Of a question about the motion that has its answer; what the text leaves unknown is called as it says.
+        """Return the setting of a question with an answer; what its text leaves unknown has the symbol of the text.
 
-        A text in symbols has none for what it does not tell, such as a strain of zero: the question may use that one.
+        A text in symbols has no symbol for a number that it does not tell, such as a strain of zero: a question may.
         """
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
         if question.formula is not None:
@@ -57,7 +57,7 @@ class Setting:
 
     @property
     def mechanism(self) -> Mechanism:
-        """What moves."""
+        """The mechanism of the scene."""
         return self.scene.mechanism
 
     @property
@@ -72,7 +72,7 @@ class Setting:
 
     @cached_property
     def lexicon(self) -> Lexicon:
-        """What its numbers are called; all questions about one motion share it, and what was read by it."""
+        """The symbols of the given numbers, which all questions about one motion share with what was read by them."""
         if self.scene is not self.study.scene:
             return Lexicon(self.scene, self.symbols)
         key = "lexicon", tuple(self.symbols.items())
@@ -102,7 +102,7 @@ class Setting:
 
     @cached_property
     def answer(self) -> float | None:
-        """What the engine says: of the query, of a number that is unknown, or when something is as it is given."""
+        """Return the engine's value of the query, of an unknown number, or of the time of a given result."""
         if self.sought is not None:
             return self.sought
         if self.unknown and self.stated is not None:
@@ -122,7 +122,7 @@ class Setting:
         return pulleys(self.mechanism, self.words.mentions)
 
     def called(self, body: str) -> str:
-        """How the text speaks of a body; of a light carrier, as of its pulley."""
+        """Return the noun phrase of a body; of a light carrier, that of its pulley."""
         address = body if body in self.words.mentions else self.pulleys.get(body, "")
         return self.words.mentions.get(address, "the carrier of the pulley")
 
@@ -151,7 +151,7 @@ class Setting:
 
     @cached_property
     def lines(self) -> Mapping[str, str]:
-        """What strings are called, those that are drawn in included."""
+        """Return phrases for strings, by name, also for those that are only drawn in."""
         found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
         drawn = {
             line.name: "the string that is pulled"
@@ -162,7 +162,7 @@ class Setting:
 
     @cached_property
     def springs(self) -> Mapping[str, str]:
-        """What springs are called."""
+        """Return phrases for springs, by name."""
         return springs(self.mechanism, self.words.mentions)
 
     def _on_a_rim(self, site: str) -> bool:
@@ -192,7 +192,7 @@ class Setting:
         return frozenset(given.symbol for given in self.lexicon.givens.values())
 
     def is_given(self, name: str) -> bool:
-        """Whether the text says the value of a symbol."""
+        """Return whether the text says the value of a symbol."""
         return name in self._given_names
 
     def given(self, path: str) -> StatedNumber | None:

@@ -1,4 +1,4 @@
-"""For which values of an unknown formulas come to a number."""
+"""Values of an unknown for which formulas have a given value."""
 
 from math import pi, radians, sin
 

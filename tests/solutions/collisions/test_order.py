@@ -231,7 +231,6 @@ def test_on_which_side_a_distance_is_reached_is_said() -> None:
     found = solved(asked(place, Query("time_to_event", None, Moved("track.gliders.1", 1.5))))
     assert "never as far as $d$ from its start; then it moves to the right. The two do not meet again" in found.text
     assert "is the distance $d$ from its starting point when $s_B + v'_B t_1 = d$" in found.text
-    assert "has moved" not in found.text, "it has moved farther, to and fro"
 
 
 def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> None:
@@ -241,7 +240,6 @@ def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> No
     found = solved(asked(place, Query("event", Target("velocity", first), moment)))
     assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.47460" in found.text
     assert "; nothing else collides before they do." in found.text
-    assert "so they collide next" not in found.text
     assert "$e = 1.00$ (elastic)" not in found.text
 
 
@@ -276,5 +274,4 @@ def test_what_collides_later_is_told_where_no_times_of_collisions_are() -> None:
     """In the part about an impulse, B and C approach each other already when A meets the wall again."""
     text = solution_text("collision-hard-multipart-301927-0").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
     assert "would meet only at $t_{BC,3} = t_3 + " in text
-    assert "so they collide next" not in text
     assert "move apart" not in text, "part (a) has told that"

@@ -23,6 +23,6 @@ def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
 
 
 def test_a_part_of_no_length_is_no_part_of_a_path() -> None:
-    """A flight that begins as the path ends is none of it."""
+    """A flight that begins at the end of the path contributes nothing to it."""
     text = solution_text("collision-hard-multipart-301928-0")
     assert "the path of block B is $s_B$, $s_B - s_{B,1}$ and $s_{B,2} - s_{B,1}$ long, so" in text

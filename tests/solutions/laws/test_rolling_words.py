@@ -155,7 +155,7 @@ def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
 
 
 def test_the_acceleration_without_slip_has_a_direction() -> None:
-    """That of the shell is counted up the slope."""
+    """The acceleration of the shell itself counts as positive up the slope, so this one needs its own direction."""
     assert r"2.8507\ \text{m/s}^2$ down the slope. This takes the friction" in solution_text(
         "rolling-hard-choice-301929-0"
     )

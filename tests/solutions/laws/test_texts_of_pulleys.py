@@ -64,7 +64,7 @@ def test_numbers_put_in_for_known_quantities_are_called_so() -> None:
 
 
 def test_a_string_on_a_pulley_with_mass_does_not_slip_and_the_sense_of_turning_is_told() -> None:
-    """By a_C = a_P + a_A, A rises relative to P as a_P grows."""
+    """The sign of a_P in a_C = a_P + a_A has a meaning only if the text says which sense of turning is positive."""
     text = solution_text("hybrid-hard-reverse-301931-0")
     assert "does not stretch, nor does it slip on pulley P: $a_C = a_P + a_A$." in text
     assert "positive when the part of the string between crate A and pulley P runs onto pulley P;" in text

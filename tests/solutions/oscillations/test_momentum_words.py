@@ -69,7 +69,7 @@ def test_along_a_level_track_momentum_and_the_reduced_mass_are_those_of_every_te
 
 
 def test_an_acceleration_at_a_place_follows_from_the_power_at_any_velocity() -> None:
-    """Nothing is divided by a speed that may be zero, and the extension of the spring is said."""
+    """The text divides nothing by a speed that may be zero, and gives the extension of the spring."""
     scene = row((1.2, 3.0), (60.0,), "free", strain=0.1)
     one, other = (body.name for body in scene.mechanism.bodies if body.mass)
     found = solved(scene, Query("event", Target("acceleration", one), Moved(other, 0.02)), "momentum")

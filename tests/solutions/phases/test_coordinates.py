@@ -1,4 +1,4 @@
-"""What coordinates of equations of motion are called."""
+"""Names of the coordinates of equations of motion."""
 
 from worked import solution_text
 

@@ -124,7 +124,7 @@ def test_the_side_of_the_centre_of_mass_is_assumed_before_it_is_used() -> None:
 
 
 def test_it_is_said_which_body_is_at_its_highest_point() -> None:
-    """An arm with bodies on both sides has none."""
+    """An arm with bodies on both sides has no highest point of its own."""
     text = solution_text("rotation-hard-multipart-301932-1")
     assert "The arm turns back, with hemisphere A at its highest point, where all kinetic energy" in text
 

@@ -35,7 +35,7 @@ class Equation:
 
     @cached_property
     def zero(self) -> Polynomial:
-        """What vanishes."""
+        """Forces minus inertia, which is zero by the equation."""
         return self.forces - self.inertia
 
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
@@ -259,7 +259,7 @@ class Elimination:
 
 
 def _key(equation: Equation) -> str:
-    """What stands for an equation that was added up."""
+    """Return the label of an equation, or a name for one that has none as it was added up."""
     return f"sum {id(equation)}" if not equation.label else equation.label
 
 
@@ -280,7 +280,7 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
 
 
 def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
-    """Of 0 = rest − before · name: what stands before it, and the rest; both with a sign that suits."""
+    """Return `before` and `rest` of the equation `before` · name = `rest`, with the signs that suit a text."""
     before, rest = zero.coefficient(name), zero.without((name,))
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 

@@ -63,7 +63,7 @@ class NumericRoot(Expression):
         return root - self.residual.value({**at, self.name: complex(root)}) / self.slope(plain, root)
 
     def slope(self, at: Mapping[str, float], root: float) -> float:
-        """How fast the formula changes with the symbol."""
+        """Return the derivative of the formula with respect to the symbol."""
         return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
 
     def latex(self) -> str:
@@ -104,7 +104,7 @@ class QuadraticRoot(ImplicitRoot):
 
 @record(slots=True)
 class Chain(Expression):
-    """What the last of several names comes to, each a formula of those before it; it is never written."""
+    """A chain of named formulas, each of names before it, with the value of the last one; it is never written."""
 
     formulas: tuple[tuple[str, Expression], ...]
 
@@ -136,7 +136,7 @@ def numbers(held: Expression) -> Iterator[Expression]:
 
 
 def loses_digits(held: Expression, at: Values) -> bool:
-    """Return whether the numbers in a formula, as they are written, come to another result than the formula."""
+    """Return whether rounded numbers, as they are written in a formula, give another result to five digits."""
     exact = held.value(at).real
     return abs(_as_written(held).value(at).real - exact) > WRITTEN * abs(exact)
 
@@ -148,7 +148,7 @@ def _as_written(held: Expression) -> Expression:
 
 
 def is_special(held: Expression) -> bool:
-    """Whether a formula contains a special function, of which problems in symbols have none."""
+    """Return whether a formula contains a special function, of which problems in symbols have none."""
     return isinstance(held, SpecialFunction) or any(map(is_special, held.parts))
 
 

@@ -22,30 +22,56 @@ SHOWN = 1e-9  # of the largest term: what is less has no place in an equation th
 MEANS = 1e-13  # of the largest coefficient: what is less is left by rounding
 
 Basis = Sequence[Expression]
+Parts = tuple[Array, Array]
+"""The coefficients of two sums of the functions of a basis: numerator and denominator."""
 
 
 def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> ClosedRoot | None:
     """Return the unknown for which a chain of formulas has the value of `at`; None if no closed form is found."""
     target, near = values[at.name], values[unknown]
-    for power in (1, 2):  # the square of a speed may be simple where the speed is not
-        for basis in _bases(Symbol(unknown)):
-            seen = _sampled(chain, unknown, values)
-            equation = _equation(seen, basis, unknown, power, target) if seen is not None else None
-            closed = solved_for(unknown, equation, ZERO, {unknown: near}) if equation is not None else None
-            if equation is not None and closed is not None and not isinstance(closed, NumericRoot):
-                return ClosedRoot(added(chain, -at), unknown, near, equation, closed)
+    for power, basis, (above, below), _ in _fractions(chain, unknown, values):
+        found = above - target**power * below
+        found = found / np.abs(found).max()
+        equation = _summed(basis, found, np.abs(found) > MEANS)
+        closed = solved_for(unknown, equation, ZERO, {unknown: near})
+        if not isinstance(closed, NumericRoot):
+            return ClosedRoot(added(chain, -at), unknown, near, equation, closed)
     return None
 
 
+def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
+    """Return both sides of the equation whose root `closed_root` found: `at`, or its square, and a fraction."""
+    for power, basis, parts, points in _fractions(chain, unknown, values):
+        sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
+        scaled = [part / _largest(parts[1]) for part in parts]
+        above, below = (_summed(basis, part, _is_shown(np.abs(part * sizes))) for part in scaled)
+        return Power(at, power) if power > 1 else at, ratio(above, below)
+    raise ValueError("the chain is no fraction of such sums")
+
+
+def _fractions(chain: Chain, unknown: str, values: Mapping[str, float]) -> Iterator[tuple[int, Basis, Parts, Array]]:
+    """Yield each fraction of two sums of functions that a chain, or its square, equals at some points.
+
+    Of each: the power of the chain, the functions, the coefficients of both sums, and the points.
+    """
+    seen = _sampled(chain, unknown, values)
+    if seen is None:
+        return
+    for power in (1, 2):  # the square of a speed may be simple where the speed is not
+        for basis in _bases(Symbol(unknown)):
+            if (parts := _parts(seen, basis, unknown, power)) is not None:
+                yield power, basis, parts, seen[0]
+
+
 def _bases(x: Symbol) -> Iterator[Basis]:
-    """The functions of the unknown of which both sides of a fraction are sums."""
+    """Yield sets of functions of the unknown of which numerator and denominator of a fraction may be sums."""
     yield ONE, x
     yield ONE, Call("sin", x), Call("cos", x)
     yield ONE, x, Power(x, 2)
 
 
 def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[Array, Array] | None:
-    """Values of the unknown about its own, and those of the chain; None where it has none."""
+    """Return points about the value of the unknown, and the values of the chain there; None where it has none."""
     for first, last in WINDOWS:
         points = values[unknown] * np.geomspace(first, last, POINTS)
         try:
@@ -57,41 +83,21 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
     return None
 
 
-def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
-    """Return both sides of the equation whose root `closed_root` found: `at`, or its square, and a fraction."""
-    seen = _sampled(chain, unknown, values)
-    assert seen is not None
-    for power in (1, 2):
-        for basis in _bases(Symbol(unknown)):
-            if (parts := _parts(seen, basis, unknown, power)) is not None:
-                sizes = [max(abs(held.value({unknown: x})) for x in seen[0].tolist()) for held in basis]
-                sums = [_summed(basis, part, np.array(sizes)) for part in (p / _largest(parts[1]) for p in parts)]
-                return Power(at, power) if power > 1 else at, ratio(*sums)
-    raise ValueError("the chain is no fraction of such sums")
-
-
-def _equation(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int, target: float) -> Expression | None:
-    """What vanishes at the root, if the values are those of a quotient of two sums of functions; else None."""
-    parts = _parts(seen, basis, unknown, power)
-    if parts is None:
-        return None
-    found = parts[0] - target**power * parts[1]
-    return _summed(basis, found / np.abs(found).max())
-
-
-def _summed(basis: Basis, parts: Array, sizes: Array | None = None) -> Expression:
-    """Return a sum of functions, by their `sizes` if these are given, without those that are left by rounding."""
-    terms = np.abs(parts if sizes is None else parts * sizes)
-    kept = terms > (MEANS if sizes is None else SHOWN) * terms.max()
+def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
+    """Return the sum of those terms of a basis that are kept, each a coefficient times a function."""
     return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
+
+
+def _is_shown(terms: Array) -> Array:
+    return terms > SHOWN * terms.max()
 
 
 def _largest(parts: Array) -> float:
     return float(parts[np.abs(parts).argmax()])
 
 
-def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> tuple[Array, Array] | None:
-    """The coefficients of both sums, if the values are those of a quotient of two sums of functions; else None."""
+def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> Parts | None:
+    """Return the coefficients of both sums whose quotient has the values that were seen; None if there are none."""
     points, values = seen
     columns = np.array([[held.value({unknown: x}) for held in basis] for x in points.tolist()])
     whole = np.hstack([columns, -(values**power)[:, None] * columns])

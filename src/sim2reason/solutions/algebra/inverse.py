@@ -40,9 +40,9 @@ def solved_for(
     at: Mapping[str, float],
     written: Written = Polynomial.factored,
 ) -> Expression:
-    """What a symbol is where a formula of it has a value; of several branches, that which is so `at` known values.
+    """Return a formula for a symbol in an equation; of several branches, the one with its value `at` known values.
 
-    How coefficients of a quadratic equation are `written`, whoever asks says.
+    `written` gives the coefficients of a quadratic equation the form in which they are told.
     """
     for held in _branches(name, formula, value, written):
         found = _real(held, at)
@@ -84,11 +84,13 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
     return held.built_of([put(part, name, formula) for part in held.parts])
 
 
-def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
-    """A formula in which all that holds nothing unknown is written as the numbers that it comes to.
+def put_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
+    """Return a formula with other formulas in place of symbols, put in one after the other."""
+    return reduce(lambda whole, pair: put(whole, *pair), formulas.items(), held)
 
-    Symbols stay only where no number is written, so that a formula is in symbols or in numbers.
-    """
+
+def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
+    """Return a formula whose known parts are written as numbers, unless all of these are single symbols."""
     found = _Settling(unknown, worked).of(held)
     return _without_symbols(found, unknown, worked) if next(numbers(found), None) is not None else found
 
@@ -96,7 +98,7 @@ def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Express
 def _without_symbols(
     held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
-    """Return a formula with the numbers of all symbols that are known, in products before other factors."""
+    """Return a formula with the values of all known symbols, before other factors, as in 3.2 v."""
     if isinstance(held, Symbol):
         return held if held.name in unknown else worked(held)
     if not held.parts or isinstance(held, Worked):
@@ -165,7 +167,7 @@ def _branches(name: str, formula: Expression, value: Expression, written: Writte
 
 
 def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
-    """What a part of a formula must be, the rest of which is known."""
+    """Yield the formulas of a part of a formula whose value and other parts are known."""
     match formula:
         case Sum():
             yield reduce(added, (-term for term in formula.terms if term is not part), value)
@@ -188,7 +190,7 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
 
 
 def _roots(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
-    """Of an equation in which the symbol stands in several places."""
+    """Yield the formulas for a symbol that stands in several places of an equation."""
     try:
         zero = fraction(formula) + fraction(-value)
     except OverflowError:

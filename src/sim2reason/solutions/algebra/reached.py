@@ -1,4 +1,4 @@
-"""For which values of an unknown formulas come to a given number, looked for in all that it could be."""
+"""Values of an unknown for which formulas come to a given number, searched for in the range that it may have."""
 
 from math import isfinite, pi
 
@@ -15,12 +15,15 @@ NEAR = 1e-3  # of the larger of two values on either side of a zero: a pole leav
 
 
 def is_explicit(chain: Chain) -> bool:
-    """Return whether formulas have values anywhere: none of them is a root that was found near another value."""
+    """Return whether a chain has a value for any value of its unknown, as none of its formulas is a numeric root."""
     return not any(isinstance(formula, ImplicitRoot) for _, formula in chain.formulas)
 
 
 def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[float]:
-    """Return the values of an unknown, of its sign, for which the last formula comes to a number."""
+    """Return the values of an unknown for which the last formula of a chain has the value `target`, in SI units.
+
+    Only values of the sign that the unknown has are found; of angles up to 90°, of coefficients of restitution up to 1.
+    """
 
     def off(value: float) -> float:
         try:
@@ -44,12 +47,17 @@ def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[f
     return found
 
 
+def is_restitution(name: str, book: Book) -> bool:
+    """Return whether a name is that of a coefficient of restitution, which is at most 1."""
+    return name.partition("_")[0] == "e" and not book.units[name] and 0.0 < book.values[name] <= 1.0
+
+
 def told_range(unknown: str, book: Book) -> str:
-    """Return what an unknown could be, in words, as in: *no positive $m$*."""
+    """Return the range that an unknown may have, in words that follow *no*, such as *positive $m$*."""
     name = f"${unknown}$"
     if book.units[unknown] == DEGREES:
         return f"{name} between $0^\\circ$ and $90^\\circ$"
-    if _is_coefficient(unknown, book):
+    if is_restitution(unknown, book):
         return f"{name} between 0 and 1"
     return f"{'negative' if book.values[unknown] < 0.0 else 'positive'} {name}"
 
@@ -58,10 +66,6 @@ def _points(unknown: str, book: Book) -> list[float]:
     known = book.values[unknown]
     if book.units[unknown] == DEGREES and 0.0 < known < 0.5 * pi:
         return np.linspace(0.0, 0.5 * pi, POINTS).tolist()
-    if _is_coefficient(unknown, book):
+    if is_restitution(unknown, book):
         return np.linspace(0.0, 1.0, POINTS).tolist()
     return (known * np.geomspace(1.0 / REACH, REACH, POINTS)).tolist()
-
-
-def _is_coefficient(unknown: str, book: Book) -> bool:
-    return unknown.partition("_")[0] == "e" and not book.units[unknown] and 0.0 < book.values[unknown] <= 1.0

@@ -88,7 +88,7 @@ class _LastAlgebra:
 
     @cached_property
     def told(self) -> list[Relation]:
-        """Return equations that give intermediate results by given quantities; of many, those of the last formula."""
+        """Return equations that give intermediate quantities by given ones, such as a = F/m; of many, the last ones."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]
@@ -104,7 +104,7 @@ class _LastAlgebra:
     def _on_the_way(self) -> list[str]:
         """Return the names on which the formula of the answer hangs, in the order in which they are defined.
 
-        What leads to a name that the text has in terms of what is given is left out.
+        Names behind one that the text has in terms of given quantities are left out.
         """
         found, waiting = set[str](), [self._whole]
         while waiting:
@@ -129,7 +129,7 @@ class _LastAlgebra:
                 yield relation
 
     def _is_said(self, name: str) -> bool:
-        """Return whether the text has a quantity in terms of what is given."""
+        """Return whether the text contains a quantity in terms of given ones."""
         found = self._closed(Symbol(name))
         return found is not None and Relation(Symbol(name), found.expression, "derived").latex() in self._said
 

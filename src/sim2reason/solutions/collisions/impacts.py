@@ -86,7 +86,7 @@ class Impacts(FreeFlights, ABC):
         return self.counted(since, name)
 
     def counted_from(self, impact: Impact, since: Symbol | None) -> str:
-        """Return from when the time of an impact counts, to end a sentence; nothing if none comes before."""
+        """Return the words after a time, such as *, counted from t = 0*; empty for the first impact."""
         if since is None:
             return ", counted from t = 0" if impact.number else ""
         return f" after {self.event(since)}"
@@ -104,7 +104,7 @@ class Impacts(FreeFlights, ABC):
         return ratio(added(-v, -root), rise.expression())
 
     def met(self, impact: Impact) -> str:
-        """Who meets whom, in words."""
+        """Return a clause about an impact, such as *Carts A and B collide again*."""
         again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
             return f"{capital(self.setting.called(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
@@ -196,7 +196,7 @@ class Impacts(FreeFlights, ABC):
         return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
 
     def inertia(self, impact: Impact) -> Expression:
-        """What counts as the mass of an impact: m of a body at a wall, m m′/(m + m′) of two."""
+        """Return the mass of an impact, in kg: m of a body that hits a wall, m m′/(m + m′) of two bodies."""
         masses = [self.mass(body).expression() for body in impact.bodies]
         return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
 

@@ -10,31 +10,29 @@ from sim2reason.solutions.writing.merging import together
 
 LONG = 6  # names that steps of these kinds give, from which on a text is easier to follow with rows
 VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
-ROWS = {VELOCITY: "velocities", TIME: "times", DISPLACEMENT: "displacements"}
+GROUPED = VELOCITY, TIME, DISPLACEMENT
+ROWS = {VELOCITY: "velocities", DISPLACEMENT: "displacements"}
 SINGULAR = {"velocities": "velocity", "displacements": "displacement"}
 INSTANT = re.compile(r"At (\$[^$]*\$) ")  # with which a sentence begins about what is so then
 
 
 def in_rows(steps: Sequence[Step]) -> list[Step]:
-    """A long text with sentences of one kind put together where the first of them stands; any other as it is."""
+    """Return the steps of a long text in which those of one kind stand together; of a short text as they are."""
     waiting = list(steps)
-    if sum(len(step.gives) for step in waiting if step.kind in ROWS) < LONG:
+    if sum(len(step.gives) for step in waiting if step.kind in GROUPED) < LONG:
         return waiting
     told, found, place = set[int](), list[Step](), dict[int, int]()
     while waiting:
         group: list[Step] = [waiting.pop(0)]
         kind = group[0].kind
         told.add(group[0].id)
-        while kind in ROWS and (more := [s for s in waiting if s.kind == kind and told.issuperset(s.needs)]):
+        while kind in GROUPED and (more := [s for s in waiting if s.kind == kind and told.issuperset(s.needs)]):
             group += more
             told.update(step.id for step in more)
             waiting = [step for step in waiting if step.id not in told]
-        if kind == TIME:  # each is counted from another event
-            place |= {step.id: step.id for step in group}
-            found += group
-            continue
-        place |= dict.fromkeys((step.id for step in group), group[0].id)
-        found.append(_row(group))
+        rows = group if kind == TIME else [_row(group)]  # each time is counted from another event
+        place |= {step.id: (step if kind == TIME else group[0]).id for step in group}
+        found += rows
     return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
 
 

@@ -1,4 +1,4 @@
-"""That two bodies on a line collide next, where no time of their collision is written, and numbers known late."""
+"""The reason why two bodies on a line collide next, if no time of their collision is written; numbers known late."""
 
 from collections.abc import Iterator
 
@@ -32,7 +32,7 @@ def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Im
 
 
 def late_values(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> Iterator[str]:
-    """Yield what numbers of an argument come to that were unknown before; of the `last` collision, that it is early."""
+    """Yield the values of an argument that were unknown before, and that the `last` collision comes before `until`."""
     book = flights.book
     used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
     late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]

@@ -34,7 +34,7 @@ class Flights(Impacts):
         return super().closing(impact)
 
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
-        """What momentum and restitution along the line of centres leave."""
+        """Return the velocities, in m/s, after a collision of discs, by the number of the coordinate."""
         return _part(self, impact)
 
 

@@ -66,9 +66,9 @@ class CollisionOrder:
                 self._tell_next(begins)
 
     def _tell_apart(self, begins: Impact | None) -> None:
-        """Write which bodies do not collide while they fly as after a collision, or as at the start.
+        """Write which bodies do not collide with the velocities that they have after a collision, or at the start.
 
-        At the start, those that collide only later are among them, so that the first collision is shown to be that.
+        At the start, bodies that would collide only later are among them: the first collision is shown to be the first.
         """
         step, told = self._book.open(ORDER), list[Excluded]()
         for stretch in self._held:
@@ -82,7 +82,7 @@ class CollisionOrder:
             self._close(step)
 
     def _tell_next(self, begins: Impact) -> None:
-        """Write why the next collision is the next one, where no times of collisions show that."""
+        """Write why bodies collide next, if no times of collisions show it."""
         step, following = self._book.open(ORDER), self._held.following(begins)
         if self._flights.timed or following is None:
             return
@@ -207,7 +207,7 @@ class CollisionOrder:
     def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
         """Return the argument that two bodies would collide only after the end of an interval, at a time since t = 0.
 
-        Of two that do collide then, that they are not the next to do so.
+        Two that do collide then are shown not to be the next to do so.
         """
         flights = self._flights
         ends = self._held.following(held.begins) if held.meets else held.ends

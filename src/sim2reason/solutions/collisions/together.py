@@ -22,20 +22,20 @@ class Together:
 
     @property
     def meets(self) -> bool:
-        """Whether it ends as the two collide."""
+        """Return whether the two bodies collide at the end of the interval."""
         return self.ends is not None and self.ends.meeting == self.meeting
 
 
 class Intervals:
-    """All such intervals of a motion that counts until a time, s, which may be infinite."""
+    """The intervals, pair by pair, of a motion that counts until a time, in s, which may be infinite."""
 
     def __init__(self, flights: Impacts, time: float) -> None:
-        """Take all flights."""
+        """Take the flights of all bodies, and the time at which the motion ends, in s."""
         self._flights, self._time = flights, time
         self.early = [impact for impact in flights.impacts if impact.time < time * (1.0 - SAME)]
 
     def __iter__(self) -> Iterator[Together]:
-        """Yield those of each pair in turn."""
+        """Yield the intervals of each pair of bodies in turn."""
         for number, meeting in enumerate(self._flights.mechanism.meetings):
             changes = [held for held in self.early if {*held.bodies} & {*meeting.names}]
             for begins, ends in zip([None, *changes], [*changes, None], strict=True):
@@ -55,7 +55,7 @@ class Intervals:
         return next((held for held in (*self.early, *self.at_end) if held.number >= number), None)
 
     def is_late(self, held: Together) -> bool:
-        """Return whether the two collide in the end, but are not the next to do so."""
+        """Return whether the two bodies of an interval collide at its end, but others collide before."""
         return held.meets and held.ends is not self.following(held.begins)
 
     def _last(self, meeting: Meeting) -> Impact | None:

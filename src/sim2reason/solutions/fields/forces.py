@@ -70,7 +70,7 @@ class Fields:
         return self.book.fresh("v", axis)
 
     def _checked(self) -> None:
-        """That the equations of motion are linear, with coefficients that never change."""
+        """Check that the equations of motion are linear with constant coefficients."""
         for law in (self.setting.mechanism.forces[number].law for number in self.forces):
             if isinstance(law, Magnetic) and (law.profile.uniform or self.start):
                 continue
@@ -129,7 +129,7 @@ class Fields:
 
     @property
     def resists(self) -> bool:
-        """Whether a medium resists by the square of the speed."""
+        """Return whether a medium resists by the square of the speed."""
         number = self._of(Resistance)
         return number is not None and bool(getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0))
 
@@ -184,7 +184,7 @@ class Fields:
 
     @property
     def has_field(self) -> bool:
-        """Whether an electric field acts."""
+        """Return whether an electric field acts."""
         return self._of(Push) is not None
 
     def _where(self, profile: Profile) -> str:
@@ -261,7 +261,7 @@ class Fields:
         return found
 
     def speed(self, first: Expression, time: Expression) -> Expression:
-        """By a time, of what has one at first, where no electric field acts: the medium alone changes it."""
+        """Return the speed at a time, in m/s, that only a medium has reduced since the start."""
         if self.damping is not None:
             return first * Call("exp", -(self.damping * time))
         return first / (ONE + self.drag * time)

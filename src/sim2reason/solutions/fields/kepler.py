@@ -60,7 +60,7 @@ class KeplerOrbit:
 
     @cached_property
     def radius(self) -> Symbol:
-        """How far away it is at the start."""
+        """Return the distance from the centre at the start, in m."""
         formula = Root(squares(self.place))
         said = f"The initial distance of {self.setting.called(self.body)} is"
         return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
@@ -106,7 +106,7 @@ class KeplerOrbit:
 
     @cached_property
     def along(self) -> Symbol:
-        """Of the product e cos E₀, the value."""
+        """Return the symbol of e cos E₀, with the eccentric anomaly E₀ at the start."""
         E, e, a, star = self.anomaly.latex(), self.oval.latex(), self.axis, self.setting.called(self.center)
         said = rf"The distance from {star} is ${a.latex()} \left(1 - {e} \cos {E}\right)$, so the initial value of"
         return self.book.told("anomaly", rf"{said} ${e} \cos {E}$ is", self.named("p"), ONE - self.radius / a)
@@ -123,7 +123,7 @@ class KeplerOrbit:
 
     @cached_property
     def across(self) -> Expression:
-        """Of the product e sin E₀, the value."""
+        """Return e sin E₀, with the eccentric anomaly E₀ at the start."""
         if self.dot == ZERO:
             return ZERO  # it begins at an apsis
         E, e, root = self.anomaly.latex(), self.oval.latex(), Root(self.parameter * self.axis)
@@ -159,7 +159,7 @@ class KeplerOrbit:
     # ---- how far it has come
 
     def to_time(self, time: Expression) -> Symbol:
-        """By how much the eccentric anomaly has grown at a time: Kepler's equation."""
+        """Write Kepler's equation, and return the increase of the eccentric anomaly up to a time, in radians."""
         p, q, n, name = self.along, self.across, self.mean_motion, self.named(r"\eta")
         right = self._grown(name)
         near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
@@ -194,7 +194,7 @@ class KeplerOrbit:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
 
     def to_apsis(self, *, far: bool) -> Expression:
-        """By how much it has grown at the next perihelion or aphelion."""
+        """Return the increase of the eccentric anomaly up to the next perihelion or aphelion, in radians."""
         if self.dot == ZERO:
             begins_far = self._at(self.along) < 0.0
             return TWO * PI if begins_far == far else PI
@@ -225,7 +225,7 @@ class KeplerOrbit:
         return f"{said} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
 
     def to_distance(self, distance: Symbol) -> Symbol:
-        """By how much it has grown when the body is first so far from where it began."""
+        """Write the increase of the eccentric anomaly, in radians, until a body is so far from its start."""
         name = self.named(r"\eta")
         square = self._away(name)
         level = self.book.value(distance) ** 2
@@ -276,7 +276,7 @@ class KeplerOrbit:
         return squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
 
     def weights(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Of place and velocity at the start in the displacement."""
+        """Return the factors of the initial place and velocity in the formula for the displacement."""
         rest = ONE - Call("cos", angle)
         ahead = (self.radius / self.axis * Call("sin", angle) + self.across * rest) / self.mean_motion
         return -(self.axis / self.radius * rest), ahead

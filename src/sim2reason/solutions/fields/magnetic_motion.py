@@ -110,7 +110,7 @@ class Turning(FieldMotion):
 
     @cached_property
     def _drift(self) -> list[Expression]:
-        """What a uniform electric field keeps up, along x and y; of one that oscillates, the amplitudes."""
+        """Return the velocity, along x and y, that an electric field maintains, or its amplitudes."""
         found: list[Expression] = [ZERO, ZERO]
         drive = self.drive
         if drive is None:
@@ -179,7 +179,7 @@ class Turning(FieldMotion):
 
     @cached_property
     def _turned(self) -> list[Expression]:
-        """What of the velocity turns, at the start."""
+        """Return the components at the start of that part of the velocity that the magnetic force rotates."""
         still = [self._kept(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
         step, told = self.book.open("motion"), list[str]()
@@ -223,7 +223,7 @@ class Turning(FieldMotion):
         return drift
 
     def carried(self, axis: int, time: Expression) -> Expression:
-        """How far the velocity that is kept up leads."""
+        """Return the displacement, in m, of the velocity that an electric field maintains."""
         drive, drift = self.drive, self._drift[axis]
         if drive is None:
             return ZERO
@@ -255,7 +255,7 @@ class Turning(FieldMotion):
         return super().told(kind, axis, time)
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """What is kept up, and what turns."""
+        """Return a component of the velocity, in m/s: the constant part plus the rotated one."""
         if self._heading is not None:
             speed, angle = self._heading
             return speed * Call("sin" if axis else "cos", angle - self.turning * time)

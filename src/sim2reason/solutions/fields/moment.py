@@ -31,7 +31,7 @@ class FieldMoment:
 
     @cached_property
     def motion(self) -> FieldMotion:
-        """As functions of time."""
+        """Return place and velocity of the body as functions of time."""
         return motion_in(self.fields, self.fields.launch)
 
     @cached_property
@@ -93,7 +93,7 @@ class FieldMoment:
         return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
 
     def _distance(self, time: Symbol) -> Expression:
-        """Of the distance from the start."""
+        """Return the square of the distance from the start, in m²."""
         return squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
@@ -113,7 +113,7 @@ class FieldMoment:
         return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
 
     def _size(self, parts: list[Expression]) -> Expression:
-        """Return the magnitude of a vector by its components: a single one without its sign, else a root."""
+        """Return the magnitude of a vector: the modulus of its only component, or a root of a sum of squares."""
         kept = [part for part in parts if part != ZERO]
         if len(kept) != 1:
             return Root(squares(parts)) if kept else ZERO
@@ -157,7 +157,7 @@ class FieldMoment:
 
     @property
     def _uniform(self) -> bool:
-        """Whether the fields never change, and nothing resists."""
+        """Return whether the fields are constant and uniform, and nothing resists."""
         drive = self.fields.drive
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
         return not changing and self.fields.damping is None

@@ -51,7 +51,7 @@ class Driven(FieldMotion):
     """An electric field alone."""
 
     def told(self, kind: str, axis: int, time: Expression) -> str:
-        """By an integral, or by a solution of a linear equation that has the initial values."""
+        """Return the words before a displacement or velocity, which an integral or a linear equation gives."""
         drive = self.fields.drive
         if drive is None or drive.axis != axis:
             return super().told(kind, axis, time)
@@ -111,17 +111,17 @@ class Driven(FieldMotion):
 
     @cached_property
     def slope(self) -> Expression:
-        """By how much it grows for each metre along the field."""
+        """Return the increase of the acceleration for each metre along the field, in 1/s²."""
         assert self._drive.slope is not None
         return self._drive.slope
 
     def _departed(self, axis: int, time: Expression) -> Expression:
-        """How far it has come along the field."""
+        """Return the displacement along the field, in m."""
         return self.center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
 
     @cached_property
     def swings(self) -> bool:
-        """Whether it is drawn back to where the force is zero."""
+        """Return whether a force draws the body back to where the net force is zero."""
         return self.book.value(self.slope) < 0.0
 
     @cached_property

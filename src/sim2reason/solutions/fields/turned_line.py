@@ -27,7 +27,7 @@ class Turned(OrbitPlace):
 
     @cached_property
     def _outward(self) -> Symbol:
-        """How fast it recedes at the start."""
+        """Return the radial velocity at the start, in m/s."""
         orbit = self.orbit
         said = "The initial radial velocity is"
         return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
@@ -95,7 +95,7 @@ class Turned(OrbitPlace):
 
     @cached_property
     def _outward_now(self) -> Expression:
-        """How fast it recedes there."""
+        """Return the radial velocity there, in m/s."""
         if self._quarters == 2:
             return -self._outward
         orbit = self.orbit
@@ -123,7 +123,7 @@ class Turned(OrbitPlace):
         return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
 
     def _anomaly(self) -> Expression:
-        """By Lagrange's formulas: where the place is opposite to the first one, or at right angles to it."""
+        """Return the increase of the eccentric anomaly, in radians, by Lagrange's formulas."""
         if self._quarters == 2:
             return self._opposite_end()
         return self._perpendicular() if self.orbit.dot != ZERO else self._from_apsis()

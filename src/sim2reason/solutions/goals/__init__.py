@@ -1,4 +1,4 @@
-"""What the quantities of questions are, in terms of accelerations, velocities, displacements and forces; one a file."""
+"""Quantities of questions in terms of accelerations, velocities, displacements and forces; one a file."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -30,7 +30,7 @@ class Stretch(ABC):
 
     @property
     def time(self) -> Symbol:
-        """How long it takes."""
+        """Return how long the part takes, in s."""
         raise UnsolvedError("no time in which no force changes")
 
     def force(self, kind: str, name: str) -> Polynomial:
@@ -38,20 +38,20 @@ class Stretch(ABC):
         raise UnsolvedError(f"no {kind} of {name} that is constant")
 
     def moved(self, body: str, line: str) -> Polynomial:
-        """How far a body moves along a line that is tied to it, away from where that is tied."""
+        """Return how far a body moves, in m, along a line that is tied to it, away from where that is tied."""
         raise UnsolvedError(f"no way of {body} along {line}")
 
     def slipped(self, body: str) -> Polynomial:
-        """How far a body slips on its face."""
+        """Return how far a body slips on its face, in m."""
         raise UnsolvedError(f"no slip of {body}")
 
     def drawn(self, line: str) -> Polynomial:
-        """By how much a line grows shorter."""
+        """Return by how much a line grows shorter, in m."""
         raise UnsolvedError(f"no change of {line}")
 
     @abstractmethod
     def path(self, body: str) -> Expression:
-        """How far a body travels along its line, to and fro."""
+        """Return how far a body travels along its line, to and fro, in m."""
 
     def paths(self, body: str) -> Sequence[Expression]:
         """Return the distances between successive turning points in this part."""
@@ -59,7 +59,7 @@ class Stretch(ABC):
 
 
 class Known(Protocol):
-    """What a strategy can tell of the motion at the moment that is asked about; it writes the steps that lead there."""
+    """A strategy's knowledge of the motion at the moment in question; its methods write the steps that lead there."""
 
     @property
     def setting(self) -> Setting:
@@ -80,7 +80,7 @@ class Known(Protocol):
         ...
 
     def axes(self, body: str) -> tuple[str, ...]:
-        """What the text calls the room's directions for a body: x, y, z unless it has axes of its own."""
+        """Return the text's names of directions for a body: x, y, z unless it has axes of its own."""
         ...
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
@@ -120,7 +120,7 @@ class Known(Protocol):
         ...
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """By how much a line has grown, ``s``, or how fast it does, ``v``."""
+        """Return by how much a line has grown, in m, for the kind ``s``, or how fast it grows, in m/s, for ``v``."""
         ...
 
     @property
@@ -129,11 +129,11 @@ class Known(Protocol):
         ...
 
     def work(self, line: str, body: str) -> Symbol | None:
-        """That of a tension on a body which changes all the while; None where it is constant, part by part."""
+        """Return the work, in J, of a varying tension on a body; None if the tension is constant in each part."""
         ...
 
     def impulse(self, line: str) -> Symbol | None:
-        """That of a tension which changes all the while; None where it is constant, part by part."""
+        """Return the impulse, in N s, of a varying tension; None if the tension is constant in each part."""
         ...
 
     @property
@@ -153,26 +153,26 @@ class Known(Protocol):
 
 
 class Goal(ABC):
-    """How a quantity follows from what a strategy knows."""
+    """A quantity, and the way in which it follows from the knowledge of a strategy."""
 
     @property
     def summary(self) -> str:
-        """What lists say of it: the first line of what documents its class."""
+        """Return the first line of the docstring of its class, with which lists describe it."""
         return (type(self).__doc__ or "").partition("\n")[0]
 
     @property
     @abstractmethod
     def uses(self) -> str:
-        """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; or nothing."""
+        """Return what it needs: accelerations ``a``, velocities ``v``, displacements ``s``; empty for nothing."""
 
     @property
     def turns(self) -> bool:
-        """Whether it hangs on how a body turns about its own axis; by default it does not."""
+        """Return whether it depends on the rotation of a body about its own axis; by default it does not."""
         return False
 
     @property
     def throughout(self) -> bool:
-        """Whether it hangs on forces all the while; by default on those at the end alone."""
+        """Return whether it depends on forces all the while; by default it does on those at the end alone."""
         return False
 
     def bodies(self, target: Target) -> Sequence[str]:
@@ -275,7 +275,7 @@ def magnitude(
 
 @dataclass(frozen=True, slots=True)
 class VectorName:
-    """How a vector is called: its letter, its unit in LaTeX, its word."""
+    """The letter, the unit in LaTeX and the word of a vector."""
 
     base: str
     unit: str
@@ -283,7 +283,7 @@ class VectorName:
 
     @classmethod
     def of(cls, quantity: str, said: str = "") -> Self:
-        """As quantities and functionals are; by default by their own words."""
+        """Return the name of a quantity or functional, which is its own word unless another is `said`."""
         return cls(LETTERS[quantity], unit_of_quantity(quantity), said or quantity)
 
 

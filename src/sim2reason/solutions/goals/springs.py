@@ -32,7 +32,7 @@ class SpringGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """How long it is, or how fast that changes."""
+        """Return ``v`` for a rate of extension, otherwise ``s``."""
         return "v" if self.noun is RATE else "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
@@ -45,7 +45,7 @@ class SpringGoal(Goal):
         return (target.subject,)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Of its extension; with a sign where one is asked for."""
+        """Write the quantity by the extension of the spring, with a sign where one is asked for."""
         formula = self._formula(target.subject, known)
         named, opposite, either = _CALLED[self.noun]
         if target.sense is None and self.noun not in (ENERGY, LENGTH):

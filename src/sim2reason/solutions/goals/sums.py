@@ -1,4 +1,4 @@
-"""What adds up over a motion: works, impulses, heat and paths, part by part."""
+"""Sums over a motion: works, impulses, heat and paths, part by part."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -35,11 +35,11 @@ class SumGoal(Goal):
 
     @abstractmethod
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """What a part of the motion contributes."""
+        """Return the contribution of one part of the motion to the sum."""
 
     @abstractmethod
     def said(self, target: Target, setting: Setting) -> str:
-        """What it is, in words."""
+        """Return words for the sum, such as *the work of the hand*."""
 
     def write(self, target: Target, known: Known) -> Symbol:
         """The sum."""
@@ -82,7 +82,7 @@ class TensionImpulse(SumGoal):
         return known.impulse(target.subject) or SumGoal.write(self, target, known)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a tension, by its string."""
+        """Return words for the impulse of a tension, with the string that has it."""
         return f"the impulse of the tension in {setting.lines[target.subject]}"
 
 
@@ -106,7 +106,7 @@ class TensionWork(SumGoal):
         return known.work(name, target.subject) or SumGoal.write(self, target, known)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a tension, on a body."""
+        """Return words for the work of a tension on a body."""
         return f"the work of the tension on {setting.called(target.subject)}"
 
 
@@ -161,7 +161,7 @@ class HandWork(SumGoal):
         return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a hand."""
+        """Return words for the work of a hand."""
         del target, setting
         return "the work of the hand"
 
@@ -172,7 +172,7 @@ class PathLength(SumGoal):
     noun = VectorName.of("distance travelled")
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """How far it travels in a part."""
+        """Return the contribution of one part of the motion to the sum."""
         del setting
         return part.path(target.subject)
 
@@ -190,7 +190,7 @@ class PathLength(SumGoal):
         return finish(known, formula, self.noun, "", what)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a body."""
+        """Return words for the distance that a body travels."""
         return f"the distance that {setting.called(target.subject)} travels"
 
 

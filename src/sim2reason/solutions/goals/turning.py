@@ -12,7 +12,7 @@ from sim2reason.solutions.goals.kinematics import VELOCITIES
 
 
 class AboutAxis(Goal):
-    """What hangs on how a body turns."""
+    """A quantity that depends on the rotation of a body about its axis."""
 
     @property
     def turns(self) -> bool:
@@ -29,11 +29,11 @@ class AngularGoal(AboutAxis):
 
     @property
     def uses(self) -> str:
-        """What of the rim."""
+        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
         return self.of
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """As in: the angular velocity is v/R."""
+        """Write the quantity as that of the rim over the radius, such as ω = v/R."""
         body = target.subject
         formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
         what = f"the magnitude of the {self.noun.said} of {known.setting.called(body)}"
@@ -60,11 +60,11 @@ class InertiaTimes(AboutAxis):
 
     @property
     def uses(self) -> str:
-        """What of the rim."""
+        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
         return self.of
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Of I = c m R², c m R times what the rim does."""
+        """Write the quantity as c m R times that of the rim, such as L = I ω = c m R v with I = c m R²."""
         body = target.subject
         held = known.rim_inertia(body) * known.radius(body)
         rim = known.rim(self.of, body) if self.of else known.radius(body)
@@ -87,7 +87,7 @@ class KineticShare(Goal):
 
     @abstractmethod
     def energy(self, body: str, known: Known) -> Expression:
-        """Of a body."""
+        """Return this part of the kinetic energy of a body, in J."""
 
     def write(self, target: Target, known: Known) -> Symbol:
         """One formula."""

@@ -70,7 +70,7 @@ class Dynamics:
         return found
 
     def _tied_outside(self, k: int, j: int, sign: float) -> bool:
-        """Whether strings feel how a body moves in the room, not how it does on its carrier."""
+        """Return whether strings feel how a body moves in the room, not how it does on its carrier."""
         for place in self.taut:
             terms = self.newton.string(place).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
@@ -118,7 +118,7 @@ class Dynamics:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """What the engine has for the unknowns."""
+        """Return the values of the unknowns, in SI units, that the engine has."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
         found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
         for k, (j, sign) in self.carried.items():  # in the order of bodies, so that a carrier's is there already
@@ -222,7 +222,7 @@ class Dynamics:
         return groups
 
     def _alike(self, one: int, other: int) -> bool:
-        """Whether two coordinates move their bodies side by side along one line."""
+        """Return whether two coordinates move their bodies side by side along one line."""
         a, b = self.mechanism.coordinates[one], self.mechanism.coordinates[other]
         parents = [self.mechanism.body[c.body].parent for c in (a, b)]
         straight = a.kind == b.kind == "slide" and parents[0] == parents[1] and _close(a.axis, b.axis)

@@ -27,9 +27,9 @@ def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Coll
 def acceleration_over_distance(
     setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Sequence[str]
 ) -> tuple[Expression, str]:
-    """Return an acceleration for d = ½ a t², and why, as an addition to a sentence.
+    """Return the acceleration, or its magnitude, for d = ½ a t², with the reason to end a sentence.
 
-    It is the magnitude if bodies may start from rest in either direction, unless what is assumed excludes one.
+    The magnitude is for bodies that may start from rest in either direction, unless an assumption excludes one.
     """
     if begun != ZERO or not has_either_sign(setting, book, a, bodies):
         return a, ""
@@ -52,7 +52,10 @@ def reason_for_negative(setting: Setting, book: Book, held: Expression, body: st
 
 
 def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool:
-    """Return whether the answer, true under what is assumed, has no positive value wherever a quantity is negative."""
+    """Return whether the answer is negative or undefined for all random numbers that make a quantity negative.
+
+    An answer that holds under an assumption is positive, so this quantity is positive under that assumption.
+    """
     if not setting.assumed or setting.formula is None:
         return False
     try:

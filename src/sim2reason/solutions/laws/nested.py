@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Power, plain
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put_all
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together, shortened
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.setting import Setting, joined
@@ -130,8 +130,7 @@ def _shortened(formula: Expression) -> Expression | None:
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
     """A formula with others in place of some symbols; UnsolvedError where a number in it was found with them."""
     try:
-        for old, new in renamed.items():
-            formula = put(formula, old, new)
+        formula = put_all(formula, renamed)
     except TypeError as error:
         raise UnsolvedError("a root on the way was found numerically") from error
     return _multiplied_out(formula)

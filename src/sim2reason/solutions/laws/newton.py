@@ -39,7 +39,7 @@ class Row:
 
     @cached_property
     def zero(self) -> Polynomial:
-        """What vanishes."""
+        """Forces minus inertia, which is zero by the law."""
         return self.forces - self.inertia
 
 
@@ -126,7 +126,7 @@ class Newton:
         return [k for k, way in gradient.items() if product(way, way) > 1e-18]
 
     def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
-        """How much of the motion along coordinate k goes along a direction of the room."""
+        """Return the component in a direction of the room of the unit motion along coordinate k."""
         return self.read(lambda _, f: product(f.center(body).gradient[k], way))
 
     # ---- laws
@@ -182,7 +182,7 @@ class Newton:
         return self._over(self._both(inertia), k, j)
 
     def _pull(self, number: int, line: Line, k: int) -> Polynomial:
-        """What a line does along a coordinate."""
+        """Return the force of a line along a coordinate."""
         tension = self.tension(number, line)
         return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
 
@@ -196,7 +196,7 @@ class Newton:
         return symbol("T", place) if self.segment.found.mode.acting[place] else NIL
 
     def stretch(self, number: int, k: int) -> Polynomial:
-        """How a line grows with a coordinate."""
+        """Return how much a line grows for each unit of a coordinate."""
         return self._over(self._stretch(number, k), k)
 
     def _stretch(self, number: int, k: int) -> Both:
@@ -212,7 +212,7 @@ class Newton:
         return self._stretches[number, k]
 
     def string(self, place: int) -> Row:
-        """That a taut string does not stretch."""
+        """Return the law that a taut string does not stretch."""
         number = self.mechanism.lines.index(self.lines[place])
         terms = [
             self.stretch(number, k) * symbol("q", k)
@@ -230,7 +230,7 @@ class Newton:
         return dict(zip(faces, self.segment.found.mode.rubbing, strict=True))
 
     def slip(self, face: int) -> dict[int, Polynomial]:
-        """How the surfaces slip with each coordinate."""
+        """Return how far surfaces slip for each unit of a coordinate, by its number."""
         found: dict[int, Polynomial] = {}
         for place, (name, _) in enumerate(self.mechanism.faces[face].slip):
             k = self.mechanism.number[name]
@@ -253,11 +253,11 @@ class Newton:
         return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
-        """Return the coefficient of kinetic friction of a contact as a symbol: µ_k, or µ if both are equal."""
+        """Return the symbol of the coefficient of kinetic friction of a contact, such as µ or µ_k."""
         return self.read(lambda m, _: m.faces[face].friction)
 
     def static_coefficient(self, face: int) -> Polynomial:
-        """Return the coefficient of static friction of a contact as a symbol: µ_s, or µ if both are equal."""
+        """Return the symbol of the coefficient of static friction of a contact, such as µ or µ_s."""
         return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:
@@ -287,12 +287,12 @@ class Newton:
         return Row("normal", face, total(forces), total(inertia))
 
     def rolling(self, face: int) -> Row:
-        """That a body rolls without slipping."""
+        """Return the law that a body rolls without slipping."""
         return Row("grip", face, NIL, total(part * symbol("q", k) for k, part in self.slip(face).items()))
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """What the engine has for the unknowns."""
+        """Return the values of the unknowns, in SI units, that the engine has."""
         found = self.segment.found
         scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(found.a, self.scale, strict=True))}
         tension = {f"T{n}": value for n, value in enumerate(found.rows)}

@@ -15,7 +15,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
 
@@ -98,20 +98,14 @@ class Burning(Way):
 
     def _heavier(self, step: Writing, lift: Symbol) -> str:
         """Return that the initial mass is too large to be lifted: shown, verified in the end, or by assumption."""
-        larger = f"${self.first.latex()} > {lift.latex()}$"
+        larger = f"{self.first.latex()} > {lift.latex()}"
         if self.book.in_symbols:
-            return f"By assumption {larger}, so"
+            return f"By assumption ${larger}$, so"
         if self.book.is_hidden(self.first - lift):
-            self.book.afterwards.append(lambda: self._verify_heavier(lift))
-            return f"Assume that {larger}; then"
+            self.book.afterwards.append(lambda: verify_assumed(self.book, self.first, lift, larger))
+            return f"Assume that ${larger}$; then"
         exceeds(self.book, step, self.first, lift)
-        return f"As {larger},"
-
-    def _verify_heavier(self, lift: Symbol) -> None:
-        step = self.book.open("verify")
-        exceeds(self.book, step, self.first, lift)
-        step.say(f"Indeed ${self.first.latex()} > {lift.latex()}$, as was assumed.")
-        step.close()
+        return f"As ${larger}$,"
 
     def exclude_rising(self, time: Symbol, longest: Expression) -> None:
         """Write that a rocket which rose from the start would not come to rest as late as it is said to."""

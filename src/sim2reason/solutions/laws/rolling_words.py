@@ -87,7 +87,7 @@ def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
 
 
 def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
-    """Return which string runs onto a pulley, or off it, that turns in a sense, as an addition; empty without one."""
+    """Return a clause such as *when the string runs onto pulley P* for a sense of rotation; empty without a string."""
     newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the pace is that of what is wound up
     for onto, to in ((True, "onto"), (False, "off")):
         for line in newton.lines:
@@ -98,7 +98,7 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
 
 
 def glided_words(dynamics: Dynamics, k: int) -> str:
-    """Return what is said before how far something has come at a constant rate."""
+    """Return the words before the distance or arc that a coordinate covers at a constant rate."""
     coordinate = dynamics.mechanism.coordinates[k]
     if coordinate.kind != "hinge":
         return f"{constant_words(dynamics, k)}, which gives"
@@ -107,7 +107,7 @@ def glided_words(dynamics: Dynamics, k: int) -> str:
 
 
 def not_slipping(dynamics: Dynamics, row: Row) -> str:
-    """Return that a string does not slip on the bodies that turn with it, as an addition; empty without any."""
+    """Return a clause such as *, nor does it slip on pulley P*; empty if no body turns with the string."""
     held = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())
     bodies = [c.body for c in (dynamics.mechanism.coordinates[k] for k in held) if c.kind == "hinge"]
     return f", nor does it slip on {dynamics.setting.listed(bodies)}" if bodies else ""

@@ -35,10 +35,10 @@ def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> N
 
 
 def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[str, str]:
-    """Drop the steps from `begun` on whose results the first case has, and return its names for theirs.
+    """Drop the steps of the second case, from `begun` on, that repeat the first; return the old names by the new ones.
 
-    `stated` are the names of numbers that the question says which the first case has. Where a motion has several
-    phases, or a result hangs on an unknown, each case is told in full.
+    `stated` are names of the first case for numbers that the question says. If a motion has several phases, or a result
+    depends on an unknown, each case is told in full.
     """
     first, second = book.steps[:begun], book.steps[begun:]
     if book.phases or book.hidden or any(step.integration for step in second):
@@ -66,12 +66,12 @@ def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[st
 
 
 def _same_given(book: Book, new: str, old: str) -> bool:
-    """Return whether two names stand for one number of the question, which each case states."""
+    """Return whether two names, one of each case, stand for the same number of the question."""
     return book.stated[new] == book.stated[old] and split(new)[0] == split(old)[0]
 
 
 def _same_result(book: Book, new: str, old: str) -> bool:
-    """Return whether two names have one value, or are labels of equations."""
+    """Return whether two names, one of each case, have the same value, or the new one is a label of an equation."""
     if new == old or LABEL.fullmatch(new):
         return True
     return new in book.values and book.values.get(old) == book.values[new]
@@ -90,7 +90,7 @@ def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: 
 
 
 def _moved(step: Step, places: Mapping[int, int]) -> Step:
-    """Return a step at its new place, with what it needs at the places of that."""
+    """Return a step with its new number, and those of the steps that it needs."""
     needs = {places.get(place, place) for place in step.needs}
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 

@@ -5,7 +5,7 @@ from math import isinf
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put_all
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 FORCES = frozenset({"tension", "normal force", "friction force", "impulse of a tension", "work of a tension"})
-"""Quantities from which an acceleration follows with its sign."""
+"""Quantities that, if given, determine an acceleration together with its sign."""
 SLOW = 1e-9  # m/s: nothing slips at the beginning
 
 
@@ -122,9 +122,9 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
 
 
 def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
-    """Return the only acceleration without friction, where a given speed or time is all that the text has it from.
+    """Return the acceleration without friction, if the text has the one with friction from a given speed or time alone.
 
-    Such a value is positive whichever way the bodies move.
+    That is positive whichever way the bodies move, so it does not show the direction. None for any other.
     """
     book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
     solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
@@ -133,16 +133,13 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
         return None  # what holds without a limit may act along the motion, too
-    for name in reversed(book.formulas):
-        formula = put(formula, name, book.formulas[name]) if name != found.name else formula
-    for face in dynamics.newton.rough:
-        for name in dynamics.newton.coefficient(face).names():
-            formula = put(formula, name, ZERO)
-    return formula
+    formula = put_all(formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name})
+    coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.rough)
+    return put_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
-    """Return the symbol of the acceleration in the sense of slip, which a string binds to that of another body."""
+    """Return the symbol of an acceleration in the sense of slip that a string binds to another one, or None."""
     slips = [*dynamics.newton.slip(face).items()]
     if len(slips) != 1:
         return None

@@ -82,7 +82,7 @@ class Stage:
         return self._at_end(shared).scaled(float(shared.sense[k]))
 
     def place(self, k: int) -> Polynomial:
-        """How far a coordinate has come at the end."""
+        """Return how far a coordinate has come at the end, in m."""
         shared, before = self._shared(k), self.places.get(k, NIL)
         if self.uniform:
             return self._glided(k, before)
@@ -93,7 +93,7 @@ class Stage:
         return before + self._travelled(shared).scaled(float(shared.sense[k]))
 
     def gain(self, k: int) -> Polynomial:
-        """How far a coordinate has come in this stage alone."""
+        """Return how far a coordinate has come in this stage alone, in m."""
         if self.uniform:
             return self._glided(k, NIL)
         shared = self._shared(k)
@@ -111,7 +111,7 @@ class Stage:
         return self.gain(k) - self.gain(j).scaled(sign)
 
     def path(self, k: int) -> Expression:
-        """How far a coordinate has come to and fro, without a sign."""
+        """Return how far a coordinate has come to and fro in this stage, in m."""
         shared = None if self.uniform else self._shared(k)
         if shared is None or (self._ends(shared) and self.end.distance is not None):  # it ends on its way there
             return self._size(self.gain(k).expression())
@@ -133,7 +133,7 @@ class Stage:
         return held if self.book.value(held) >= 0.0 else -held
 
     def _glided(self, k: int, before: Polynomial) -> Polynomial:
-        """How far it has come at a constant velocity."""
+        """Return how far a coordinate has come, in m, after it has changed at a constant rate."""
         if not self.speeds.get(k, NIL):
             return before
         time, step, name = self.time, self.book.open("distance"), self.book.fresh("s")
@@ -143,7 +143,7 @@ class Stage:
         return Polynomial.of(name)
 
     def _at_constant_velocity(self) -> Symbol:
-        """How long a distance takes at a constant velocity."""
+        """Return how long a distance takes at a constant velocity, in s."""
         k = self.end.coordinate
         if self.end.distance is None or not self.speeds.get(k, NIL):
             raise UnsolvedError("nothing ends a motion at constant velocity")
@@ -165,7 +165,7 @@ class Stage:
         return not self.end.slip and self.end.coordinate in shared.sense
 
     def _value(self, shared: Shared, *, moved: bool) -> float:
-        """What the engine has at the end: the rate, or how far it has moved."""
+        """Return the engine's value at the end: of the rate, in m/s, or of the displacement, in m."""
         k, sense = next(iter(shared.sense.items()))
         scale = sense * self.dynamics.newton.scale[k].here
         own = self.dynamics.own
@@ -176,7 +176,7 @@ class Stage:
 
     @property
     def time(self) -> Symbol:
-        """How long it takes."""
+        """Return how long the stage takes, in s."""
         if self.written_time is None:
             self.written_time = self._lasting()
         return self.written_time
@@ -243,7 +243,7 @@ class Stage:
         return self._velocity[name]
 
     def _speed(self, shared: Shared) -> Polynomial:
-        """By v + a t, or by v² + 2 a d where a distance is known."""
+        """Write the rate at the end, in m/s: v + a t, or a root of v² + 2 a d where a distance is known."""
         if self._ends(shared) and self.end.distance is None and self.end.time is None:
             return NIL
         begun, a = self._begun(shared).factored(), shared.symbol
@@ -276,7 +276,7 @@ class Stage:
         return self._moved[name]
 
     def _distance(self, shared: Shared) -> Polynomial:
-        """By v t + ½ a t², or by v²/2a where it comes to rest."""
+        """Write the displacement, in m: v t + ½ a t², or v²/2a of what comes to rest."""
         if self._ends(shared) and self.end.distance is not None:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import put, put_all
 from sim2reason.solutions.closed_forms.closed_form import defined_by
 from sim2reason.solutions.laws.nested import AGAIN, NEW
 from sim2reason.solutions.solution import Relation, Step
@@ -15,9 +15,10 @@ LONG = 200  # characters of a formula that is better not written; that it exceed
 
 
 def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
-    """Write that what exceeds something else does so with `changed` for a symbol on which it hangs.
+    """Write that each comparison that depends on a symbol still holds with `changed` in place of it.
 
-    UnsolvedError where it does not.
+    Raises:
+        UnsolvedError: one does not.
     """
     formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
     hanging = _hanging(formulas, symbol)
@@ -29,7 +30,7 @@ def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> Non
 
 
 def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
-    """Return the formulas that hold a symbol, or names that hang on it, each before those on which it hangs."""
+    """Return the formulas of names that depend on a symbol, by name, the last defined one first."""
     found: dict[str, Expression] = {}
     for name, formula in formulas.items():
         if not {symbol, *found}.isdisjoint(formula.symbols()):
@@ -38,10 +39,8 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
 
 
 def _changed(side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]) -> Expression:
-    """Return a formula with all inserted that hangs on a symbol, and `changed` for that."""
-    for name, formula in hanging.items():
-        side = put(side, name, formula)
-    return put(side, symbol, changed)
+    """Return a formula with `changed` for a symbol, also in the formulas of names that depend on it."""
+    return put(put_all(side, hanging), symbol, changed)
 
 
 def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:

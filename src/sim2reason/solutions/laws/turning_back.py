@@ -1,4 +1,4 @@
-"""Whether a body has turned back, or a stage has ended, by an instant or a distance, shown in numbers."""
+"""Proofs in numbers that a body has turned back, or a stage has ended, by an instant or a distance, or has not."""
 
 from collections.abc import Callable
 
@@ -19,15 +19,20 @@ def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time:
     return f", after {step.verified(name, formula, SECONDS)}, which is less than ${time.name}$"
 
 
+def later_words(book: Book, step: Writing, formula: Expression, time: Symbol) -> str:
+    """Return *only after t_turn = ..., which is more than t*, of a time in s, and record the comparison in the step."""
+    exceeds(book, step, formula, time)
+    told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
+    return f"only after {told}, which is more than ${time.name}$"
+
+
 def tell_turning_only_later(book: Book, begun: Expression, a: Symbol, time: Symbol | None) -> None:
     """Write that a velocity that begins as `begun` and decreases becomes zero only after a time, if it is known."""
     formula = Quotient(-begun, a)
     if time is None or book.is_hidden(formula) or book.is_hidden(time) or not book.value(formula) > 0.0:
         return
-    step, name = book.open("verify"), book.fresh("t", r"\text{turn}")
-    exceeds(book, step, formula, time)
-    told = step.verified(name, formula, SECONDS)
-    step.say(f"It would turn back only after {told}, which is more than ${time.name}$, so this is the distance.")
+    step = book.open("verify")
+    step.say(f"It would turn back {later_words(book, step, formula, time)}, so this is the distance.")
     step.close()
 
 

@@ -105,7 +105,7 @@ class DynamicsWriter:
         step.close()
 
     def _resting(self) -> list[str]:
-        """Who does not move on what carries it, in words."""
+        """Return sentences about the bodies that do not move on what carries them."""
         found: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
             body = self.d.mechanism.coordinates[k].body
@@ -132,7 +132,7 @@ class DynamicsWriter:
         return " ".join(rolling_words(self.d, body, shared) for body in bodies)
 
     def _whose(self, shared: "Shared") -> str:
-        """Of block A downward and of block B up the slope."""
+        """Return whose rate it is, such as *of block A downward and of block B up the slope*."""
         ways: dict[str, list[str]] = {}
         turning: list[str] = []
         for k, sense in shared.sense.items():
@@ -263,7 +263,7 @@ class DynamicsWriter:
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:
-        """Whether anything moves with a group that has a mass, or a moment of inertia."""
+        """Return whether anything moves with a group that has a mass, or a moment of inertia."""
         newton = self.d.newton
         heavy = {k for b in self.d.mechanism.bodies if b.mass for k in newton.moved(b.name)}
         return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)

@@ -4,6 +4,7 @@ from math import pi
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call
+from sim2reason.solutions.laws.turning_back import later_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.setting import capital
@@ -39,9 +40,9 @@ def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -
 
 
 def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
-    """Write that what moves would come to rest, first or `later`, only beyond a place, so that friction is constant.
+    """Write that a body would come to rest only beyond a place, so that friction is constant; in symbols, assume it.
 
-    In symbols this is assumed.
+    It comes to rest for the first time, or `later`.
     """
     book, step, who = way.book, way.book.open("verify"), way.who(held.motion.free[0])
     there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
@@ -60,7 +61,7 @@ def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expr
 
 
 def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
-    """Write that the place of zero net force is on the side that was supposed, and that the phase requires it."""
+    """Write that the net force is zero on the side that was assumed, as the phase `reached` requires."""
     step, (phase, early), right = way.book.open("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     exceeds(way.book, step, greater, less)
@@ -71,7 +72,7 @@ def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expre
 
 
 def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool) -> None:
-    """Write that a swing takes longer than the time that is left, by a formula or the known time of half a swing."""
+    """Write that half an oscillation, of a `formula` or a known symbol `half`, takes longer than the time `left`."""
     if book.in_symbols:
         return
     if book.is_hidden(formula) or book.is_hidden(left):
@@ -79,14 +80,13 @@ def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Sy
         return
     step = book.open("verify")
     exceeds(book, step, left, ZERO)
-    exceeds(book, step, formula if half is None else half, left)
     if half is not None:
+        exceeds(book, step, half, left)
         step.rest_on(half.name)
         step.say(
             f"As ${left.name} < {half.name}$, it does not come to rest{' again' if again else ''} within this time."
         )
     else:
-        told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
         rest = "next" if again else "first"
-        step.say(f"It would {rest} come to rest only after {told}, which is longer than ${left.name}$.")
+        step.say(f"It would {rest} come to rest {later_words(book, step, formula, left)}.")
     step.close()

@@ -58,7 +58,7 @@ class Harmonic:
         return sqrt(rest**2 + (fast / omega) ** 2)
 
     def turns(self, time: float) -> bool:
-        """Whether it is at a turning point then."""
+        """Return whether it is at a turning point then."""
         omega, _, _ = self.numbers
         return abs(self.where(time)[1]) <= LITTLE * omega * self.size
 
@@ -86,7 +86,7 @@ class Harmonic:
 
     @cached_property
     def mass(self) -> Expression:
-        """What moves, as if all of it moved with the free coordinate."""
+        """Return the effective mass of all that moves with the free coordinate, in kg."""
         if self.like is not None:
             return self.like.mass
         held = self.motion.mass(self._free, self._free)
@@ -97,7 +97,7 @@ class Harmonic:
 
     @cached_property
     def stiffness(self) -> Expression:
-        """How much harder it is driven back a metre farther on."""
+        """Return the effective stiffness: the decrease of the net force for each metre, in N/m."""
         if self.like is not None:
             return self.like.stiffness
         held = self.motion.stiffness(self._free, self._free)
@@ -141,7 +141,7 @@ class Harmonic:
 
     @property
     def _rubs(self) -> bool:
-        """Whether kinetic friction acts, so that no body would stay at rest where the net force is zero."""
+        """Return whether kinetic friction acts, so that no body would stay at rest where the net force is zero."""
         return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._free))
 
     @property
@@ -162,7 +162,7 @@ class Harmonic:
 
     @cached_property
     def amplitude(self) -> Expression:
-        """How far it goes from the place of balance."""
+        """Return the amplitude, in m, from the place where the net force is zero."""
         if ZERO in (self.begun, self.rest):
             only = self.rest if self.begun == ZERO else self.begun
             return only if self.book.value(only) >= 0.0 else -only

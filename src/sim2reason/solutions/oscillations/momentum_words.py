@@ -1,4 +1,4 @@
-"""What is said of a momentum that is conserved: along a level track all of it, else its horizontal component."""
+"""Sentences about a momentum that is conserved: along a level track all of it, else its horizontal component."""
 
 from dataclasses import dataclass
 from typing import Self

@@ -1,4 +1,4 @@
-"""Why a body that is launched across a spring is fastest where that has its natural length: it passes that length."""
+"""The reason why a body launched across a spring is fastest where the spring has its natural length."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.oscillations.lone_spring import LoneSpring
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import JOULES
 
@@ -19,15 +19,18 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body that is launched across a spring: its velocity, and what writes its energy and its angular momentum."""
+    """A body that is launched across a spring, with its velocity and with what writes its conserved quantities.
+
+    `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
+    """
 
     body: LoneSpring
     velocity: Sequence[Expression]
-    kept: Callable[[], tuple[Symbol, Expression]]  # the latter per unit of mass
+    kept: Callable[[], tuple[Symbol, Expression]]
 
 
 def passed_words(launch: Launch, step: Writing) -> str:
-    """Return, of a greatest value, that it is taken at the natural length, and why that is passed; else nothing.
+    """Return that a greatest value is taken at the natural length, and why that is passed; empty for no greatest value.
 
     Raises:
         UnsolvedError: nothing shows that it is passed.
@@ -41,17 +44,17 @@ def passed_words(launch: Launch, step: Writing) -> str:
 
 
 def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
-    """Return the sentences that say why it passes that length before it is stretched, or compressed, the most."""
+    """Return why the spring passes its natural length before it is stretched, or compressed, the most."""
     body, (u, v) = launch.body, launch.velocity
     book, (x, y) = body.book, body.apart
     outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
     lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
     sides = (body.length, body.natural) if stretched else (body.natural, body.length)
-    relation = f"${body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}$"
+    relation = f"{body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}"
     match query.moment:
         case MostCompressed() if lengthens and not (stretched and known):
             why = "and goes on to do so as long as it is compressed; in the end it is compressed"
-            return _passes(book, step, (outward, ZERO), f"${outward.latex()} > 0$", "lengthens at first", why)
+            return _passes(book, step, (outward, ZERO), f"{outward.latex()} > 0", "lengthens at first", why)
         case MostCompressed() if stretched:
             said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
         case MostStretched() if not stretched:
@@ -59,7 +62,7 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
         case MostStretched() if not lengthens:
             book.afterwards.append(lambda: _verify_reached(launch))
             why = "and does not turn back before"
-            return _passes(book, step, (ZERO, outward), f"${outward.latex()} < 0$", "shortens at first", why)
+            return _passes(book, step, (ZERO, outward), f"{outward.latex()} < 0", "shortens at first", why)
         case _:
             raise UnsolvedError("nothing shows that it passes its natural length")
     if known or lengthens == stretched or book.is_hidden(outward):
@@ -73,20 +76,15 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
 def _passes(
     book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
 ) -> str:
-    """Return that the spring passes its natural length, as it does what it `begins` with by a `relation` of `sides`."""
+    """Return that the spring passes its natural length, as it `begins` short or long and `ends` otherwise.
+
+    A `relation` in LaTeX says that the first of two `sides` is larger, which shows the beginning.
+    """
     if not any(map(book.is_hidden, sides)):
         exceeds(book, step, *sides)
-        return f"The spring passes that length, as it {begins}, {relation}, {ends}."
-    book.afterwards.append(lambda: _verify(book, sides, relation))
-    return f"Assume that {relation}. Then the spring passes that length, as it {begins} {ends}."
-
-
-def _verify(book: Book, sides: tuple[Expression, Expression], relation: str) -> None:
-    """Write that a relation holds which was assumed."""
-    step = book.open("verify")
-    exceeds(book, step, *sides)
-    step.say(f"Indeed {relation}, as was assumed.")
-    step.close()
+        return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."
+    book.afterwards.append(lambda: verify_assumed(book, *sides, relation))
+    return f"Assume that ${relation}$. Then the spring passes that length, as it {begins} {ends}."
 
 
 def _verify_reached(launch: Launch) -> None:

@@ -41,7 +41,7 @@ class NormalModes(ModeLaws):
     # ---- shapes
 
     def _counts(self, n: int, forms: Sequence[Form]) -> bool:
-        """Whether a mode that the start excites shows in any of some sums of places, or derivatives of them."""
+        """Return whether a mode that the start excites shows in any of some sums of places, or derivatives of them."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
         held = (parts for parts, order in forms if order <= last)
@@ -57,7 +57,7 @@ class NormalModes(ModeLaws):
         return ACCELERATED if self._pushed(n) else ACCELERATED - 1
 
     def _pushed(self, n: int) -> bool:
-        """Whether forces push a mode away from where it begins."""
+        """Return whether forces push a mode away from where it begins."""
         shape = self.shapes[:, n]
         return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
 
@@ -130,7 +130,7 @@ class NormalModes(ModeLaws):
 
     @property
     def common(self) -> bool:
-        """Whether the common motion of all bodies is excited, but left out."""
+        """Return whether the common motion of all bodies is excited, but left out."""
         return any(n < self.zeros for n in self._moving if n not in self.told)
 
     def _sums(self, found: Sequence[Mode]) -> str:
@@ -160,7 +160,7 @@ class NormalModes(ModeLaws):
         return found
 
     def _shaped(self, mode: Mode) -> None:
-        """How the free coordinates share in it: the one that moves the most has 1."""
+        """Write the mode shape: the amplitudes of the free coordinates, of which the greatest is 1."""
         if mode.square == ZERO:
             mode.first = int(np.argmax(np.abs(self.shapes[:, mode.number])))
             self.tell_laws(mode)

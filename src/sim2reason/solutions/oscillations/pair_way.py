@@ -16,16 +16,16 @@ class PairWay(SingleWay):
 
     @property
     def at_rest(self) -> str:
-        """Of the relative motion."""
+        """Return a clause about the instant at which the bodies do not move relative to each other."""
         return "the relative velocity is zero"
 
     def fastest(self, where: str) -> str:
-        """Of the relative motion."""
+        """Return a clause about the place of the greatest relative velocity."""
         return f"the relative velocity is greatest at {where}, where it is"
 
     @property
     def standing(self) -> str:
-        """Of the relative motion."""
+        """Return the beginning of a sentence about a turning point of the relative motion."""
         return "The relative motion turns back"
 
     @property
@@ -66,13 +66,13 @@ class PairWay(SingleWay):
         return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
 
     def seen(self, row: Array) -> float:
-        """Of the relative motion."""
+        """Return the relative rate, in SI units, by the rates of all coordinates."""
         held, scale = self._relative, self.newton.scale
         i, j = held.free[0], held.other
         return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
-        """What the relative motion is called."""
+        """Write the name of the relative displacement."""
         held, step = self._relative, self.book.open("names")
         ((i, name),) = names.items()
         who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
@@ -115,7 +115,7 @@ class PairWay(SingleWay):
         return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
 
     def place(self, i: int) -> Polynomial:
-        """Of the relative motion, or what is shared: where the centre of mass is."""
+        """Return how far a coordinate has come, in m: the relative one, or that of the centre of mass."""
         if i != self._relative.other:
             return self.along("s")
         total = self.kept
@@ -128,7 +128,7 @@ class PairWay(SingleWay):
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
-        """Of the relative motion, or what is shared."""
+        """Return the rate of a coordinate, in m/s: of the relative one, or the shared velocity."""
         if i != self._relative.other:
             return self.along("v")
         if not self.kept and not self.along("v"):
@@ -136,7 +136,7 @@ class PairWay(SingleWay):
         return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Of the relative motion, or what is shared."""
+        """Return the acceleration of a coordinate, in m/s²: the relative one, or the shared one."""
         if i != self._relative.other:
             return self.along("a")
         said = f"{self._relative.words.unaccelerated}; with the acceleration"

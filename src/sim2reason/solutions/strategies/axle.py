@@ -39,7 +39,7 @@ class Axle(Strategy):
     kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing turns by itself."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
     def refusal(self, setting: Setting) -> str:
@@ -57,7 +57,7 @@ class Axle(Strategy):
 
 
 class _Turning(SwingAngle):
-    """What is asked of a rigid body on an axle."""
+    """A rigid body on an axle, and the quantities that are asked of it."""
 
     one_point = False
 
@@ -74,7 +74,7 @@ class _Turning(SwingAngle):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.times.frequency)
@@ -82,12 +82,12 @@ class _Turning(SwingAngle):
 
     @cached_property
     def piece(self) -> Piece:
-        """What is asked about."""
+        """The piece of the rigid body that is asked about."""
         return self.arm.piece(self.setting.query.subject)
 
     @property
     def size(self) -> Expression:
-        """How far its centre of mass is from the axle."""
+        """Return the distance from the axle to the centre of mass of the piece, in m."""
         place = self.piece.place
         return place if self.book.value(place) > 0.0 else -place
 
@@ -108,7 +108,7 @@ class _Turning(SwingAngle):
 
     @property
     def falls(self) -> bool:  # type: ignore[override]
-        """Whether the centre of mass of all is on the side of the first piece."""
+        """Return whether the centre of mass of all is on the side of the first piece."""
         return self.book.value(self.arm.moment) > 0.0
 
     @property
@@ -154,11 +154,11 @@ class _Turning(SwingAngle):
 
     @property
     def _swinging(self) -> bool:
-        """Whether its energy gives its speed."""
+        """Return whether its energy gives its speed."""
         return not self.still and not isinstance(self.setting.query.moment, AtStart)
 
     def _energy(self, there: Expression) -> Expression:
-        """Of motion, at an angle by its cosine."""
+        """Return the energy at an angle, in J, by the cosine of that angle."""
         gained = self.arm.moment * self.gravity * (there - self.cosine_first)
         return HALF * self.arm.inertia * squares([self.launch]) + gained
 

@@ -42,7 +42,7 @@ class CentralSpring(Strategy):
     kinds = frozenset({"event", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing is launched across a lone spring."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         moves = any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if moves and lone_spring(mechanism) else "no lone body is launched on a single spring"
 
@@ -59,13 +59,13 @@ class CentralSpring(Strategy):
         return "" if quantity in _Round.WAYS else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """What is kept, the length of the spring, and what is asked."""
+        """Write the conserved quantities, the length of the spring and the answer, and return its name."""
         way = _Round(setting, book)
         return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
 
 
 class _Round(LoneSpring):
-    """What is asked of it."""
+    """A body that is launched across a spring, and the quantities that are asked of it."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnsolvedError where it goes straight along the spring."""
@@ -79,7 +79,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def energy(self) -> Symbol:
-        """Of motion and spring."""
+        """Return the symbol of the energy of body and spring, in J."""
         launched = HALF * self.mass * squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
         step, name = self.book.open("energy"), self.book.fresh("E")
@@ -120,7 +120,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def relaxed(self) -> bool:
-        """Whether it has its natural length then, not an extreme one."""
+        """Return whether it has its natural length then, not an extreme one."""
         if not isinstance(self.setting.query, StretchQuery):
             return isinstance(self.setting.query.moment, NaturalLength)
         (far, rate), natural = self._seen, self.book.value(self.natural)

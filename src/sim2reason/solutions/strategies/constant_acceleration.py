@@ -42,7 +42,7 @@ class ConstantAcceleration(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether accelerations change."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
@@ -107,7 +107,7 @@ class _Staged(Way):
             tell_arcs(self.book, self.stages, k)
 
     def force(self, kind: str, name: str) -> Symbol:
-        """By its symbol."""
+        """Return the symbol of the force that is asked for."""
         asked, found = self._force
         held = self.stages[-1].dynamics.names.get(found)
         if held is None:
@@ -223,7 +223,7 @@ class _Staged(Way):
         return self.stages[-1].dynamics.enough(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
-        """What ends the last stage: what the question says."""
+        """Return the end of the last stage, as the question says it."""
         moment = self.query.moment
         if isinstance(moment, AtTime):
             return self._at_time(moment, before)
@@ -258,7 +258,7 @@ class _Staged(Way):
         return End(None, slips[0], None, what, Newton(self.setting.lexicon, self.segments[0]).slip(face))
 
     def _stops(self, body: str) -> str:
-        """That it stops sliding, in words."""
+        """Return a clause that a body stops sliding."""
         carrier = self.mechanism.body[body].parent
         what = f"stops sliding on {self.setting.called(carrier)}" if carrier else "comes to rest"
         return f"{capital(self.setting.called(body))} {what} when"

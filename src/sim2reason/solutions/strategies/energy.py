@@ -56,7 +56,7 @@ class WorkAndEnergy(Strategy):
     free: ClassVar[int] = 1  # coordinates
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether something may collide, too much or too little moves by itself, or its equations are not linear."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         if mechanism.meetings:
             return "something may collide"
         if fewest_free(mechanism) > self.free:
@@ -91,7 +91,7 @@ class EnergyWay(SingleWay):
 
     @property
     def name(self) -> Symbol:
-        """What the free coordinate is called."""
+        """The symbol of the free coordinate."""
         return self._name
 
     @cached_property
@@ -138,7 +138,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _mass(self) -> Expression:
-        """That of the whole, as if all moved as x does."""
+        """Return the effective mass, in kg, of all that moves with x."""
         return self.motion.mass(self._i, self._i).factored()
 
     @cached_property
@@ -159,7 +159,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _turns(self) -> bool:
-        """Whether it stands still at the moment."""
+        """Return whether it stands still at the moment."""
         if not self.greatest:
             self.stops_alone()
             return isinstance(self.query.moment, Stopped | MostStretched | MostCompressed | StoppedSlipping)
@@ -220,7 +220,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _speed(self) -> Expression:
-        """Of x at the moment."""
+        """Return the rate of x at the moment, in m/s."""
         if self._turns:
             return ZERO
         if isinstance(self.query.moment, AtStart):
@@ -283,7 +283,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _time(self) -> Symbol:
-        """By the mean of both speeds."""
+        """Return the symbol of the time, in s, by the mean of the first and the last speed."""
         if self.motion.springs:
             raise UnsolvedError("energy says nothing of times where springs pull")
         whole = self._speed + self._first

@@ -48,7 +48,7 @@ class FieldsStrategy(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no lone body moves in fields without end."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         m = mechanism
         moving = [body for body in m.bodies if body.coordinates]
         other = m.lines or m.faces or m.attractions or m.burns or m.meetings or m.feet
@@ -63,12 +63,12 @@ class FieldsStrategy(Strategy):
         return _unasked(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """What acts, how it moves, and what is asked."""
+        """Write the forces, the motion and the answer, and return its name."""
         return _InFields(setting, book).write().name
 
 
 def _unasked(setting: Setting) -> str:
-    """What of the query no way leads to."""
+    """Return why a query cannot be answered, such as *small oscillations are asked about*; empty if it can be."""
     query = setting.query
     if isinstance(query, PeriodQuery):
         return "small oscillations are asked about" if query.small else ""
@@ -83,7 +83,7 @@ def _unasked(setting: Setting) -> str:
 
 
 class _InFields(Way):
-    """What is asked of a body in fields."""
+    """A body in fields, and the quantities that are asked of it."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnsolvedError where there is no closed form."""
@@ -93,7 +93,7 @@ class _InFields(Way):
         self._names: dict[tuple[str, int], Expression] = {}
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         if isinstance(self.query, PeriodQuery):
             return self._period(self.query)
         if isinstance(self.query, StretchQuery):
@@ -116,13 +116,13 @@ class _InFields(Way):
 
     @property
     def motion(self) -> FieldMotion:
-        """As functions of time."""
+        """Return place and velocity of the body as functions of time."""
         return self.moment.motion
 
     # ---- what is asked
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """Of a circle."""
+        """Write the period of motion in a circle, in s."""
         turns = self.fields.turning
         if turns is None or self.fields.drive is not None or self.fields.damping is not None:
             raise UnsolvedError("it does not go round a circle")

@@ -30,7 +30,7 @@ class ForcesAtStart(Strategy):
     kinds = frozenset({"start"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no body is free enough."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
         return "" if free else "every body is led, or pushed by something"
 
@@ -55,7 +55,7 @@ class ForcesAtStart(Strategy):
 
 
 def _bound(m: Mechanism, name: str) -> str:
-    """What but springs, weight and attractions acts on a body; empty if nothing does."""
+    """Return what keeps a body from moving freely, such as a body that it rides on; empty if nothing does."""
     if name not in m.body or m.body[name].parent is not None:
         return "it rides on something"
     if any(body.parent == name for body in m.bodies):
@@ -210,7 +210,7 @@ class _AtStart(Way):
         return found
 
     def _growing(self, line: Line, apart: dict[int, Polynomial], length: Expression) -> Expression | None:
-        """How fast a damped spring grows at the start: the velocity of the body, away from the other end."""
+        """Return the rate of extension of a damped spring at the start, in m/s."""
         assert isinstance(line.law, Elastic)
         others = [c for c in self.mechanism.coordinates if self.mechanism.number[c.name] not in self._axes]
         speeds = {k: self.first_speeds[k] for k in self._axes if k in self.first_speeds}

@@ -38,13 +38,13 @@ class HalfSwings(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether there is no friction, or there are several modes, else as without it."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > 1 else "")
 
     def refusal(self, setting: Setting) -> str:
-        """As without friction."""
+        """Return why an oscillation without friction would be refused, too; empty if it would not."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -230,7 +230,7 @@ class _Swinging(Oscillating):
         return self._time_name() if self._times else self.book.fresh("t")
 
     def until(self, time: Symbol) -> Symbol:
-        """And what the swings before take."""
+        """Return the time since the start, in s, by that of the last swing and those of the swings before."""
         if not self._times:
             return time
         whole = total(map(Polynomial.of, (*self._lasting, time))).expression()

@@ -51,7 +51,7 @@ class Impulse(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether accelerations change."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
@@ -71,7 +71,7 @@ class Impulse(Strategy):
 
 
 class _Struck(Way):
-    """What goals ask, answered from flights."""
+    """The motion of bodies that collide, from which goals are answered by flights between impacts."""
 
     @cached_property
     def flights(self) -> Flights:

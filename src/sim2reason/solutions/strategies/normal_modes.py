@@ -48,7 +48,7 @@ class SeveralModes(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """As of a single mode."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return not_driven_back(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
@@ -56,7 +56,7 @@ class SeveralModes(Strategy):
         return frozenset({"period"} if fewest_free(mechanism) <= PAIR else ())
 
     def refusal(self, setting: Setting) -> str:
-        """As of a single mode."""
+        """Return why an oscillation of a single mode would be refused, too; empty if it would not."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -109,7 +109,7 @@ class _Modal(LinearWay):
 
     @property
     def _order(self) -> int:
-        """Of the lowest derivative of places that the goal hangs on; an acceleration on a ring hangs on speeds."""
+        """Return the order of the lowest time derivative of places on which the goal depends."""
         assert self.target is not None
         assert self.goal is not None
         order = ORDERS.get(self.goal.uses, 0)
@@ -117,7 +117,7 @@ class _Modal(LinearWay):
         return min(order, 1) if on_a_ring else order
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         query = self.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, natural_frequency(self._all, query))
@@ -165,7 +165,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _goes_on(self) -> Expression:
-        """What is added to the sum of places: a strain at the start, or a distance."""
+        """Return what is added to the sum of places, in m: an initial strain, or a distance."""
         moment = self.query.moment
         if self.greatest:
             return ZERO
@@ -180,7 +180,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _distance(self) -> Symbol:
-        """How far a body is from its start at the moment."""
+        """The symbol of the distance between a body and its starting point at the moment, m."""
         assert isinstance(self.query.moment, Moved)
         name = self.book.fresh("d")
         self.book.say_given(name.name, self.query.moment.value, METRES)
@@ -188,7 +188,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _condition(self) -> tuple[str, dict[int, float], Law]:
-        """In words, and a sum of places, speeds or accelerations, by coordinate, that comes to a number."""
+        """Return the condition for the moment in words, with factors by coordinate of a sum that comes to a number."""
         moment = self.query.moment
         if self.greatest:
             return self._extreme()
@@ -211,7 +211,7 @@ class _Modal(LinearWay):
         return {i: part for i in self.motion.free if (part := self.motion.drawn(number, i))}
 
     def _extreme(self) -> tuple[str, dict[int, float], Law]:
-        """What is zero where the quantity has its greatest value: the next derivative of what it hangs on."""
+        """Return the condition at a greatest value: the next derivative of what the goal depends on is zero."""
         assert self.target is not None
         assert self.goal is not None
         if self.goal.uses not in ORDERS:
@@ -283,15 +283,15 @@ class _Modal(LinearWay):
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
-        """How far a free coordinate has come."""
+        """Return how far a free coordinate has come, in m."""
         return self._told(0, i, "x", METRES)
 
     def speed(self, i: int) -> Polynomial:
-        """How fast."""
+        """Return the velocity of a free coordinate, in m/s."""
         return self._told(1, i, "v", SPEED)
 
     def acceleration(self, i: int) -> Polynomial:
-        """How fast that changes."""
+        """Return the acceleration of a free coordinate, in m/s²."""
         return self._told(2, i, "a", ACCELERATION)
 
     @cached_property

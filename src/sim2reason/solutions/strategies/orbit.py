@@ -46,7 +46,7 @@ class Orbit(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether what moves is attracted by what moves, or other forces act."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
     def refusal(self, setting: Setting) -> str:
@@ -68,7 +68,7 @@ class Orbit(Strategy):
 
 
 def _by_itself(m: Mechanism) -> bool:
-    """Whether every body that moves is attracted by one that is fixed, and by nothing else."""
+    """Return whether every body that moves is attracted by one that is fixed, and by nothing else."""
     moving = [body.name for body in m.bodies if body.coordinates]
     pulls = {body: [pull for pull in m.attractions if body in (pull.a, pull.b)] for body in moving}
     other = m.lines or m.faces or m.forces or m.burns or m.meetings or m.feet
@@ -80,7 +80,7 @@ def _by_itself(m: Mechanism) -> bool:
 
 
 class _OnOrbit(Way):
-    """What is asked of bodies on orbits."""
+    """Bodies on orbits, and the quantities that are asked of them."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """Nothing is written yet."""
@@ -89,7 +89,7 @@ class _OnOrbit(Way):
         self._places: dict[str, OrbitPlace] = {}
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         query, target = self.query, self.target
         if isinstance(query, PeriodQuery):
             return self.orbit(query.of[0]).period

@@ -50,7 +50,7 @@ class Oscillation(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing oscillates, or several things do even where a momentum is kept."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
 
     def refusal(self, setting: Setting) -> str:
@@ -68,7 +68,7 @@ class Oscillation(Strategy):
 
 
 def not_driven_back(mechanism: Mechanism) -> str:
-    """Whether there is no spring, something may collide, or its equations are not linear."""
+    """Return why nothing oscillates by linear equations, such as *there is no spring*; empty if something may."""
     if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
         return "there is no spring"
     return "something may collide" if mechanism.meetings else nonlinear(mechanism)
@@ -83,7 +83,7 @@ class Oscillating(SingleWay):
 
     @property
     def name(self) -> Symbol:
-        """What the free coordinate is called, counted from `begin`."""
+        """The symbol of the free coordinate, counted from `begin`."""
         return self.harmonic.name
 
     @cached_property
@@ -100,7 +100,7 @@ class Oscillating(SingleWay):
         return Harmonic(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         query, held = self.query, self.harmonic
         _ = held.numbers
         self.stops_alone()
@@ -202,7 +202,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _place(self) -> Expression:
-        """How far the free coordinate has come."""
+        """Return how far the free coordinate has come, in m."""
         held, moment = self.harmonic, self.query.moment
         if self._timed:
             formula = held.swinging(self._angle)
@@ -231,7 +231,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _speed(self) -> Expression:
-        """How fast the free coordinate changes."""
+        """Return the velocity of the free coordinate, in m/s."""
         held = self.harmonic
         if not self._timed and held.turns(self.since_begun):
             return ZERO
@@ -256,7 +256,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def whole_place(self) -> Expression:
-        """How far it has come since the start."""
+        """Return how far the free coordinate has come since the start, in m."""
         if self.begin == ZERO:
             return self._place
         said = "The displacement from the start is then"

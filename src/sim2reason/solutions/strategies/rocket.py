@@ -35,7 +35,7 @@ class RocketFlight(Strategy):
     kinds = Strategy.kinds | {"extremum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether there is no lone rocket."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         moving = [body for body in mechanism.bodies if body.coordinates]
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
         return "" if alone else "there is no lone rocket"
@@ -62,7 +62,7 @@ class RocketFlight(Strategy):
 
 
 class _Burning(Burning):
-    """What goals ask, of a rocket whose engine is on, or was."""
+    """A rocket whose engine is on, or was, from which goals are answered."""
 
     def write(self) -> str:
         """The time, the height of the highest point, or the goal."""
@@ -168,7 +168,7 @@ class _Burning(Burning):
         return name
 
     def _thrown(self, time: Expression) -> Expression:
-        """How far it is when its engine has been off for a time."""
+        """Return how far the rocket is, in m, a time after burnout."""
         fast, high = self._at_end
         path = high + fast * time
         return path - HALF * self.gravity.expression() * Power(time, 2) if self.gravity else path
@@ -188,7 +188,7 @@ class _Burning(Burning):
         return name
 
     def mass(self, body: str) -> Polynomial:
-        """What is left of it."""
+        """Return the mass of the rocket at the moment, in kg."""
         del body
         left = self.left
         assert isinstance(left, Symbol)
@@ -294,7 +294,7 @@ class _Burning(Burning):
 
 
 def _tops(setting: Setting) -> bool:
-    """Whether the greatest displacement or height is asked for, and it has come to its highest point by then."""
+    """Return whether the greatest displacement or height is asked for, and it has come to its highest point by then."""
     query = setting.query
     asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
     return asked and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0

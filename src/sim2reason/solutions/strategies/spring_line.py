@@ -42,7 +42,7 @@ class SpringLine(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether there is no lone body on a spring."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
 
@@ -66,7 +66,7 @@ class SpringLine(Strategy):
 
 
 def _reaches_its_end(setting: Setting) -> bool:
-    """Whether the body comes to the fixed point by the moment, where the force turns round."""
+    """Return whether the body comes to the fixed point by the moment, where the force turns round."""
     m, query = setting.mechanism, setting.query
     law = lone_spring(m)
     assert law is not None
@@ -81,7 +81,7 @@ def _reaches_its_end(setting: Setting) -> bool:
 
 
 class _Oscillating(LoneSpring):
-    """What is asked of it: the extension is x₀ cos ωt."""
+    """A body on a spring of the extension x₀ cos ωt, and the quantities that are asked of it."""
 
     @cached_property
     def strain(self) -> Symbol:
@@ -91,7 +91,7 @@ class _Oscillating(LoneSpring):
 
     @property
     def amplitude(self) -> Expression:
-        """Of the oscillation."""
+        """Return the amplitude of the oscillation, in m."""
         return self.strain if self.book.value(self.strain) > 0.0 else -self.strain
 
     @cached_property
@@ -133,7 +133,7 @@ class _Oscillating(LoneSpring):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query, and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)

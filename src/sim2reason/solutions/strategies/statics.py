@@ -29,7 +29,7 @@ class Statics(Strategy):
     kinds = frozenset({"equilibrium", "start"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether its equations are not linear."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
@@ -90,7 +90,7 @@ class _AtRest(LinearWay):
 
     @property
     def _where(self) -> str:
-        """On what the net force is zero: where strings bind bodies, no tension stands in the equations."""
+        """Return words for the net force: *on each body*, or *along the motion* of strings whose tensions cancel."""
         moving = [body for body in self.mechanism.bodies if body.coordinates]
         slides = all(len(b.coordinates) == 1 and b.coordinates[0].kind == "slide" and b.parent is None for b in moving)
         if not slides or len(moving) != len(self.motion.free):

@@ -38,7 +38,7 @@ class Tumbling(Strategy):
     kinds = Strategy.kinds | {"sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no lone body stands on its edges."""
+        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
         kinds = sorted(c.kind for c in mechanism.coordinates)
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
@@ -236,7 +236,7 @@ class _Tumbling:
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
-        """What is asked for, by its quantity."""
+        """Write the quantity that is asked for, and return its symbol."""
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")

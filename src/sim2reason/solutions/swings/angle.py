@@ -72,7 +72,7 @@ class SwingAngle(ABC):
 
     @property
     def still(self) -> bool:
-        """Whether it is at rest then, be it for an instant."""
+        """Return whether it is at rest then, be it for an instant."""
         moment = self.setting.query.moment
         if self.extreme:
             return self.extreme == "slowest" and not self.goes_round
@@ -81,7 +81,7 @@ class SwingAngle(ABC):
     @property
     @abstractmethod
     def goes_round(self) -> bool:
-        """Whether it has the energy for whole turns."""
+        """Return whether it has the energy for whole turns."""
 
     # ---- times
 
@@ -97,7 +97,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def times(self) -> SwingTime:
-        """Of the line to its centre of mass."""
+        """Return the times of the swing of the line to its centre of mass."""
         first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
         return SwingTime(self.book, self.natural, first, self.spin, way)
 
@@ -165,7 +165,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def reach(self) -> Expression:
-        """How far from the vertical it turns back, of its size."""
+        """Return the angle from the vertical, without a sign, at which it turns back."""
         found = self.first if self.spin == ZERO else self._turned()
         return -found if found.latex().startswith("-") else found
 
@@ -207,7 +207,7 @@ class SwingAngle(ABC):
     _law_of_cosines = ""  # begins a sentence with the change in momentum, where the velocity changes its direction
 
     def change(self, begun: Expression, speed: Expression) -> Expression:
-        """Of the velocity, from one speed along the arc to another: the third side of a triangle."""
+        """Return the magnitude of the change of velocity between two speeds along the arc, in m/s."""
         if ZERO in (begun, speed):
             return speed if begun == ZERO else begun
         bent = self.cosine * self.cosine_first if self.sine == ZERO else Call("cos", self.between)
@@ -223,7 +223,7 @@ class SwingAngle(ABC):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """What is asked for, by its quantity."""
+        """Write the quantity that is asked for, and return its symbol."""
         quantity, target = quantity_of(self.setting), self.setting.query.target
         if not quantity:
             return self._when()
@@ -286,7 +286,7 @@ class SwingAngle(ABC):
 
     @property
     def vertical(self) -> bool:
-        """Whether the upward component is asked for."""
+        """Return whether the upward component is asked for."""
         target = self.setting.query.target
         return target is not None and target.sense is not None and target.sense.vector == UP
 

@@ -59,7 +59,7 @@ class Arm:
     """The pieces, in the symbols of the text, written as they are needed."""
 
     def __init__(self, setting: Setting, book: Book, carrier: str = "") -> None:
-        """By default about the only axle there is. UnreadError where a number is no simple function of the text's."""
+        """Take the arm of a carrier, by default that on the only axle; UnreadError for an unknown number."""
         self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
         self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
         turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]
@@ -120,7 +120,7 @@ class Arm:
     # ---- one piece
 
     def piece(self, body: str) -> Piece:
-        """What of a piece matters."""
+        """Return mass, place and inertia of a piece of the arm."""
         if body not in self._pieces:
             mass = self._read(lambda m: m.body[body].mass)
             self._pieces[body] = Piece(body, mass, self._place(body), self._own(body, mass))
@@ -174,7 +174,7 @@ class Arm:
         return whole
 
     def _place_words(self, body: str, place: Expression, *parts: Expression) -> str:
-        """Return the words before the place of a centre of mass: a distance only where it can't be negative."""
+        """Return the words before the place of a centre of mass on an arm, a distance only if it is surely positive."""
         plain = not any(part.negative for part in parts)
         if plain or (self.book.value(place) > 0.0 and not self.book.is_hidden(place)):
             return "Its distance from the axle is"
@@ -260,7 +260,7 @@ class Arm:
         step.close()
 
     def noun(self) -> str:
-        """What turns, with a capital."""
+        """Return the noun phrase of what turns, with a capital."""
         lone = self.bodies[0] if len(self.bodies) == 1 else self.carrier
         return capital(self.setting.called(lone if lone in self.setting.words.mentions else self.bodies[0]))
 

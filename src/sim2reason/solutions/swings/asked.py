@@ -40,7 +40,7 @@ def quantity_of(setting: Setting) -> str:
 
 
 def turns_back(setting: Setting, noun: str) -> str:
-    """Return the beginning of a sentence with the law by which what swings, a `noun` with a capital, turns back."""
+    """Return the words before the law of the turning point of a `noun`, such as *The arm turns back where ...:*."""
     moment, highest = setting.query.moment, ""
     if isinstance(moment, HighestPoint):
         body = setting.called(moment.name)
@@ -49,7 +49,7 @@ def turns_back(setting: Setting, noun: str) -> str:
 
 
 def straight(setting: Setting, *, below: bool) -> str:
-    """Return where the centre of mass of bodies on an arm is when one is at its highest or lowest point, in words."""
+    """Return a clause about an arm when one of its bodies is at its highest or lowest point, or at another moment."""
     if isinstance(setting.query.moment, LowestPoint | HighestPoint):
         return f"with the centre of mass straight {'below' if below else 'above'} the axle"
     return "at that moment"

@@ -53,7 +53,7 @@ def riding(m: Mechanism) -> Riding | None:
 
 
 def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
-    """What a string does that runs along the rail from the carriage; None if it does something else."""
+    """Return the pull of a string that runs along the rail from the carriage; None for any other."""
     on = [place for place, site in enumerate(line.through) if m.site[site].body == rail.body]
     if len(on) != 1 or on[0] not in (0, len(line.through) - 1) or line.wheels or line.circle:
         return None
@@ -108,7 +108,7 @@ class Carriage:
 
     @cached_property
     def moving_along(self) -> list[str]:
-        """What moves as fast as the carriage: it and what hangs from its strings."""
+        """The names of the bodies that move as fast as the carriage: it and those that hang from its strings."""
         return [self.riding.carriage, *(pull.body for pull in self.riding.pulls if pull.body)]
 
     @cached_property
@@ -128,7 +128,7 @@ class Carriage:
 
     @cached_property
     def lone(self) -> bool:
-        """Whether a single small body swings."""
+        """Return whether a single small body swings."""
         inertia = self.setting.mechanism.body[self.arm.bodies[0]].inertia
         return len(self.arm.bodies) == 1 and not any(inertia)
 
@@ -138,7 +138,7 @@ class Carriage:
 
     @cached_property
     def driving_force(self) -> Expression:
-        """What pulls it forward: hands, and the weight of what hangs from its strings."""
+        """Return the force forward along the rail, in N: of hands, and the weight of what hangs from strings."""
         found: Expression = ZERO
         for pull in sorted(self.riding.pulls, key=lambda pull: -self.towards(pull.line)):
             size = self._weight(pull.body) if pull.body else self._hand(pull.line)
@@ -158,11 +158,11 @@ class Carriage:
 
     @property
     def noun(self) -> str:
-        """The carriage, in words."""
+        """Return the noun phrase of the carriage, such as *the cart*."""
         return self.setting.called(self.riding.carriage)
 
     def hanging(self) -> Iterator[str]:
-        """Yield a sentence for each body that hangs from a string: it counts as part of the carriage."""
+        """Yield a sentence for each body that hangs from a string, and so adds to the mass of the carriage."""
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:
             if pull.body:

@@ -50,7 +50,7 @@ class CarriageAngle(SwingAngle):
 
     @property
     def still(self) -> bool:
-        """Whether the arm does not turn then."""
+        """Return whether the arm does not turn then."""
         return abs(self.turning) <= REST
 
     @cached_property
@@ -101,14 +101,14 @@ class CarriageAngle(SwingAngle):
         step.close()
 
     def _hanging(self) -> list[str]:
-        """Return what is to be said, once, of bodies that hang from strings of the carriage."""
+        """Return the sentences about bodies that hang from strings of the carriage; at the second call none."""
         said = [] if self._told_hanging else [*self.carriage.hanging()]
         self._told_hanging = True
         return said
 
     @property
     def swings(self) -> str:
-        """What joins the axle to what hangs on it, in words."""
+        """Return the noun phrase of what joins the axle to what hangs on it, such as *the rod*."""
         return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.called(self.arm.carrier)
 
     def _say(self, where: str) -> None:
@@ -125,7 +125,7 @@ class CarriageAngle(SwingAngle):
         del quantity
 
     def _turned(self) -> Expression:
-        """As far on the other side of where its frame has gravity pull."""
+        """Return the angle at which the arm turns back, opposite to the first one about the effective gravity."""
         if abs(self.now - self.began) < NEAR:
             return self.first
         if self.driving_force == ZERO:
@@ -170,7 +170,7 @@ class CarriageAngle(SwingAngle):
 
     @property
     def driving_force(self) -> Expression:
-        """What pulls along the rail."""
+        """Return the force along the rail, in N."""
         return self.carriage.driving_force
 
     def unloaded(self) -> None:
@@ -180,7 +180,7 @@ class CarriageAngle(SwingAngle):
 
     @cached_property
     def lone(self) -> bool:
-        """Whether one small body swings, for which the laws are shorter."""
+        """Return whether one small body swings, for which the laws are shorter."""
         return self.carriage.lone
 
     @cached_property
@@ -190,7 +190,7 @@ class CarriageAngle(SwingAngle):
 
     @cached_property
     def mass(self) -> Expression:
-        """Of what swings."""
+        """Return the mass that swings, in kg."""
         return self.carriage.swinging_mass
 
     @cached_property
@@ -212,7 +212,7 @@ class CarriageAngle(SwingAngle):
 
     @cached_property
     def effective_inertia(self) -> Expression:
-        """By how much more than the carriage alone all resists: M + m sin² φ, or (M + m) I − S² cos² φ."""
+        """Return the effective inertia of the motion along the rail: M + m sin² φ, or (M + m) I − S² cos² φ."""
         across = squares([self.sine])
         if self.lone:
             return self.carriage.sliding_mass + self.mass * across

@@ -29,14 +29,14 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def rate(self) -> Expression:
-        """How fast the arm turns, of its size."""
+        """Return the angular speed of the arm."""
         if self.begins or self.still:
             return ZERO
         return self._moving[0]
 
     @cached_property
     def speed(self) -> Expression:
-        """How fast the carriage moves, against the arm's own motion along the rail."""
+        """Return the velocity of the carriage, in m/s, against that of the arm along the rail."""
         if self.begins or self.still:
             return ZERO
         self.unloaded()
@@ -114,7 +114,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def place(self) -> Expression:
-        """How far the carriage has come, forward."""
+        """Return how far the carriage has come forward, in m."""
         if self.begins:
             return ZERO
         self.unloaded()
@@ -130,7 +130,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def radial_pull(self) -> Expression:
-        """Of a lone small body, over its mass: what weight and circle ask of the rod while the carriage stands."""
+        """Return the force in the rod over the mass of a lone body, in m/s², while the carriage is not accelerated."""
         plain = self.gravity * self.cosine
         return plain + self.length * squares([self.rate])
 
@@ -141,7 +141,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _pulled(self) -> tuple[Symbol, Expression]:
-        """That force, and the acceleration of the carriage where the rod has a part in it."""
+        """Return the force in the rod, in N, and the acceleration of the carriage, in m/s², where it acts on that."""
         name, book, c = self.book.fresh("T"), self.book, self.carriage
         pull, mass = self.radial_pull, self.mass
         who = self.setting.called(self.arm.bodies[0])
@@ -194,7 +194,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _turned_up(self) -> tuple[Symbol, Symbol]:
-        """Of an arm with a moment of inertia: its torque and Newton's law along the rail."""
+        """Return the angular acceleration of an arm and the acceleration of its carriage, in m/s²."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
         step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
         bent = squares([self.rate]) * self.signed

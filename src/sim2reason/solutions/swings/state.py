@@ -13,7 +13,7 @@ from sim2reason.solutions.swings.angle import SMALL, SwingAngle
 from sim2reason.solutions.swings.asked import by_energy
 from sim2reason.solutions.swings.pendulum import geometry, pivot, place
 from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
 
 SAMPLES = 257  # of the way to the moment, which is a few turns at most
@@ -84,7 +84,7 @@ class SwingState(SwingAngle):
 
     @property
     def goes_round(self) -> bool:
-        """Whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
+        """Return whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
         return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
@@ -102,18 +102,21 @@ class SwingState(SwingAngle):
         said = f"{capital(self.who)} turns back{other} where all its energy is potential"
         step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
         if self.line is not None and not self.book.is_hidden(formula):
-            exceeds(self.book, step, PI / Number(2.0), name)
-            step.say("As this is less than $90^\\circ$, the string stays taut until then.")
+            self._tell_reach(step, name, "this")
         step.close()
         if self.line is not None and not self.book.in_symbols and self.book.is_hidden(formula):
-            self.book.afterwards.append(lambda: self._tell_reach(name))
+            self.book.afterwards.append(lambda: self._verify_reach(name))
         return -name if beyond else name
 
-    def _tell_reach(self, reach: Symbol) -> None:
-        """Write in the end, if it hangs on the unknown, that the string stays taut as far as it swings."""
-        step = self.book.open("verify")
+    def _tell_reach(self, step: Writing, reach: Symbol, called: str) -> None:
+        """Write that the string stays taut up to the turning point, at the angle `reach` from the vertical."""
         exceeds(self.book, step, PI / Number(2.0), reach)
-        step.say(f"As ${reach.latex()}$ is less than $90^\\circ$, the string stays taut until then.")
+        step.say(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
+
+    def _verify_reach(self, reach: Symbol) -> None:
+        """Write the same in the end, where the angle hangs on the unknown."""
+        step = self.book.open("verify")
+        self._tell_reach(step, reach, f"${reach.latex()}$")
         step.close()
 
     def _at_extreme(self) -> Expression:
@@ -154,7 +157,7 @@ class SwingState(SwingAngle):
 
     @property
     def _energy(self) -> Expression:
-        """Of the start, above the lowest point."""
+        """Return the initial energy above the lowest point, in J."""
         m, g, ell = self.mass, self.gravity, self.length
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
         if self.launch == ZERO:
@@ -190,5 +193,5 @@ class SwingState(SwingAngle):
 
     @property
     def who(self) -> str:
-        """Who swings."""
+        """Return the noun phrase of the body that swings."""
         return self.setting.called(self.body)

@@ -60,12 +60,12 @@ class SwingTime:
 
     @cached_property
     def rounds(self) -> bool:
-        """Whether it goes round."""
+        """Return whether it goes round."""
         return self.book.values[self.modulus.name] > 1.0
 
     @cached_property
     def pace(self) -> Expression:
-        """How fast the integral grows."""
+        """Return the rate at which the elliptic integral grows with time, in rad/s."""
         return self.modulus * self.natural if self.rounds else self.natural
 
     # ---- elliptic integrals

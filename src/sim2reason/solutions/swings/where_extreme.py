@@ -22,8 +22,8 @@ def where_extreme(
 ) -> str:
     """Return the sentence that a quantity has its greatest or least value somewhere, with the reason.
 
-    What `loops` never turns back. Where the acceleration of what does is greatest, a comparison shows later, unless
-    it is `free` to be so or not, as in symbols.
+    A body that `loops` never turns back. For one that does, a comparison shows later at which end its acceleration is
+    greatest; in symbols both ends are possible, so that `free` has it assumed.
     """
     if quantity in FORCES:
         along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"
@@ -38,7 +38,7 @@ def where_extreme(
 
 
 def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
-    """Write which acceleration there is at the other end of a swing, less than the one that was found, a symbol."""
+    """Write the acceleration at the other end of a swing, which is less than the one that was found."""
     pull, first, excess = ends
     cosine = Call("cos", first) if first != ZERO else ONE
     sine = Call("sin", first) if excess == ZERO else Root(ONE - Power(cosine - excess, 2))

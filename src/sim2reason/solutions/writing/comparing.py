@@ -12,6 +12,14 @@ def exceeds(book: Book, step: Writing, left: Expression, right: Expression) -> N
     step.relations.append(Relation(left, right, "exceeds"))
 
 
+def verify_assumed(book: Book, greater: Expression, less: Expression, relation: str) -> None:
+    """Write that one formula is larger than another, as was assumed; `relation` says so in LaTeX without dollars."""
+    step = book.open("verify")
+    exceeds(book, step, greater, less)
+    step.say(f"Indeed ${relation}$, as was assumed.")
+    step.close()
+
+
 def why_this_time(book: Book, step: Writing, found: Symbol, other: Expression) -> str:
     """Return why one of two solutions for a time counts, as an addition to a sentence; nothing in symbols."""
     if book.in_symbols:

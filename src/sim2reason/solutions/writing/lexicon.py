@@ -70,7 +70,7 @@ class StatedNumber:
 
     @property
     def counted_unit(self) -> str:
-        """That in which formulas count it, in LaTeX: without the prefix that the text may use."""
+        """Return the unit in which formulas count it, in LaTeX: without the prefix that the text may use."""
         unit = self.parameter.measure.unit
         if self.scale == 1.0 or self.angle:
             return self.unit
@@ -78,12 +78,12 @@ class StatedNumber:
 
     @property
     def scale(self) -> float:
-        """By what a number of the text is multiplied where formulas count it."""
+        """Return the factor by which a number of the text is multiplied where formulas count it."""
         return factor(self.parameter.measure.unit)
 
     @property
     def angle(self) -> bool:
-        """Whether it is an angle in degrees."""
+        """Return whether it is an angle in degrees."""
         return self.parameter.measure.unit == "deg"
 
 
@@ -185,11 +185,11 @@ class Lexicon:
         ]
 
     def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
-        """What a number of the mechanism is, as `read` has it."""
+        """Return a formula for a number of the mechanism, as `read` does."""
         return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))
 
     def read(self, number: Both) -> Polynomial:
-        """What a number is: 0, a simple fraction, or one times something said, or a product of two or a sum of such."""
+        """Return a number as 0, a simple fraction, or one times a given number, a product of two or a sum of such."""
         known = self._read.get(number)
         if known is None:
             known = self._read[number] = self._searched(number)
@@ -267,7 +267,7 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
 
 
 def _factor(number: Both, atom: Both) -> float | None:
-    """By which simple fraction a number is an atom, in both mechanisms; None for none."""
+    """Return the simple fraction by which a number is an atom, in both mechanisms; None for none."""
     if atom.here == 0.0 or atom.there == 0.0:
         return None
     here, there = number.here / atom.here, number.there / atom.there

@@ -15,7 +15,7 @@ SMALLEST = "The smallest positive solution, found numerically, is"
 
 
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
-    """What `said` announces: a name, and the number near one at which a formula of it vanishes.
+    """Return a sentence with the number near `near` at which a formula vanishes, as a value of the name in it.
 
     Where the equation can be solved, the formula of the root, without what `said` announces. Else, where the formula
     hangs on what is unknown, nothing: the equation, which was told, holds the name.

@@ -126,16 +126,16 @@ class Book(FreshNames):
 
     @property
     def counts_in_si(self) -> bool:
-        """Whether results are in units of the SI, without prefixes."""
+        """Return whether results are in units of the SI, without prefixes."""
         return self._units == SI
 
     @property
     def in_symbols(self) -> bool:
-        """Whether no number may be written."""
+        """Return whether no number may be written."""
         return self._called is not None
 
     def is_hidden(self, held: Expression) -> bool:
-        """Whether the value of a formula may not be written: it hangs on what is unknown, or all is in symbols."""
+        """Return whether the value of a formula may not be written, as it is unknown, or all is in symbols."""
         return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
 
     def worked(self, formula: Expression) -> Expression:
@@ -217,7 +217,7 @@ class Writing:
         return self._noted(Relation(left, right, "law"))
 
     def derived(self, left: Expression, right: Expression) -> str:
-        """What follows from what was told, in LaTeX with dollars."""
+        """Return an equation that follows from what was told, in LaTeX with dollars."""
         return self._noted(Relation(left, right, "derived"))
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
@@ -248,7 +248,7 @@ class Writing:
         self._gives += [name for _, name in integration.ends]
 
     def stated(self, formula: Expression, unit: str) -> str:
-        """What follows from what was told, in numbers: what something given comes to, or a name."""
+        """Return the value of a formula of given numbers, or a name, in LaTeX with dollars."""
         value = self._book.value(formula)
         if self._book.is_hidden(formula):
             return f"${formula.latex()}$"
@@ -278,7 +278,7 @@ class Writing:
         return f"${name.latex()} = {with_unit(value, relation.unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
-        """What a symbol comes to whose value was unknown till now."""
+        """Return the value of a symbol that was unknown till now, in LaTeX with dollars."""
         self._book.check_need(formula)
         unit = self._book.units[name.name]
         relation = Relation(name, formula, "result", unit)
