@@ -218,7 +218,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
 
 
 def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
-    """Two carts between springs on a slope; at first the highest spring is compressed, or none is."""
+    """Return two carts between springs on a slope, of which the highest is compressed at first, by a length in m."""
     chain = SpringMassChain(
         track=RoughTrack(tilt=33.0),
         carts=(Cart(mass=3.2), Cart(mass=2.4)),
@@ -231,7 +231,7 @@ def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
 
 @pytest.mark.parametrize("by", [0.12, 0.0])
 def test_how_springs_between_two_walls_are_strained_at_first_matters_to_their_equilibrium(by: float) -> None:
-    """From one wall alone, springs are stretched by the weight alone, whatever they were at first."""
+    """Springs on one wall are stretched by the weight alone, however they were strained at first."""
     stored = asked(EquilibriumQuery("equilibrium", Target("spring energy", "it.springs.1")))
     assert "start" not in irrelevant(stored, study(strained("both", by)))
     assert "start" in irrelevant(stored, study(strained("left", by)))

@@ -97,7 +97,7 @@ def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
 
 
 def test_a_change_to_no_scene_has_a_reason() -> None:
-    """A mass can't be negative."""
+    """A negative mass leads to the reason that there is no such motion."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=f"{LOAD} = -1 kg", compare="value")
     followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
     assert followed.answer is None
