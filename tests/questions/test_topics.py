@@ -218,7 +218,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
 
 
 def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
-    """Two carts between springs on a slope; at first the highest spring is compressed, or none is."""
+    """Return two carts between springs on a slope, of which the highest is compressed at first, by a length in m."""
     chain = SpringMassChain(
         track=RoughTrack(tilt=33.0),
         carts=(Cart(mass=3.2), Cart(mass=2.4)),

@@ -56,7 +56,7 @@ def pulled(load: float, block: float, angle: float = 34.0, gravity: float = G) -
     ],
 )
 def test_the_value_in_a_changed_scene_is_found(change: str, value: float) -> None:
-    """By itself, as a ratio and as a difference to that in the scene as it is."""
+    """The value, its ratio to the value before and its difference from it agree with closed forms."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=change)
     now = pulled(1.6, 1.4)
     told = {"value": value, "ratio": value / now, "difference": value - now}
@@ -66,13 +66,13 @@ def test_the_value_in_a_changed_scene_is_found(change: str, value: float) -> Non
 
 
 def test_a_body_is_held_fixed() -> None:
-    """A box that recoils is held: the block on its top, and the load, are accelerated as about a fixed pulley."""
+    """With the box held fixed, the block and the load are accelerated as about a fixed pulley."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change="the box fixed", compare="value")
     assert found("recoiling_box", asked) == pytest.approx(0.51 * G / (0.51 + 0.68), rel=1e-9)
 
 
 def test_the_ratio_of_what_both_scenes_have_needs_a_value_in_both() -> None:
-    """What is zero as it is has no ratio to it, and the reason is said."""
+    """A velocity that is zero in both scenes has no ratio, and the reason says so."""
     asked = StructuredQuestion("velocity", "block A", "at 0 s", change=f"{LOAD} × 2, {BLOCK} × 2")
     followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
     assert followed.answer is None
@@ -97,7 +97,7 @@ def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
 
 
 def test_a_change_to_no_scene_has_a_reason() -> None:
-    """A mass can't be negative."""
+    """A negative mass leads to the reason that there is no such motion."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=f"{LOAD} = -1 kg", compare="value")
     followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
     assert followed.answer is None
@@ -113,7 +113,7 @@ NOW, ESCAPES = sqrt(0.61**2 + 7.10**2), sqrt(8.0 * pi**2 * 1.9 / sqrt(1.10**2 + 
     [("", ESCAPES), ("value", ESCAPES), ("difference", ESCAPES - NOW), ("ratio", ESCAPES / NOW)],
 )
 def test_a_speed_is_found_from_its_components(compare: str, value: float) -> None:
-    """That with which a planet escapes, by itself or compared with the speed that it has."""
+    """The speed with which a planet escapes is found, and compared with the speed that the planet has."""
     asked = StructuredQuestion("system.planets.0.speed", "system.planets.0 & system.star", "at start")
     assert found("escaping_planet", replace(asked, given="eccentricity = 1", compare=compare)) == pytest.approx(value)
 
@@ -160,6 +160,6 @@ def test_what_only_people_ask_about_comes_about_from_a_number_on(name: str, find
 
 
 def test_the_coefficient_of_friction_that_rolling_needs_is_a_quantity() -> None:
-    """For a disc on a slope a third of its tangent."""
+    """A disc needs a third of the tangent of the slope's angle."""
     got = found("climbing_disc", StructuredQuestion("coefficient of friction needed", "roller.body", "at start"))
     assert got == pytest.approx(sin(radians(31.0)) / cos(radians(31.0)) / 3.0, rel=1e-9)

@@ -1,4 +1,4 @@
-"""Numbers of a scene that are derived from several declared ones: a speed, the magnitude of a velocity's components."""
+"""Numbers that a scene does not declare, such as the speed of a planet, whose velocity it declares by components."""
 
 from collections import defaultdict
 from collections.abc import Mapping
@@ -13,18 +13,18 @@ NOWHERE = "a speed of zero has no direction"
 
 
 class DerivedNumber(NamedTuple):
-    """The magnitude of the components at some addresses, which change in proportion; in their unit."""
+    """A speed, in `unit`, that a scene declares by the velocity components at the addresses `parts`."""
 
     path: str
     unit: str
     parts: tuple[str, ...]
 
     def value(self, scene: Scene) -> float:
-        """Return the magnitude in a scene."""
+        """Return the speed in a scene."""
         return hypot(*(float(scene.value(part) or 0.0) for part in self.parts))
 
     def at(self, scene: Scene, value: float) -> Mapping[str, float]:
-        """Return the components with another magnitude and the same direction; SceneError if they are all zero."""
+        """Return the components of a velocity with another speed and the same direction; SceneError if all are zero."""
         now = self.value(scene)
         if not now:
             raise SceneError(self.path, NOWHERE, "change one of the components")
@@ -51,7 +51,7 @@ def number_at(scene: Scene, path: str) -> float:
 
 
 def with_numbers(scene: Scene, values: Mapping[str, float]) -> Scene:
-    """Return a scene with other values at some addresses, of which some may be those of derived numbers."""
+    """Return a scene with other values of some numbers, by address, derived numbers included."""
     derived: Mapping[str, DerivedNumber] = {}
     if any(path.endswith(f".{SPEED}") for path in values):
         derived = derived_numbers(scene)
@@ -62,5 +62,5 @@ def with_numbers(scene: Scene, values: Mapping[str, float]) -> Scene:
 
 
 def with_number(scene: Scene, path: str, value: float) -> Scene:
-    """Return a scene with another value at an address, which may be that of a derived number."""
+    """Return a scene with another value of the number at an address, which may be a derived one."""
     return with_numbers(scene, {path: value})

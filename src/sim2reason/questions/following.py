@@ -20,6 +20,7 @@ GROWTH = 2.0  # times as long is a motion followed that has not yet led to an an
 DOUBLINGS, FEWER = 40, 12  # at most; and of what is integrated, where they cost more and more
 SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and how often
 ROOM = "reach"  # what ends a motion for which lengths that the text does not say are too short
+FOLLOWED_NO_LONGER = "followed no longer"  # how a reason ends where one motion takes all the work that is allowed
 BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
 
 
@@ -98,7 +99,7 @@ def _followed(query: Query, begun: FollowedMotion) -> Followed:
 def _given_up(study: Study, limit: str) -> str:
     """Return the reason to report if a motion reaches a limit of work before a query has an answer."""
     by = f"it has not happened by {_end(study):.6g} {study.mechanism.units.time}"
-    return f"{by}, and this motion is followed no longer{f': {limit}' if limit else ''}"
+    return f"{by}, and this motion is {FOLLOWED_NO_LONGER}{f': {limit}' if limit else ''}"
 
 
 def _end(study: Study) -> float:

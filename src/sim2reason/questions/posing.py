@@ -25,7 +25,7 @@ from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.variation import SceneChange, variation
 from sim2reason.questions.words import Words
 
-EXTREMES = "greatest", "least"
+EXTREMES = GREATEST, LEAST = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
@@ -34,7 +34,7 @@ AXLE = "moment of inertia about the axle"
 SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass", AXLE)
 """Quantities whose values of several subjects add up to that of all."""
 RATIO, DIFFERENCE, VALUE = COMPARED = "ratio", "difference", "value"
-"""How a changed answer, or a number that is found, is told: compared with what it is in the scene, or by itself."""
+"""Forms of a changed answer, or of a number that is found: compared with the one in the scene, or the value itself."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol
 
 
@@ -43,9 +43,10 @@ class PosedQuestion:
     """A query; if the question asks for a number of the scene, also that number and the query's required answer.
 
     If the question asks for a sum over several subjects, `others` has the queries for all but the first. If it asks
-    for a difference between two moments, `less` is the question for the second one. Of several values of a number,
-    the `end` of the range that is asked for is told, if one is. With a `varied` scene the answer is the one there.
-    `compare` says whether an answer is told as a ratio or a difference to what is so in the scene.
+    for a difference between two moments, `less` is the question for the second one. With an `end`, *least* or
+    *greatest*, the answer is the least or the greatest of several values. With a `varied` scene, the answer is the one
+    in that scene. With `compare`, *ratio* or *difference*, the answer is compared with that in the scene as it is, or
+    with the number that the scene has.
     """
 
     query: Query
@@ -79,12 +80,12 @@ class PosedQuestion:
             return missing or found[0]._replace(answer=sum(each.answer or 0.0 for each in found))
         values = sorted(values_giving(self.query, self.given, self.unknown, motion.study))
         if self.end and values:
-            values = [values[0 if self.end == EXTREMES[1] else -1]]
+            values = [values[0 if self.end == LEAST else -1]]
         reason = why_not_one(self.unknown, values, motion.study.scene)
         return Followed(motion.study, None if reason else values[0], reason)
 
     def _compared(self, motion: FollowedMotion) -> Followed:
-        """Return the answer in the varied scene, or the answer compared with that, or the number, in the scene."""
+        """Return the answer in the varied scene, compared with the answer or the number in the scene as it is."""
         plain, scene = replace(self, varied=None, compare=VALUE), motion.study.scene
         try:
             there = motion if self.varied is None else motion_of(self.varied.applied(scene))
@@ -101,7 +102,7 @@ class PosedQuestion:
 
     @property
     def _number(self) -> str:
-        """Return the address of the number that is asked for; empty if none is."""
+        """Return the address of the number that the question asks for; empty if it asks for another quantity."""
         if self.unknown is not None:
             return self.unknown.path
         return self.query.parameter if isinstance(self.query, ThresholdQuery) else ""
@@ -149,7 +150,7 @@ def numbers(words: Words) -> frozenset[str]:
 
 
 def compared_as(asked: StructuredQuestion, usual: str) -> str:
-    """Return how an answer is told: as a ratio, a difference or by itself; TextError for anything else."""
+    """Return the form of an answer: *ratio*, *difference* or *value*, or else the usual one; TextError for others."""
     return one_of("compare", asked.compare or usual, COMPARED)
 
 
@@ -187,7 +188,7 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
     result, _, value = (part.strip() for part in asked.given.partition("="))
     if value in EXTREMES:
         inner = posed(replace(asked, find=result, given="", compare=""), motion, words).query
-        return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == EXTREMES[0]))
+        return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == GREATEST))
     value, _, end = value.partition(", ")
     end = one_of("given", end, EXTREMES) if end else ""
     if not value or result in quantities_named(words.mechanism) or " of " in result or " along " in result:
@@ -218,7 +219,7 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
         held = {p.path: p for p in study.scene.parameters if p.value}
         path = resolved("change", number, {path: words.named.get(path, path) for path in held})
         if value in EXTREMES:
-            return PosedQuestion(_optimum(inner.query, path, study, greatest=value == EXTREMES[0], asks_place=False))
+            return PosedQuestion(_optimum(inner.query, path, study, greatest=value == GREATEST, asks_place=False))
         if held[path].measure.unit == MASS:
             query, large = inner.query, LIMITS[value]
             return PosedQuestion(LimitQuery("limit", query.target, query.moment, stripped(query), path, large=large))

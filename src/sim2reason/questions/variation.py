@@ -1,7 +1,7 @@
-"""Variations of a scene: other values of its numbers, and bodies held fixed, in which a question is asked."""
+"""Changes of a scene that a question supposes: other values of numbers, and bodies held fixed."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from sim2reason.dsl.scene import Scene
@@ -31,7 +31,7 @@ class SceneChange:
 
     @property
     def told(self) -> str:
-        """Return the changes as a structured question has them."""
+        """Return the changes as text, such as *ramp.angle = 30, box fixed*, for a structured question."""
         numbers = (f"{path} = {value:.15g}" for path, value in self.values)
         return ", ".join((*numbers, *(f"{body} {FIXED}" for body in self.fixed)))
 
@@ -44,7 +44,7 @@ def variation(said: str, scene: Scene, words: Words) -> SceneChange:
     parts = _PARTED.split(said.strip())
     if len(parts) > MOST:
         raise TextError("change", f"there are {len(parts)} changes", f"give at most {MOST}")
-    values, fixed = dict[str, float](), list[str]()
+    values, fixed, units = dict[str, float](), list[str](), units_of(scene)
     for part in parts:
         found, held = _CHANGE.fullmatch(part), _FIXED.fullmatch(part)
         if held is not None and found is None:
@@ -52,7 +52,6 @@ def variation(said: str, scene: Scene, words: Words) -> SceneChange:
             continue
         if found is None:
             raise TextError("change", f"{part!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
-        units = units_of(scene)
         path = resolved("change", found["number"], {path: words.named.get(path, path) for path in units})
         value = measured("change", found["value"], units[path] if found["sign"] == "=" else "")
         values[path] = value if found["sign"] == "=" else value * number_at(scene, path)
@@ -65,20 +64,14 @@ def _body(said: str, scene: Scene, words: Words) -> str:
 
 
 def units_of(scene: Scene) -> Mapping[str, str]:
-    """Return the units of all numbers of a scene that a text says, derived ones included, by address."""
-    return dict(_units(scene))
-
-
-def _units(scene: Scene) -> Iterator[tuple[str, str]]:
-    for parameter in scene.parameters:
-        if parameter.value is not None and not parameter.hidden:
-            yield parameter.path, parameter.measure.unit
-    for path, number in derived_numbers(scene).items():
-        yield path, number.unit
+    """Return the units of all numbers that the text of a scene states, derived ones included, by address."""
+    said = {p.path: p.measure.unit for p in scene.parameters if p.value is not None and not p.hidden}
+    return said | {path: number.unit for path, number in derived_numbers(scene).items()}
 
 
 def words_in(scene: Scene, words: Words) -> Words:
-    """Return the words for a scene that differs from that of `words` by a variation only."""
-    symbols = {path: symbol for path, symbol in words.symbols.items() if path in units_of(scene)}
+    """Return the words for a changed scene, given those for the scene before the change."""
+    said = units_of(scene)
+    symbols = {path: symbol for path, symbol in words.symbols.items() if path in said}
     found = Words.of(scene, words.mentions, symbols, symbols)
-    return replace(found, unknowns=[unknown for unknown in words.unknowns if unknown.path in units_of(scene)])
+    return replace(found, unknowns=[unknown for unknown in words.unknowns if unknown.path in said])

@@ -1,4 +1,4 @@
-"""Moments told without a number: what is so after a long time, and some time after a collision."""
+"""Moments such as *after a long time* and *2 s after the collision*, put into numbers."""
 
 from pathlib import Path
 
@@ -24,13 +24,13 @@ def answer(scene: str, asked: StructuredQuestion) -> float | None:
 
 
 def test_a_medium_stops_a_body_after_a_long_time() -> None:
-    """After m v/b, by the integral of the exponential."""
+    """The bead travels m v/b in all."""
     found = answer("braked_bead", StructuredQuestion("distance travelled", "the bead", LONG))
     assert found == pytest.approx(2.2 * 3.7 / 0.75, rel=1e-6)
 
 
 def test_a_time_counts_from_a_collision() -> None:
-    """After which a puck keeps its speed."""
+    """A puck keeps its speed after the collision."""
     late = answer("bounced_pucks", StructuredQuestion("speed", "puck A", "2.0 s after collided"))
     assert late == pytest.approx(answer("bounced_pucks", StructuredQuestion("speed", "puck A", "collided")))
 
@@ -44,6 +44,6 @@ def test_a_time_counts_from_a_collision() -> None:
     ],
 )
 def test_what_never_settles_down_is_refused(scene: str, asked: StructuredQuestion) -> None:
-    """Where no medium resists; and a time is asked for by an event."""
+    """Nothing settles down without a medium that resists, and no time is found *after a long time*."""
     with pytest.raises(TextError, match="nothing settles down"):
         answer(scene, asked)

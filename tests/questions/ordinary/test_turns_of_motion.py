@@ -28,7 +28,7 @@ from sim2reason.questions.ordinary.rewording import reworded
     ],
 )
 def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str) -> None:
-    """The plainer question begins as told."""
+    """The reworded question begins with the expected words."""
     assert reworded(question).startswith(plain)
 
 
@@ -42,5 +42,5 @@ def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str)
     ],
 )
 def test_words_that_matter_are_left_in(question: str) -> None:
-    """Another stretch, another order, another direction, another unit."""
+    """A question about another stretch, order, direction or unit is not reworded."""
     assert reworded(question) == question

@@ -1,4 +1,4 @@
-"""Turns of phrase, and words that ask for nothing: what is left of a question."""
+"""Rewording of turns of phrase, and removal of words that ask for nothing."""
 
 import pytest
 
@@ -30,7 +30,7 @@ from sim2reason.questions.ordinary.rewording import reworded
     ],
 )
 def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str) -> None:
-    """The plainer question begins as told."""
+    """The reworded question begins with the expected words."""
     assert reworded(question).startswith(plain)
 
 
@@ -50,7 +50,7 @@ def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str)
     ],
 )
 def test_words_that_ask_for_nothing_are_left_out(question: str, left: str) -> None:
-    """How to find it, what it follows from, what is plain anyway."""
+    """Methods, reminders and repeated numbers are left out."""
     assert without_leads(question, ("0.5 s", "0.50 s"), smooth=True) == left
 
 
@@ -63,11 +63,11 @@ def test_words_that_ask_for_nothing_are_left_out(question: str, left: str) -> No
     ],
 )
 def test_words_that_matter_are_left_in(question: str) -> None:
-    """What happens, another number, another scene."""
+    """An event, another number or another scene is not left out."""
     assert without_leads(question, ("0.5 s", "0.50 s", "0.6 s"), smooth=True) == question
 
 
 def test_a_smooth_floor_is_passed_over_only_where_nothing_rubs() -> None:
-    """Where something does, the sentence is about another scene."""
+    """A sentence that says that a rough floor is smooth is about another scene, and stays."""
     told = "floor is smooth. how fast is @0@"
     assert without_leads(told, (), smooth=False) == told

@@ -1,7 +1,8 @@
-"""Questions in ordinary English about a changed scene, and for a number that makes something so."""
+"""Questions in ordinary English about a changed scene, or for a number that brings something about."""
 
 from functools import cache
 from pathlib import Path
+from time import perf_counter
 
 import pytest
 
@@ -62,7 +63,7 @@ def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: st
     ],
 )
 def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str) -> None:
-    """Several values do, or it is not so."""
+    """The error says that several values do, or that something presumed is false."""
     with pytest.raises(TextError, match=told):
         understood(question, *scene(name))
 
@@ -78,12 +79,21 @@ def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str)
     ],
 )
 def test_a_word_without_a_place_is_refused(question: str) -> None:
-    """In the supposition as in the question."""
+    """A question is not understood if a word of the supposition or of the question itself has no meaning."""
     assert understood(question, *scene("doubled_load")) is None
 
 
+@pytest.mark.parametrize("part", ["a and ", "A, B, ", "g were 5 m/s² and "])
+def test_a_long_list_of_suppositions_takes_little_time(part: str) -> None:
+    """The time grows as a power of the number of parts, not exponentially."""
+    asked = f"{'If ' + part * 60:.350}, what is the acceleration of A?"
+    began = perf_counter()
+    assert understood(asked, *scene("doubled_load")) is None
+    assert perf_counter() - began < 5.0
+
+
 def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
-    """Where there is one mode."""
+    """A pendulum has one mode of small oscillations, whose period is found though it swings through large angles."""
     found = understood(
         "What would be the period if the arm were only swinging through small angles?", *scene("swung_sphere")
     )
@@ -112,7 +122,7 @@ def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
     ],
 )
 def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, answer: float) -> None:
-    """By a multiple of what is so, a bound, a wish that comes first, or a number with an adjective."""
+    """The condition may be a multiple, a bound or a wish that comes first, and an adjective may name the number."""
     found = understood(question, *scene(name))
     assert found is not None
     assert found.followed.answer == pytest.approx(answer, rel=1e-6)
@@ -132,25 +142,25 @@ def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, ans
     ],
 )
 def test_why_a_number_is_not_found_is_said(name: str, question: str, told: str) -> None:
-    """The other end of the range is meant, there are two motions, or one already takes all the work."""
+    """The error names the other end of the range, a second motion, or the limit of work."""
     with pytest.raises(TextError, match=told):
         understood(question, *scene(name))
 
 
 def test_what_is_to_move_meanwhile_does() -> None:
-    """Else a number with which everything rests would do."""
+    """A number with which B stays at rest does not make *B falls* true."""
     asked = "How heavy would B have to be for A to stay at rest while B falls?"
     assert understood(asked, *scene("spring_and_load")) is None
 
 
 def test_a_number_is_no_name_of_a_spring() -> None:
-    """Although one of the springs is called 2."""
+    """The digit 2 of *2.5 m/s* does not name spring 2."""
     heard = hear("If A were started at 2.5 m/s, how fast would B be?", scene("two_springs")[1])
     assert heard.numbers == ("2.5 m/s",)
 
 
 def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
-    """As a question in parts, too."""
+    """A structured question may name the radius of the path, too."""
     motion, words = scene("field_circle")
     parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
     found = posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer

@@ -33,7 +33,7 @@ def changed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def exchanged(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the momentum that a body gets in a collision with one other body: the impulse of that collision."""
+    """Yield the momentum that a body gains or loses in a collision with another body: the impulse of that collision."""
     of = heard.subject(found["s"])
     if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
         yield Main(IMPULSE, of, needs=JUMP)

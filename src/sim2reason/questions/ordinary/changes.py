@@ -151,8 +151,7 @@ def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main,
     first = _NUMBERED.match(other)
     if _NUMBERED.fullmatch(one) and first is not None:
         one = f"{one}{other[first.end() :]}"
-    earlier = [*whens(one, heard, who, AFTER), *((When("", AFTER),) if pattern("START").fullmatch(one) else ())]
-    for early, late in product(earlier, whens(other, heard, who, AFTER)):
+    for early, late in product(whens(one, heard, who, AFTER), whens(other, heard, who, AFTER)):
         if not late.told or late.told.startswith("at ") or early.told == late.told or not early.told:
             continue
         told = MINUS.join(when.told.removesuffix(" before") for when in (late, early))

@@ -37,7 +37,7 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
 
 
 def _later(clause: str, heard: Heard, subject: str) -> Iterator[When]:
-    """Yield a time counted from a collision."""
+    """Yield the moment that a clause such as *2 s after the collision* means."""
     found = _LATER.fullmatch(clause)
     if found is None or not is_time(heard.number(found["n"])):
         return
@@ -46,16 +46,22 @@ def _later(clause: str, heard: Heard, subject: str) -> Iterator[When]:
             yield replace(when, told=f"{heard.number(found['n'])}{PAST}{when.told}", side=THEN)
 
 
+def _named_first(clause: str, heard: Heard, subject: str) -> str:
+    """Return the first subject that a clause names, or else the given one."""
+    token = re.search(r"@\d+@", clause)
+    return heard.subject(token[0]) if token is not None else subject
+
+
 def _on_one_side(clause: str, beside: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield a turning point of what swings, presuming that it is on the other side than at the start, as named."""
-    who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
+    """Yield the turning point that a clause such as *stops on the left* means, presuming that it is on that side."""
+    who = _named_first(clause, heard, subject)
     for when in whens(f"{clause} on other side", heard, subject, side):
         yield replace(when, ways=(*when.ways, (who, beside)))
 
 
 def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
-    who = next(iter(heard.subject(token) for token in re.findall(r"@\d+@", clause)), subject)
+    who = _named_first(clause, heard, subject)
     for when in whens(clause, heard, subject, side):
         ways = (*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN))
         yield replace(when, ways=ways)
@@ -114,9 +120,9 @@ CLAUSES: Mapping[str, Reader] = {
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
-    "speed of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to (?P<times>half|third|quarter|tenth)"
-    " (?:of"
-    " )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)(?: value| one| speed)?)": place.slower_part,
+    "(?P<q>speed) of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to"
+    " (?P<times>half|third|quarter|tenth) (?:of )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)"
+    "(?: value| one| speed)?)": place.fraction,
     "[{s} ]finally stops": place.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
     "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,

@@ -1,4 +1,4 @@
-"""Readers of main clauses that ask for what pulleys, axles, guides and hooks bear."""
+"""Readers of main clauses that ask for forces on pulleys, axles and hooks."""
 
 import re
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ def _named(found: re.Match[str], heard: Heard) -> list[str]:
 
 
 def _beside_string(said: list[str]) -> list[str]:
-    """Return the other one of two subjects of which one is a string; none if neither is, or both are."""
+    """Return the one of two subjects that is not a string; none if neither or both are strings."""
     others = [of for of in said if "string" not in of]
     return others if len(said) == 2 and len(others) == 1 else []
 
@@ -32,13 +32,13 @@ def on_that_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def on_free_pulley(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the force on a pulley of the only string that touches it, as none ends at its axle."""
+    """Yield the force of the only string on a pulley, presuming that no string is tied to the axle."""
     of = heard.subject(found["s"])
     yield Main(ON_PULLEY, of, ways=((of, FREE_AXLE),))
 
 
 def on_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield what the axle of a light pulley bears, or that of an arm; of the only one, if none is named."""
+    """Yield the force on the axle of a light pulley or of an arm, by default of the only one in the scene."""
     said = _named(found, heard)
     for of in (_beside_string(said) if len(said) == 2 else said) or ([] if said else [""]):
         yield Main(ON_PULLEY, of, ways=((of, LIGHT),))
@@ -46,5 +46,5 @@ def on_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def on_hook(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the force in the string, rod or spring that is named, or else in the only one with a fixed end."""
+    """Yield the force in a named string, rod or spring, or else in the only one with a fixed end."""
     yield from (Main(force, heard.subject(found["s"]) or FIXED_END) for force in FORCES)

@@ -1,4 +1,4 @@
-"""What main clauses ask for of forces, in base forms, each with the plain main clause that says the same."""
+"""Rows for main clauses about forces, in base forms."""
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow

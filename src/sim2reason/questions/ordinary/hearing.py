@@ -52,12 +52,12 @@ _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
-_VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms()))})\b")  # after a letter, *A* is no article
+_VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
 _CENTERS = re.compile(
     r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b"
 )
 _RELATIVE_TO = re.compile(r"\bits (?=(?:speed|velocity|acceleration)(?: relative to| with respect to) @(\d)@)")
-_SIZES = re.compile(
+_PARTICIPLES = re.compile(
     r"\b(?:bored|hollow|swinging|hanging|falling|sliding|rolling|moving|oscillating|thrown|flying|compressed|stretched"
     r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
@@ -108,7 +108,7 @@ def hear(sentence: str, words: Words) -> Heard:
     if len(subjects) == 2:  # *after B has hit it*: the other
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
-    text = _SIZES.sub("", text)
+    text = _PARTICIPLES.sub("", text)
     if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
@@ -203,7 +203,7 @@ def _movers(words: Words) -> list[str]:
 
 
 def _of_only(text: str, words: Words) -> str:
-    """Return a text with the token of the only body for *it* and *its*, and for *the centre* of what rolls."""
+    """Return a text with the token of the only body in place of *it*, *its* and, if the body rolls, *the centre*."""
     if all(name in words.mechanism.contacts and rolls(words, name) for name in words.called(Bodies())):
         text = _CENTER_ALONE.sub("@0@", text)
     return re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text))

@@ -1,4 +1,4 @@
-"""Words before or after a question that ask for nothing: how to find it, what it follows from, what is plain anyway."""
+"""Words before or after a question that ask for nothing, such as *using conservation of energy*."""
 
 import re
 
@@ -52,7 +52,7 @@ _SEEN_BY = re.compile(
 def without_leads(text: str, numbers: tuple[str, ...], *, smooth: bool) -> str:
     """Return a question without words that ask for nothing, and without a number that repeats the one before it.
 
-    `smooth` says whether nothing rubs in the scene, of which a sentence may remind.
+    In a scene without friction, which is `smooth`, a sentence such as *the floor is smooth* is left out as well.
     """
     text = _SMOOTH.sub("", text) if smooth else text
     text = _SEEN_BY.sub(" relative to ", text)

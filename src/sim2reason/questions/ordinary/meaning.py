@@ -1,4 +1,4 @@
-"""The meaning of a sentence, and the reader of questions about a scene as it is, which other readers use."""
+"""The types of a sentence's meaning and of the reader of questions about a scene as it is."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,9 +22,10 @@ class Understood:
 
 
 class Reader(NamedTuple):
-    """The reader of questions about a scene as it is, in its steps.
+    """The functions that read questions about a scene as it is.
 
-    `read` returns the meaning of a heard sentence; `readings` its readings; `first_of` the meaning of some readings.
+    `read` returns the meaning of a heard sentence, `readings` all its readings, and `first_of` the meaning of the first
+    reading that the scene answers.
     """
 
     read: Callable[[Heard, FollowedMotion, Words], Understood | None]

@@ -1,4 +1,4 @@
-"""Moments told without a number: by a multiple of a value, after a long time, or some time after a collision."""
+"""Moments such as *when its speed has doubled*, *after a long time* or *2 s after the collision*, put into numbers."""
 
 import re
 from dataclasses import replace
@@ -24,7 +24,7 @@ DOUBLINGS, SETTLED = 10, 1e-7  # of the time that is long enough, and what chang
 
 
 def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question with the number, with its unit, that its moment stands for; others unchanged.
+    """Return a question whose moment is a value or a time with its unit, for one such as *when its speed has doubled*.
 
     Raises:
         TextError: there is no such quantity, or it is zero at the start, or never settles down, or nothing collides.
@@ -51,7 +51,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time from which its answer changes no more, in a scene with a medium that resists."""
+    """Return a question about a time so late that the answer no longer changes, as a medium resists the motion."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
     if asked.find == "time" or not resisted:
         raise TextError("when", "nothing settles down here", "name a moment")
@@ -70,7 +70,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time counted from the start in place of one counted from a collision."""
+    """Return a question with a time from the start, for one with a time from a collision."""
     began = posed(StructuredQuestion("time", "", found["event"]), motion, words)
     answer = began.followed(motion).answer
     if answer is None or began.unit(words) != found["unit"] or asked.find == "time":

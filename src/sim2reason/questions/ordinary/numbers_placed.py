@@ -1,6 +1,6 @@
-"""Readings of a sentence that asks for a number of the scene, by the number's address."""
+"""Readings of sentences that ask for a number of the scene, with the number's address."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.subjects.bodies import Bodies
@@ -14,7 +14,7 @@ from sim2reason.questions.words import Words
 
 
 def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
-    """Yield the readings of a sentence that asks for a number of the scene, by the number's address."""
+    """Yield the readings of a sentence that asks for a number of the scene, with the number's address."""
     for found in wanted(heard):
         path = _path(found, scene, words)
         if not path:
@@ -32,11 +32,21 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
     """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
-    rubs = {name for name, face in words.mechanism.contacts.items() if face.friction > 0.0 and not rolls(words, name)}
-    if rubs:
+    if rubs(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(of)
-    for name in words.called(Bodies()) if alone is None else (alone,):
+    yield from without_acceleration(path, words.called(Bodies()) if alone is None else (alone,), words)
+
+
+def rubs(words: Words) -> bool:
+    """Return whether a body lies on a rough face, unless it rolls there."""
+    contacts = words.mechanism.contacts
+    return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
+
+
+def without_acceleration(path: str, names: Iterable[str], words: Words) -> Iterator[Reading]:
+    """Yield the question for the number with which a body has no acceleration, for each body that moves on a line."""
+    for name in names:
         senses = Bodies().senses(words.mechanism, name)
         if len(senses) == 1:
             given = f"acceleration along {senses[0].positive} = 0 m/s^2"

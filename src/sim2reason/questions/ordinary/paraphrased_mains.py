@@ -82,7 +82,7 @@ def _side(plain: str, said: str) -> str:
 
 
 def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
-    """Return a text without the parts of a row, and note in `groups` what they name; None if it lacks a part."""
+    """Return a text without the parts of a row, and add their groups to `groups`; None if the text lacks a part."""
     for told in row.parts:
         found = _part(told.removeprefix("?")).search(text)
         if found is None and told.startswith("?"):

@@ -149,17 +149,17 @@ def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
 
 
-TURNS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three": "3", "ten": "10"}
+REVOLUTIONS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three": "3", "ten": "10"}
 FRACTIONS = {"half": "0.5", "halved": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
 
 
 def revolved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body has turned so many times."""
-    yield When(f"revolutions made of {subject_of(found, heard, subject)} = {TURNS[found['turns']]}", side)
+    """Yield the moment when a body has made a number of revolutions."""
+    yield When(f"revolutions made of {subject_of(found, heard, subject)} = {REVOLUTIONS[found['turns']]}", side)
 
 
 def burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when so much fuel has been burnt."""
+    """Yield the moment when a given mass of fuel has been burnt."""
     yield When(f"fuel burnt of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
@@ -183,7 +183,7 @@ def lost_share(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 
 
 def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the first moment after the start when a body moves along an axis, the way that is told."""
+    """Yield the first two moments after the start when a body moves along an axis, presuming the named sense."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
     sign = "+" if found["heading"] in ("positive", "+") else "-"
     for again in ("", AGAIN):
@@ -192,10 +192,7 @@ def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment from which a body stays at rest: its last stop or, where there is but one, that.
-
-    What a medium slows down comes to rest after a long time.
-    """
+    """Yield the moment from which a body stays at rest: its last stop, or after a long time if a medium resists."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} halted", side)
     yield When(LONG, side, ((who, DIES_AWAY),))
@@ -203,14 +200,9 @@ def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield a moment so late that what is asked for changes no more."""
+    """Yield a moment so late that the quantity asked for no longer changes."""
     del found, heard, subject
     yield When(LONG, side)
-
-
-def slower_part(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a speed is a fraction of the initial one."""
-    yield When(f"speed of {subject_of(found, heard, subject)} = {FRACTIONS[found['times']]}{TIMES}", side)
 
 
 def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

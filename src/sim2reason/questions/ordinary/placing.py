@@ -75,14 +75,14 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
 
 
 def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
-    """Return a moment with the scene's names of pairs and axes, also of one that is some time after it."""
+    """Return a moment with the scene's names of pairs and axes, such as *2 s after A & B collided*."""
     late = LATE.match(when)
     told = _component(velocities_equal(when[late.end() :] if late else when, words), words)
     return f"{late[0] if late else ''}{_met(_collided(told, words, events), words)}"
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subjects that a question may be about; none where what is named cannot have what is asked for."""
+    """Return the subjects that a question may mean; none if the named one cannot have the quantity."""
     if not asked.of:
         return _unsaid(asked, words) or ("",)
     if asked.of == EVERYTHING:
@@ -95,7 +95,7 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 
 def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subject that a sentence names, or its pair; none where it has no orbit, or carries others."""
+    """Return the subject that a sentence names, or its pair; none if it has no orbit, or carries other bodies."""
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         if asked.find in ORBITAL and asked.of not in words.called(Bodies()).values():

@@ -110,7 +110,7 @@ def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State,
 
 
 def _beside(who: str, way: str, words: Words) -> str:
-    """Return why what is told of the other bodies of a scene is not so; empty if it is."""
+    """Return a message if a presumption about other bodies fails; empty if it holds."""
     if way == ALL:
         return "" if _all_bodies(who, words) else f"{who} are not all that moves"
     if way.startswith(HELD):

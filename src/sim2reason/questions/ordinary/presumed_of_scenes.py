@@ -1,4 +1,4 @@
-"""What a question takes for granted about the bodies of a scene, and how each is tested."""
+"""Tests of all that a question may presume, such as that a body is on its way up at the moment asked about."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -37,9 +37,14 @@ from sim2reason.questions.ordinary.vocabulary import (
 from sim2reason.questions.words import Words
 
 
+def _address(said: str, words: Words) -> str:
+    """Return the first address that the text calls by a phrase; empty if there is none."""
+    return next((address for address, phrase in words.mentions.items() if phrase == said), "")
+
+
 def _light(case: Case) -> bool:
-    """Return whether a pulley has no mass; true without a pulley named."""
-    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    """Return whether a pulley has no mass; true if the question names no pulley."""
+    address = _address(case.who, case.words)
     body = case.words.mechanism.body.get(address)
     return body is None or body.mass == 0.0
 
@@ -50,20 +55,20 @@ def _sideways(case: Case) -> bool:
 
 
 def _lifts(case: Case) -> bool:
-    """Return whether a body lifts off at the start, as its engine drives it upwards then."""
+    """Return whether the engine of a body accelerates it upwards at the start."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
     burns = any(burn.body == name for burn in case.words.mechanism.burns)
     return burns and float(Acceleration.evaluate(start, name)[0, 2]) > EVEN
 
 
 def _centered(case: Case) -> bool:
-    """Return whether the centre of mass of a body lies where its axis does."""
+    """Return whether the centre of mass of a body lies on the body's axis."""
     name = named(case.who, case.words)
     return bool(name) and case.words.mechanism.body[name].center == ZERO
 
 
 def held(who: str, spring: str, words: Words) -> bool:
-    """Return whether a spring is fixed at one end, and tied to a body at its other one."""
+    """Return whether a spring is fixed at one end and tied to a body at the other."""
     known = {said: name for name, said in words.called(Springs()).items()}
     alone = fixed_end(words) if spring == FIXED_END else (known.get(spring, ""),)
     line, name = words.mechanism.line.get(next(iter(alone), "")), named(who, words)
@@ -74,9 +79,9 @@ def held(who: str, spring: str, words: Words) -> bool:
 
 
 def borne(who: str, on: str, words: Words) -> bool:
-    """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
+    """Return whether another body carries a body, or whether a body hangs on a string that runs over a pulley."""
     mechanism, name = words.mechanism, named(who, words)
-    address = next((a for a, said in words.mentions.items() if said == on), "")
+    address = _address(on, words)
     if not name:
         return False
     over = [line for line in mechanism.lines if any(site.rpartition(".")[0] == address for site in line.through[1:-1])]
@@ -85,7 +90,7 @@ def borne(who: str, on: str, words: Words) -> bool:
 
 
 def _placed(case: Case) -> bool:
-    """Return whether what is asked for is a place, or a length."""
+    """Return whether a question asks for a displacement, an extension or the length of a spring."""
     return case.query.target is not None and case.query.target.quantity in (
         "displacement",
         "extension",
@@ -119,7 +124,7 @@ def _before(case: Case) -> float:
 
 
 def _dies_away(case: Case) -> bool:
-    """Return whether a body moves no more at the instant asked about."""
+    """Return whether the speed of a body at the instant asked about is zero, compared with its own greatest speed."""
     name, trace = named(case.who, case.words), case.followed.study.trace
     if not name:
         return False
@@ -135,14 +140,14 @@ def _lowest(case: Case) -> bool:
 
 
 def _stands(case: Case) -> bool:
-    """Return whether a body does not move at the instant asked about."""
+    """Return whether the speed of a body at the instant asked about is zero, compared with all speeds."""
     name, trace = named(case.who, case.words), case.followed.study.trace
     speed = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name))) if name else np.inf
     return speed <= STEADY * float(np.abs(trace.scan.v).max(initial=0.0))
 
 
 def _central(case: Case) -> bool:
-    """Return whether nothing acts along its path on the only body but one spring."""
+    """Return whether one spring is all that acts along the path of the only body."""
     mechanism = case.words.mechanism
     heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
     rubs = any(contact.friction > 0.0 for contact in mechanism.contacts.values())
@@ -151,7 +156,7 @@ def _central(case: Case) -> bool:
 
 
 def _swung(who: str, words: Words) -> str:
-    """Return the only heavy body, on a swinging line of this name; empty if there is none."""
+    """Return the only body with a mass, if it hangs on the swinging line that a phrase means; else an empty string."""
     heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
     return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
 
@@ -174,18 +179,18 @@ def _across(case: Case) -> bool:
 def _free_axle(case: Case) -> bool:
     """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
     mechanism = case.words.mechanism
-    address = next((a for a, said in case.words.mentions.items() if said == case.who), "")
+    address = _address(case.who, case.words)
     fixed = all(site.body is None for site in mechanism.site.values() if site.name.rpartition(".")[0] == address)
     return address in Pulleys().names(mechanism) and fixed
 
 
 def _mutual(case: Case) -> bool:
-    """Return whether bodies may collide with one another alone."""
+    """Return whether bodies can collide only with one another, and not with a wall."""
     return all(meeting.a is not None for meeting in case.words.mechanism.meetings)
 
 
 def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
-    """Return the test whether a body moves along an axis, one way, at the instant asked about."""
+    """Return a test of whether a body moves along an axis, with the given sign, at the instant asked about."""
 
     def test(case: Case) -> bool:
         name = named(case.who, case.words)
@@ -220,4 +225,4 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     },
     GOES_DOWN: ("{who} is not on its way down then", _falling),
 }
-"""By what is taken for granted: what is said where it is not so, and whether it is."""
+"""By the name of a presumption, the message if it fails, and its test."""

@@ -279,4 +279,4 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     LEVEL: ("{who} does not move on a level face", _level),
     OVER: ("it goes on after that", _over),
 }
-"""By what is taken for granted: what is said where it is not so, and whether it is."""
+"""By the name of a presumption, the message if it fails, and its test; `PRESUMED` has these and more."""

@@ -176,9 +176,10 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 
 
 def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
-    """Return whether nobody asks for a value at a moment: in an impact without height, or before a deflection.
+    """Return whether a main clause and a moment make no question that people ask.
 
-    Nor for what adds up since the start until some time after a later event.
+    Nobody asks for the potential energy in an impact, for an angle of deflection before the collision, or for a sum
+    from the start until some time after a later event.
     """
     if main.find == "potential energy":
         return side == THEN and _IMPACT.fullmatch(clause) is not None

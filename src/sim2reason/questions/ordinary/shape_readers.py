@@ -1,4 +1,4 @@
-"""Readers of main clauses that ask about shapes, the centre of mass, swings, and what is relative to a carrier."""
+"""Readers of main clauses about the centre of mass, amplitudes, springs, and motion relative to a carrier."""
 
 import re
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ MASS_CENTER = "velocity of the centre of mass"
 
 
 def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the velocity of the centre of mass of everything, if all bodies are named together, or none is."""
+    """Yield the velocity of the centre of mass of all bodies, if the sentence names all together, or none."""
     who = heard.subject(found["s"])
     if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
         yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
@@ -44,7 +44,7 @@ def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def own_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the moment of inertia of a body about its axis, through its centre of mass if that is where it lies."""
+    """Yield the moment of inertia of a body about its own axis, or about its centre of mass if that is on the axis."""
     of = heard.subject(found["s"])
     yield Main("moment of inertia about the axis", of)
     yield Main("moment of inertia", of, ways=((of, CENTERED),))
@@ -58,13 +58,13 @@ def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the acceleration of a body relative to what carries it."""
+    """Yield the acceleration of a body relative to the body that carries it."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
 
 
 def relatively(name: str) -> Reader:
-    """Return a reader for a quantity of a body relative to what carries the body."""
+    """Return a reader for a quantity of a body relative to the body that carries it."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         of, on = heard.subject(found["s"]), heard.subject(found["t"])
@@ -77,7 +77,7 @@ def relatively(name: str) -> Reader:
 
 
 def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield how far a body slides on what carries it: up to a moment, or until it stops slipping for good."""
+    """Yield the distance that a body slides on its carrier, up to a moment or until it stops slipping."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
     along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
     main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"), *along))
@@ -104,7 +104,7 @@ def work_of_spring(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
-    """Yield the work of a spring that is fixed at its other end: the energy that it gives away."""
+    """Yield the work of a spring with one fixed end on the body at the other: the energy that the spring loses."""
     of, other = heard.subject(spring), heard.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
 

@@ -1,4 +1,4 @@
-"""What main clauses ask for of shapes, masses, orbits and swings, in base forms, each with a plain main clause."""
+"""Rows for main clauses about shapes, centres of mass, springs, orbits and swings, in base forms."""
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow

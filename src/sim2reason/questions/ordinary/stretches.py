@@ -52,7 +52,7 @@ def _extreme(size: str) -> Reader:
                 continue
             yield Main(f"{size} {name}", of, needs=STRETCH)
             yield Main(f"{size} {name}", of, needs=FREE, when=When(LONG, AFTER), rank=1)
-            if turn := sums.TURNS.get(f"{size} {name}"):
+            if turn := sums.EXTREMES.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
     return read

@@ -10,8 +10,8 @@ from sim2reason.questions.ordinary.shape_readers import spring_work
 from sim2reason.questions.ordinary.vocabulary import MUTUAL, ON, ONLY, OVER
 from sim2reason.questions.ordinary.whens import AFTER, When
 
-TURNS = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
-"""By an extreme of a spring, the moment at which it has it, where the motion never repeats itself."""
+EXTREMES = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
+"""By the name of a spring's greatest strain, the moment at which the spring has it, where a motion never recurs."""
 
 
 def heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -54,19 +54,19 @@ def most(name: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         for of in each(heard, found["s"]):
             yield Main(name, of, needs=STRETCH)
-            yield Main(name, of, needs=FREE, when=When(f"{of} {TURNS[name]}", AFTER), rank=1)
+            yield Main(name, of, needs=FREE, when=When(f"{of} {EXTREMES[name]}", AFTER), rank=1)
 
     return read
 
 
 def work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the work of a string on what it pulls, and that of a spring that is fixed at its other end."""
+    """Yield the work of a string on the body that it pulls, or of a spring on the body at its free end."""
     yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
     yield from spring_work(found["t"], found["s"], heard)
 
 
 def count_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the number of all collisions of bodies, if all of them are named together, and there is no wall."""
+    """Yield the number of all collisions, if the sentence names all bodies together and there is no wall."""
     who = heard.subject(found["s"])
     if who.startswith(f"{ALL} "):
         yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(found, heard))

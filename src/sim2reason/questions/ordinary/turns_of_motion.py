@@ -177,4 +177,4 @@ MOTION_TURNS: Mapping[str, str] = {
     "\\b(?:fixed|held|far|other) (?:end|point) of (?=@\\d+@)": "far end of ",
     "\\bfixed end\\b(?! of)|\\bfixed point\\b(?! of)": "far end",
 }
-"""By what a part of a question is like, on text without articles: what says the same."""
+"""Plainer words, by the pattern of a part of a question without articles that has the same meaning."""

@@ -1,4 +1,4 @@
-"""Turns of phrase about places, times and forces, and their plainer equivalents; `rewording` replaces them."""
+"""Turns of phrase about places, times and forces, with plainer equivalents."""
 
 from collections.abc import Mapping
 
@@ -133,7 +133,7 @@ TURNS: Mapping[str, str] = {
     "(?<=is )then (?=\\w+ing\\b)": "",
     # places
     f"\\b(?:over|past|above|clear|clears) {_OBSTACLE} (?:that (?:stands|is) )?(?P<n>#\\d+#) (?:away|ahead|in front)"
-    f"(?: (?:of|from) {_THROWN_FROM})?$": r"#0# horizontally".replace("#0#", r"\g<n>"),
+    f"(?: (?:of|from) {_THROWN_FROM})?$": r"\g<n> horizontally",
     f"^(?:there (?:is|stands) )?{_OBSTACLE} (?:stands |is |placed |located |standing )*(?P<n>#\\d+#) (?:away|ahead"
     f"|in front)(?: (?:of|from) {_THROWN_FROM})?\\. (?P<q>.+?) (?:as|when|where) (?P<b>@\\d+@) (?:just )?(?:passes"
     f"|clears|flies|goes|is|crosses)(?: over| above| directly above)? (?:it|@\\d+@|wall|post|net|fence|there)$": (
@@ -181,7 +181,7 @@ TURNS: Mapping[str, str] = {
         r"how \g<how>\g<more> does \g<s> \g<verb>"
     ),
 }
-"""By what a part of a question is like, on text without articles: what says the same."""
+"""Plainer words, by the pattern of a part of a question without articles that has the same meaning."""
 
 LATER_TURNS: Mapping[str, str] = {
     "^(?:with|at) what (?P<q>QUANTITY) (?:(?:does|is|will) )?(?P<s>@\\d+@) (?P<verb>slides?|rolls?|moves?|falls?"
@@ -190,4 +190,4 @@ LATER_TURNS: Mapping[str, str] = {
     ),
     "^(?:with|at) what (?P<q>QUANTITY) (?P<s>@\\d+@) (?=\\w+s )": r"with what \g<q> does \g<s> ",
 }
-"""Turns of phrase that other replacements lead to."""
+"""Turns of phrase that the other replacements may leave behind, so that they come last."""

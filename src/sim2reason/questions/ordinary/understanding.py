@@ -42,7 +42,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     found = (
         of_small_oscillations(heard, motion, words, READER)
         or understood_as_it_is(heard, motion, words)
-        or in_changed_scene(heard, motion, words, understood_as_it_is)
+        or in_changed_scene(heard, motion, words, READER)
         or number_making_so(heard, motion, words, READER)
     )
     if found is None and goes_on_otherwise(heard.text):
@@ -64,7 +64,7 @@ def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> U
 
 
 def questions_of(heard: Heard, motion: FollowedMotion, words: Words) -> list[Reading]:
-    """Return all readings of a heard sentence that name what the scene has."""
+    """Return all readings of a heard sentence whose subjects and moments the scene has."""
     events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
     return [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
 

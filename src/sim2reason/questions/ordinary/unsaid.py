@@ -1,4 +1,4 @@
-"""Subjects that a sentence does not name itself: those of *the system*, and what is tied to something fixed."""
+"""Subjects that a sentence means but does not name, such as all bodies by *the system*."""
 
 import re
 
@@ -19,7 +19,7 @@ SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that i
 
 
 def each_of(find: str, words: Words) -> tuple[str, ...]:
-    """Return all heavy bodies, for a quantity that a connected system has as a whole; none for any other."""
+    """Return all bodies with a mass, for a quantity that connected bodies share, such as their speed; else none."""
     return all_of(find, words) if find in SHARED and words.mechanism.lines else ()
 
 
@@ -39,7 +39,7 @@ def velocities_equal(told: str, words: Words) -> str:
 
 
 def line_of(said: str, words: Words) -> str:
-    """Return the phrase for the only line that swings where a phrase means a body at its end; else the same phrase."""
+    """Return the phrase for the only swinging line, for the phrase for the body at its end; else the same phrase."""
     lines = words.called(SwingingLines())
     if said in lines.values() or len(lines) != 1 or said not in words.called(Bodies()).values():
         return said
@@ -47,13 +47,13 @@ def line_of(said: str, words: Words) -> str:
 
 
 def is_light_arm(said: str, words: Words) -> bool:
-    """Return whether a phrase means a body without mass on an axle, which moves as what is joined to it."""
+    """Return whether a phrase means a body without mass on an axle, such as a light arm that carries a ball."""
     bodies = [body for body in words.mechanism.bodies if words.mentions.get(body.name) == said]
     return any(body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates) for body in bodies)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:
-    """Return the only line of which one end is fixed and no pulley; none if there are several."""
+    """Return the name of the only string or spring with an end fixed in place; none if there are several."""
     mechanism, wheels = words.mechanism, Pulleys().names(words.mechanism)
     ends = {
         line.name: [mechanism.site[site] for site in (line.through[0], line.through[-1])] for line in mechanism.lines

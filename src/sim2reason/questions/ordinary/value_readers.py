@@ -47,7 +47,6 @@ from sim2reason.questions.posing import PLUS, SUMMED
 
 ABOVE = "height above the start"
 _COMES_DOWN = re.compile(rf"\b(?:come|comes|came|go|goes|gone|went) (?:straight )?down(?! (?:along )?(?:{GROUNDS}|@))")
-DOWN_WAY = "down"
 SINKING = frozenset(
     re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
 )
@@ -169,7 +168,7 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("displacement", of, way, needs=STRETCH)
         else:
             upright = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") in (UP, DOWN)
-            comes = way == DOWN_WAY and _COMES_DOWN.search(heard.text) is not None
+            comes = way == "down" and _COMES_DOWN.search(heard.text) is not None
             ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright or comes else ()))
             yield Main("displacement", of, needs=STRETCH, ways=ways)
             yield Main("distance travelled", of, needs=STRETCH, ways=ways)

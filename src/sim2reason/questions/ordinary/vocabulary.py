@@ -272,3 +272,9 @@ def pattern(told: str) -> re.Pattern[str]:
     told = re.sub(r"(?<![<\\])\b[A-Z_]{2,}\b", lambda found: _macro(found[0]), told)
     told = told.replace("[", "(?:").replace("]", ")?").replace("~", f"(?:{_macro('AUX')} )*")
     return re.compile(told)
+
+
+@cache
+def compiled(told: str) -> re.Pattern[str]:
+    """Return a compiled regular expression; `re` itself keeps too few for the tables of wordings."""
+    return re.compile(told)

@@ -26,8 +26,10 @@ class PossibleOutcome(ABC):
     Class data:
         of: the kind of subject.
         tells: on which side of where the outcome changes the motion tells how far that is: where it happens, or not.
+        drawn_by_recipes: whether recipes ask about it; if not, only people do.
     """
 
+    drawn_by_recipes: ClassVar[bool] = True
     of: ClassVar[Subject]
     tells: ClassVar[bool] = True
 
@@ -35,8 +37,8 @@ class PossibleOutcome(ABC):
 
     @classmethod
     def found(cls, words: Words) -> Sequence[Self]:
-        """Those that a scene may have."""
-        return [cls(name) for name in cls.candidates(words)]
+        """Return the outcomes that recipes may ask about in a scene."""
+        return [cls(name) for name in cls.candidates(words)] if cls.drawn_by_recipes else ()
 
     @classmethod
     def parsed(cls, text: str, words: Words) -> Iterator[Self]:

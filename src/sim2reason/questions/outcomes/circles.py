@@ -1,9 +1,7 @@
-"""Whether what hangs on a string swings right round while the string stays taut."""
+"""The outcome that a body on a string swings right round while the string stays taut."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import Self
 
 import numpy as np
 
@@ -19,24 +17,19 @@ STILL = 1e-3  # of its greatest speed: what is slower where it goes neither up n
 @OUTCOMES.register("circles")
 @dataclass(frozen=True, slots=True)
 class Circles(Swinging):
-    """What hangs on a string swings right round, its string always taut; only people ask about it."""
+    """The outcome that a body on a string swings right round with the string always taut; only people ask about it."""
 
     of = SwingingLines()
     tells = False
-
-    @classmethod
-    def found(cls, words: Words) -> Sequence[Self]:
-        """None: recipes do not ask about it."""
-        del words
-        return ()
+    drawn_by_recipes = False
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Strings that swing and are set moving; by falling alone nothing gets over the top."""
+        """Return the strings of bodies that are set moving; none of those released, as no body falls over the top."""
         return {} if words.released else GoesSlack.candidates(words)
 
     def happens(self, trace: Trace) -> bool | None:
-        """Whether it gets over the top before the string goes slack, or what hangs on it turns back."""
+        """Return whether the body gets over the top before the string goes slack or the body turns back."""
         upright = {c.name for c in trace.mechanism.coordinates if c.axis[2] != 0.0}
         turned = [event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in upright]
         slack = [event.time for event in trace.events if event.kind == "slack" and event.subjects[0] == self.name]
@@ -48,13 +41,13 @@ class Circles(Swinging):
         return None if end == over else over < end
 
     def excess(self, trace: Trace) -> float:
-        """The least tension."""
+        """Return the least tension, N."""
         return GoesSlack(self.name).excess(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: the ball goes right round with the string always taut."""
+        """Return the clause *the string stays taut all the way round*."""
         return (f"{self.subject(words)} stays taut all the way round",)
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: the string does not stay taut all the way round."""
+        """Return the clause *the string does not stay taut all the way round*."""
         return (f"{self.subject(words)} does not stay taut all the way round",)

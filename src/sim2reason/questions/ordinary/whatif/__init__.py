@@ -1,1 +1,1 @@
-"""Questions in ordinary English about a changed scene: with other numbers, or with a number that makes something so."""
+"""Questions in ordinary English about a changed scene, or for a number that brings something about."""

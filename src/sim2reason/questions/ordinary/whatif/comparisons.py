@@ -1,4 +1,4 @@
-"""Questions for the answer in a changed scene: the question itself, what is supposed, and how the answer is told."""
+"""The split of a sentence about a changed scene into a question, the changes, and the form of the answer."""
 
 import re
 from collections.abc import Iterator
@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.whatif.suppositions import Supposition, adjunct, suppositions
+from sim2reason.questions.posing import DIFFERENCE, RATIO, VALUE
 
 _IF = (
     r"(?:if|supposing(?: that)?|assuming(?: that)?|suppose(?: that)?|imagine(?: that)?|assume(?: that)?"
@@ -36,11 +37,13 @@ _FAR = {
 }
 _FEWER = frozenset({"less far", "sooner", "slower", "shorter", "less high"})
 _DIMENSIONS = "(?:larger|greater|higher|bigger|more|stronger|smaller|less|lower)"
-RATIO, DIFFERENCE, VALUE = "ratio", "difference", "value"
 
 
 class ChangedQuestion(NamedTuple):
-    """A question, the changes supposed, how the answer is told, and whether it is presumed to grow, if anything is."""
+    """A question and the changes that a sentence supposes, with `compare`, the form of the answer: see `posing`.
+
+    `grows` says whether the sentence presumes that the answer is greater after the change, or less; None for neither.
+    """
 
     question: str
     supposed: tuple[Supposition, ...]
@@ -56,7 +59,7 @@ def changed_questions(text: str, heard: Heard) -> Iterator[ChangedQuestion]:
 
 
 def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
-    """Yield the question and the suppositions of a sentence."""
+    """Yield each way to split a sentence into a question and the changes that it supposes."""
     text = _with_subject(text, heard)
     leading = re.match(rf"{_IF} ", text)
     if leading is not None:
@@ -77,7 +80,7 @@ def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ..
 
 
 def _with_subject(text: str, heard: Heard) -> str:
-    """Return a sentence whose leading clause says *it*, or nothing, of the only subject, with that subject there."""
+    """Return a sentence with the only subject in its leading clause, as *if it is thrown* or *if thrown*."""
     if len(heard.subjects) != 1:
         return text
     text = re.sub(rf"^(?P<if>{_IF}) it (?=[a-z])", r"\g<if> @0@ ", text)
@@ -87,7 +90,7 @@ def _with_subject(text: str, heard: Heard) -> str:
 
 
 def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
-    """Yield the question and the suppositions of a sentence that ends, or begins, with a phrase for them."""
+    """Yield the question and the changes of a sentence that ends or begins with a phrase such as *without friction*."""
     for found in re.finditer(r" (?=without |with |in absence |on )", text):
         if supposed := adjunct(text[found.end() :], heard):
             yield text[: found.start()], supposed
@@ -97,7 +100,10 @@ def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposit
 
 
 def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
-    """Yield a question with how its answer is compared, and whether the answer is presumed to grow."""
+    """Yield each plain question in a sentence, such as *what is x* in *by what factor would x grow*.
+
+    With it come the form of the answer, and whether the sentence presumes growth.
+    """
     question = re.sub(r"\bthen \b", "", question)
     for told, compare in ((r"by (?:what|which) factor|how many times", RATIO), ("by how much|how much", DIFFERENCE)):
         found = re.fullmatch(
@@ -109,19 +115,19 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
             x = found["x"]
             grows = True if found["more"] else False if found["less"] else None
             high = re.search(r"higher$", found[0]) is not None
-            yield from ((asked, compare, grows) for asked in _of_phrase(f"height of {x}" if high else x))
+            yield f"what is {'height of ' if high else ''}{x}", compare, grows
     yield from _by_adverb(question)
     yield question, VALUE, None
 
 
 def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
-    """Yield what *how many times as far*, *how much later* or *how much larger* compares, and how."""
+    """Yield the same for comparisons with an adverb: *how many times as far*, *how much later*, *how much larger*."""
     found = re.fullmatch(
         r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
         question,
     )
     if found is not None:
-        yield from ((asked, RATIO, None) for asked in _of_phrase(found["x"]))
+        yield f"what is {found['x']}", RATIO, None
     found = re.fullmatch(
         r"how many times (?:as|so) (?P<how>far|long|high|fast) (?P<rest>(?:would|does|will|is|do) .+)", question
     )
@@ -144,16 +150,11 @@ def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
     found = re.fullmatch(rf"(?:by )?how much (?P<how>{_DIMENSIONS}) (?:would|will) (?P<x>.+) be", question)
     if found is not None:
         grows = found["how"] not in ("smaller", "less", "lower")
-        yield from ((asked, DIFFERENCE, grows) for asked in _of_phrase(found["x"]))
-
-
-def _of_phrase(phrase: str) -> Iterator[str]:
-    """Yield the questions for what a noun phrase names."""
-    yield f"what is {phrase}"
+        yield f"what is {found['x']}", DIFFERENCE, grows
 
 
 def _plainly(question: str) -> str:
-    """Return a question about what would be so as one about what is so."""
+    """Return a question such as *what would x be* in the indicative, as *what is x*."""
     said = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
     said = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", said)
     said = re.sub(

@@ -1,4 +1,4 @@
-"""Forms of conditions in ordinary English, each with the outcome that it tells."""
+"""Patterns of conditions in ordinary English, such as *not slip*, each with the outcome that it means."""
 
 from collections.abc import Mapping
 
@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
 TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
 CLIMBS, DESCENDS = "climbs steadily", "descends steadily"
-"""What a condition may say comes about: *holds* is that nothing slips, *stays* that it rests where it first stops."""
+"""Outcomes: *holds* means that nothing slips, *stays* that a body stays at rest where it first stops."""
 _S = r"@\d+@"
 _ROUND = "(?:turn|circle|revolution|loop|round|rotation)"
 _ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S}))?"
@@ -59,4 +59,4 @@ PHRASES: Mapping[str, str] = {
     rf"|pad))?(?: (?:straight away|at once|immediately|right away"
     r"|as soon as engine (?:start|ignite)|when engine (?:start|ignite)|without delay|on ignition|at ignition))?": LIFTS,
 }
-"""By the base form of a condition, the outcome."""
+"""Outcomes, by the pattern of a condition in base forms."""

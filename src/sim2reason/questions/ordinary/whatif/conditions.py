@@ -1,4 +1,4 @@
-"""Conditions that a number of the scene is to meet: outcomes by name, and results as questions with stated answers."""
+"""Conditions that a number of the scene is to meet: outcomes such as *A slips*, and results such as *A rises 2 m*."""
 
 import re
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.condition_rows import HOLDS, PHRASES
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
-from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
+from sim2reason.questions.ordinary.whatif.supposed_rows import DONE, MULTIPLES
 
 _S = r"@\d+@"
 _LOOSE = frozenset(
@@ -42,16 +42,14 @@ _START = re.compile(
     r"|own)? ?(?:position|point|place|positions)$"
     r"|(?: ,)? wherever @\d+@ is released$|(?: ,)? in any position$|(?: ,)? wherever it is released$"
 )
-
-
 _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down)?(?: again)?$")
 
 
 class StatedCondition(NamedTuple):
-    """What is to be so: an outcome by its name, and of what; or a question with the number that is to be its answer.
+    """A condition: the name of an outcome and its subject; or a question and the number that is to be its answer.
 
-    With a `factor`, the answer is to be so many times what it is in the scene as it is. Others may be told to be
-    `moving` meanwhile.
+    With a `factor`, the answer is to be that factor times the answer in the scene as it is. The phrases `moving` name
+    bodies that are to move meanwhile. With `taut`, a string is to stay taut as well.
     """
 
     outcome: str = ""
@@ -70,29 +68,29 @@ _CAUSING = (
 )
 
 
-_HALVED = {"halv": 0.5, "doubl": 2.0, "trebl": 3.0, "tripl": 3.0, "quadrupl": 4.0}
+_STEMS = {done.removesuffix("ed"): factor for done, factor in DONE.items() if " " not in done}  # *halv*, *doubl*
 _AS_LARGE = (
     r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value"
     r"|what it is"
     r"|its value)(?: (?:as )?(?:now|before|it is|it is now|at present|in scene|given))?"
 )
 _MULTIPLES = (
-    rf"(?P<verb>{'|'.join(_HALVED)})(?:es|e) (?P<what>[^#]+)",
-    rf"(?P<what>[^#]+?) (?:to )?be (?P<verb>{'|'.join(_HALVED)})ed",
+    rf"(?P<verb>{'|'.join(_STEMS)})(?:es|e) (?P<what>[^#]+)",
+    rf"(?P<what>[^#]+?) (?:to )?be (?P<verb>{'|'.join(_STEMS)})ed",
     rf"(?P<what>[^#]+?) (?:to )?be (?P<mult>{'|'.join(MULTIPLES)}){_AS_LARGE}",
 )
-"""Statements that something is to be a multiple of what it is."""
+"""Statements that a quantity is to change by a factor, such as *doubles its speed* or *its speed be halved*."""
 
 
 def _factor(found: re.Match[str]) -> float:
     groups = found.groupdict()
     if groups.get("verb"):
-        return _HALVED[groups["verb"]]
+        return _STEMS[groups["verb"]]
     return next(value for told, value in MULTIPLES.items() if re.fullmatch(told, groups["mult"]))
 
 
 def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
-    """Yield what a clause says is to be so, as an outcome or else as a result; nothing if a word of it is left over."""
+    """Yield the condition that a clause states, as an outcome or else as results; nothing if a word is left over."""
     said = _statement(text, subject)
     outcome = _outcome(said, heard)
     if outcome is not None:
@@ -113,7 +111,7 @@ _EMPTY = re.compile(
 
 
 def _statement(text: str, subject: str) -> str:
-    """Return a clause as a statement that begins with its subject, without what turns it into a wish."""
+    """Return a clause such as *for A to slip* as a statement that begins with its subject, *A slip*."""
     said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
     said = plainer_condition(said)
     said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
@@ -166,7 +164,7 @@ _MEANWHILE = re.compile(
 
 
 def _outcome(said: str, heard: Heard) -> StatedCondition | None:
-    """Return the outcome that a statement says, if every word of the statement has its place."""
+    """Return the condition if a statement names an outcome and every word has its place; else None."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
     meanwhile = _MEANWHILE.search(bare)

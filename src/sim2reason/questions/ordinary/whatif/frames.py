@@ -1,4 +1,4 @@
-"""Frames of questions for a number of the scene: the number, an end of its range, and the condition that it meets."""
+"""Patterns of questions for a number, such as *what mass must B have for A to slip*, and the parts that they have."""
 
 import re
 from collections.abc import Iterator
@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
-from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, named_number, number_pattern
+from sim2reason.questions.ordinary.whatif.numbers import NUMBER, NamedNumber, named_number, number_pattern
+from sim2reason.questions.posing import DIFFERENCE, GREATEST, LEAST, RATIO, VALUE
 
-LEAST, GREATEST = "least", "greatest"
 SIZES = {
     LEAST: "least|minimum|minimal|smallest|lowest|slowest|shortest|lightest",
     GREATEST: "greatest|maximum|maximal|largest|highest|biggest|longest|heaviest|steepest",
@@ -46,51 +46,50 @@ _LAUNCHED = (
     "|sent off|released|set going|pushed|set turning|set rolling|set rotating|shot|hit|sent|rolled|spun)"
 )
 _CONST = f"(?: (?:at start|initially|off|upwards|up {GROUNDS}|down {GROUNDS}))?"
-P = "NUMBER"
 FRAMES = (
-    f"(?:for|with|at|from|by|on|under|in) (?:what|which) {_SIZE}{P} {_AUX} (?P<c>.+)",
+    f"(?:for|with|at|from|by|on|under|in) (?:what|which) {_SIZE}{NUMBER} {_AUX} (?P<c>.+)",
     (
-        f"(?:with )?(?:what|which) {_SIZE}{P} {_AUX} (?P<s>@\\d+@) (?:need|have|require)(?: to have| to be"
+        f"(?:with )?(?:what|which) {_SIZE}{NUMBER} {_AUX} (?P<s>@\\d+@) (?:need|have|require)(?: to have| to be"
         f" given)?{_BOUND}(?: {_CONN})? (?P<c>.+)"
     ),
     (
-        f"(?:with |at )?(?:what|which) {_SIZE}{P} {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be {_LAUNCHED}(?:"
+        f"(?:with |at )?(?:what|which) {_SIZE}{NUMBER} {_AUX} (?P<s>@\\d+@) (?:have to |need to )?be {_LAUNCHED}(?:"
         f" with)?{_CONST}{_BOUND} {_CONN} (?P<c>.+)"
     ),
-    f"(?:what|which) (?:would|must|should|does|will) {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
-    f"how (?:large|great|big|strong|high|small|low|much) {_AUX} {_SIZE}{P} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
-    f"(?:what|which) {_SIZE}{P} (?:is|would(?: just)? be|are|was|will be) {_NEED}{_BOUND} {_CONN} (?P<c>.+)",
+    f"(?:what|which) (?:would|must|should|does|will) {_SIZE}{NUMBER} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
+    f"how (?:large|great|big|strong|high|small|low|much) {_AUX} {_SIZE}{NUMBER} {_BE}{_BOUND} {_CONN} (?P<c>.+)",
+    f"(?:what|which) {_SIZE}{NUMBER} (?:is|would(?: just)? be|are|was|will be) {_NEED}{_BOUND} {_CONN} (?P<c>.+)",
     (
-        f"(?:what|which) {_SIZE}{P} (?:(?:would|must|will|does|could|can|should) )?(?:have )?(?:(?:just|still|barely)"
-        f" )*(?P<c>{_GETTING} .+)"
+        f"(?:what|which) {_SIZE}{NUMBER} (?:(?:would|must|will|does|could|can|should) )?(?:have )?"
+        f"(?:(?:just|still|barely) )*(?P<c>{_GETTING} .+)"
     ),
-    f"(?:{_FIND}) {_SIZE}{P} (?:for|with|at|by) which (?P<c>.+)",
-    f"(?:{_FIND}) {_SIZE}{P} (?:so that|such that|if|for|to) (?P<c>.+)",
-    f"(?:{_FIND}) {_SIZE}{P} (?:that is )?(?:{_NEED}){_BOUND} {_CONN} (?P<c>.+)",
+    f"(?:{_FIND}) {_SIZE}{NUMBER} (?:for|with|at|by) which (?P<c>.+)",
+    f"(?:{_FIND}) {_SIZE}{NUMBER} (?:so that|such that|if|for|to) (?P<c>.+)",
+    f"(?:{_FIND}) {_SIZE}{NUMBER} (?:that is )?(?:{_NEED}){_BOUND} {_CONN} (?P<c>.+)",
     (
-        f"(?:{_FIND}) {_SIZE}{P} that (?:would |will |must |should |can |could )?(?:have )?(?:(?:just|still|barely)"
-        f" )*(?P<c>{_GETTING} .+)"
+        f"(?:{_FIND}) {_SIZE}{NUMBER} that (?:would |will |must |should |can |could )?(?:have )?"
+        f"(?:(?:just|still|barely) )*(?P<c>{_GETTING} .+)"
     ),
     (
-        f"(?:{_FIND}) {_SIZE}{P}(?: that| which)? (?P<s>@\\d+@) (?:would |must |should |will |could |can |may"
+        f"(?:{_FIND}) {_SIZE}{NUMBER}(?: that| which)? (?P<s>@\\d+@) (?:would |must |should |will |could |can |may"
         f" )?(?:have )?(?:need|needs|needed|have|has|require|requires|required)"
         f"(?: to have)?{_BOUND}(?: {_CONN})? (?P<c>.+)"
     ),
     (
-        f"(?:{_FIND}) {_SIZE}{P} (?:with|at) which (?P<s>@\\d+@) (?:would|must|should) (?:have to )?be"
+        f"(?:{_FIND}) {_SIZE}{NUMBER} (?:with|at) which (?P<s>@\\d+@) (?:would|must|should) (?:have to )?be"
         f" {_LAUNCHED}{_CONST} {_CONN} (?P<c>.+)"
     ),
-    f"(?:if|for) (?P<c>[^,]+) , (?:what|which) (?:would|must|should) {_SIZE}{P} (?:{_BE})",
-    f"(?P<c>[^.]+)\\. (?:what|which) (?:would|must|should|does) {_SIZE}{P} (?:{_BE})(?: {_CONN} this)?",
-    f"(?P<c>[^.]+)\\. (?:what|which) {_SIZE}{P} (?:is|would be) (?:{_NEED})(?: {_CONN} this)?",
-    f"(?P<c>[^.]+)\\. (?:{_FIND}) {_SIZE}{P}(?: that is)?(?: {_NEED})?",
+    f"(?:if|for) (?P<c>[^,]+) , (?:what|which) (?:would|must|should) {_SIZE}{NUMBER} (?:{_BE})",
+    f"(?P<c>[^.]+)\\. (?:what|which) (?:would|must|should|does) {_SIZE}{NUMBER} (?:{_BE})(?: {_CONN} this)?",
+    f"(?P<c>[^.]+)\\. (?:what|which) {_SIZE}{NUMBER} (?:is|would be) (?:{_NEED})(?: {_CONN} this)?",
+    f"(?P<c>[^.]+)\\. (?:{_FIND}) {_SIZE}{NUMBER}(?: that is)?(?: {_NEED})?",
     (
-        f"(?P<ratio>how many times) (?:as (?:large|great|high|big)|larger|greater|higher) (?:would|must|should) {P}"
-        f" (?:{_BE}) {_CONN} (?P<c>.+)"
+        f"(?P<ratio>how many times) (?:as (?:large|great|high|big)|larger|greater|higher) (?:would|must|should)"
+        f" {NUMBER} (?:{_BE}) {_CONN} (?P<c>.+)"
     ),
-    f"(?P<ratio>by what factor|how many times) (?:would|must|should) {P} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
-    f"(?P<difference>by how much|how much) (?:would|must|should) {P} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
-    f"(?P<difference>how much) {{more}} (?:would|must|should) {P} (?:{_BE}) {_CONN} (?P<c>.+)",
+    f"(?P<ratio>by what factor|how many times) (?:would|must|should) {NUMBER} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
+    f"(?P<difference>by how much|how much) (?:would|must|should) {NUMBER} (?:{_BE}) {{more}} {_CONN} (?P<c>.+)",
+    f"(?P<difference>how much) {{more}} (?:would|must|should) {NUMBER} (?:{_BE}) {_CONN} (?P<c>.+)",
 )
 _MORE = (
     "(?P<more>larger|greater|higher|increased|raised|bigger|multiplied|faster|stronger|changed)"
@@ -102,10 +101,9 @@ ADJECTIVES = {
     "(?:stiff|strong|hard)": "stiffness",
     "long": "length",
 }
-_HOW = tuple(ADJECTIVES)
 SPEEDS = "(?:(?:with|at) what|how) SIZE(?:fast|(?:initial |launch |starting )?(?:speed|velocity))"
 OTHERS = (
-    (f"how (?P<adj>{'|'.join(_HOW)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
+    (f"how (?P<adj>{'|'.join(ADJECTIVES)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
     (
         (
             f"(?:what|which) SIZE(?:initial )?(?:speed|velocity) {_AUX} (?:blow|kick|push|hammer) (?:have to |need to"
@@ -213,7 +211,7 @@ OTHERS = (
         "strain",
     ),
 )
-"""Frames in which a verb or an adjective tells the number."""
+"""Patterns of sentences in which a verb or an adjective names the number, such as *how heavy* a mass."""
 
 
 _BOUNDED = re.compile(
@@ -222,11 +220,16 @@ _BOUNDED = re.compile(
     rf" (?={_AUX} ))"
     r"(?P<rest>.+)"
 )
-"""A sentence that says first that the least number, or the greatest, is wanted."""
+"""A sentence such as *at least how fast must ...*, which asks for the least number before it names the number."""
 
 
 class WantedFrame(NamedTuple):
-    """What a sentence wants: a number, an end of its range, how it is told, its condition and the subject of that."""
+    """The parts of a sentence such as *what is the least mass of B for A to slip*, which asks for a number.
+
+    The `end` is *least*, *greatest* or empty, and `compare` the form of the answer: see `posing`. The `condition` is
+    what the number is to bring about, and `subject` the token of its subject. `grows` says whether the sentence
+    presumes that the number is to be greater than it is, or less, if it presumes either.
+    """
 
     number: NamedNumber
     end: str
@@ -237,7 +240,7 @@ class WantedFrame(NamedTuple):
 
 
 def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
-    """Yield the number that a sentence wants with the condition for it, in every way in which it has them."""
+    """Yield each way to split a sentence into the number that it asks for and the condition that the number meets."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
     bound = _BOUNDED.fullmatch(text)
     if bound is not None:
@@ -262,14 +265,14 @@ def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
 
 def _adjective(said: str, owner: str) -> str:
     name = next(name for told, name in ADJECTIVES.items() if re.fullmatch(told, said))
-    return "mass" if name == "mass" else name if "spring" in owner or name == "length" else "mass"
+    return "mass" if name == "stiffness" and "spring" not in owner else name
 
 
 def _wanted(found: re.Match[str], number: NamedNumber) -> WantedFrame:
     groups = found.groupdict()
     least, greatest = (groups.get("least") or groups.get("atleast")), (groups.get("greatest") or groups.get("atmost"))
     end = LEAST if least else GREATEST if greatest else ""
-    compare = "ratio" if groups.get("ratio") else "difference" if groups.get("difference") else "value"
+    compare = RATIO if groups.get("ratio") else DIFFERENCE if groups.get("difference") else VALUE
     said = groups.get("s") or ""
     grows = True if groups.get("more") else False if groups.get("less") else None
     return WantedFrame(number, end, compare, groups["c"].strip(" ,"), said, grows)
@@ -278,4 +281,4 @@ def _wanted(found: re.Match[str], number: NamedNumber) -> WantedFrame:
 @cache
 def _frame(told: str) -> re.Pattern[str]:
     sized = told.replace("SIZE", _SIZE).replace("{more}", f"(?:{_MORE})")
-    return re.compile(sized.replace(P, number_pattern()))
+    return re.compile(sized.replace(NUMBER, number_pattern()))

@@ -1,4 +1,4 @@
-"""Understanding of questions for a number of the scene that makes something so, or decides whether it comes about."""
+"""Understanding of questions for a number that brings something about: *what mass must B have for A to slip*."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -7,12 +7,12 @@ from math import isclose, isfinite
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
-from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, motion_of
 from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
-from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame, framed
+from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
     by_outcome,
@@ -22,7 +22,7 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
 )
 from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.understanding import of_all
-from sim2reason.questions.posing import MINUS, PosedQuestion, posed
+from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE
 from sim2reason.questions.unknown import range_of
@@ -31,7 +31,6 @@ from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
-UNENDING = "followed no longer"  # how a reason ends where one motion already takes all the work that is allowed
 OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
 MOST = 4  # readings of a result whose numbers are looked for
 
@@ -125,7 +124,7 @@ def _by_result(
 
 
 def _distinct(values: Sequence[float]) -> list[float]:
-    """Return values in order, without those that are another one but for the error of finding it."""
+    """Return values in order, and of values that differ only by the error of finding them, the least one."""
     found: list[float] = []
     for value in sorted(values):
         if not found or not isclose(value, found[-1], rel_tol=SAME):
@@ -136,7 +135,7 @@ def _distinct(values: Sequence[float]) -> list[float]:
 def _stated(
     condition: StatedCondition, asked: StructuredQuestion, unit: str, motion: FollowedMotion, words: Words
 ) -> str:
-    """Return the answer that is to be, with its unit: a number, or a multiple of the answer in the scene as it is."""
+    """Return the stated answer with its unit: a number, or a multiple of the answer in the scene as it is."""
     if not condition.factor:
         return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
     answer = posed(asked, motion, words).followed(motion).answer
@@ -144,7 +143,7 @@ def _stated(
 
 
 def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
-    """Return whether a question has an answer with some value of the number; else the value is not looked for."""
+    """Return whether a question has an answer with any of a few values of the number."""
     assert question.unknown is not None
     scene, path = motion.study.scene, question.unknown.path
     dependence = Dependence(question.query, motion.study, path, COARSE)
@@ -158,12 +157,12 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
 def _askable(
     heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
-    """Yield the questions in parts that a question may mean, with their units: in the scene as it is, or else any."""
+    """Yield the structured questions that a question may mean, with their units; only that with an answer, if any."""
     try:
-        plain = of_all(reader.read, heard, motion, words)
+        plain = of_all(reader, heard, motion, words)
     except TextError:
         plain = None
-    if plain is not None and plain.followed.reason.endswith(UNENDING):
+    if plain is not None and plain.followed.reason.endswith(FOLLOWED_NO_LONGER):
         raise TextError("question", plain.followed.reason, "ask about a stated stretch of time")
     if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
         if MINUS not in plain.asked.when:
@@ -188,10 +187,10 @@ def _leads(
     words: Words,
     reader: Reader,
 ) -> bool:
-    """Return whether with a number the question has the stated answer, all that it presumes included."""
+    """Return whether a question has the stated answer with a value of a number, and nothing that it presumes fails."""
     try:
         there = with_number(motion.study.scene, path, value)
-        found = of_all(reader.read, heard, motion_of(there), words_in(there, words))
+        found = of_all(reader, heard, motion_of(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
     if found is None or found.followed.answer is None:
@@ -201,19 +200,19 @@ def _leads(
 
 
 def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
-    """Return a meaning, compared with the scene's number if that is asked; TextError if it is on the other side."""
+    """Return a meaning with its answer compared with the scene's number; TextError if it is less but to be greater."""
     answer, path = meant.followed.answer, meant.asked.find
-    if frame.compare == "value" or answer is None:
+    if frame.compare == VALUE or answer is None:
         return meant
-    question: PosedQuestion = meant.posed
+    question = meant.posed
     if question.compare != frame.compare:
         question = replace(question, compare=frame.compare)
         meant = Understood(replace(meant.asked, compare=frame.compare), question, question.followed(motion))
         answer = meant.followed.answer
     if answer is None:
         return meant
-    larger = answer > (1.0 if frame.compare == "ratio" else 0.0)
-    if frame.compare == "ratio" and frame.grows is False:
+    larger = answer > (1.0 if frame.compare == RATIO else 0.0)
+    if frame.compare == RATIO and frame.grows is False:
         raise TextError("question", "a factor by which a number is less may be read in two ways", "ask for the number")
     if frame.grows is not None and larger != frame.grows:
         raise TextError("question", f"it is not so: {path} changes the other way", "ask for the number itself")

@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
+NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has
 NEVER_ZERO = "friction", "mass", "speed", "angular speed", "motion at start"
 MORE = 1.01  # times a number, to see what it decides
@@ -25,7 +26,10 @@ EXACT = 1e-9  # relative: an initial speed that a body has
 
 
 class NumberKind(NamedTuple):
-    """A kind of number: how people call it, the last parts of its addresses, and its units, if only some are meant."""
+    """A kind of number: a pattern of its nouns, and the last parts of its addresses.
+
+    If `units` are given, only a number with one of these units, nouns or places of an angle is of the kind.
+    """
 
     nouns: str
     fields: tuple[str, ...]
@@ -65,8 +69,7 @@ NUMBERS: Mapping[str, NumberKind] = {
     "speed": NumberKind(f"(?:{_STARTING} )?(?:speed|velocity)(?: of (?:projection|launch|throw|release))?", ("speed",)),
     "friction": NumberKind(
         "coefficient of (?:(?:static|kinetic|sliding|static and kinetic|static or kinetic) )?friction"
-        "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient|coefficient of (?:static |kinetic"
-        " )?friction",
+        "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient",
         ("friction", "top_friction"),
     ),
     "restitution": NumberKind("coefficient of restitution|restitution(?: coefficient)?", ("restitution",)),
@@ -115,41 +118,43 @@ NUMBERS: Mapping[str, NumberKind] = {
     ),
     "motion at start": NumberKind("(?!)", ("speed", "rate", "spin"), ("m/s", "km/s", "rad/s")),  # by no noun
 }
-"""By its name, each kind of number that a question may vary or ask for; the more specific ones first."""
+"""All kinds of numbers that a question may vary or ask for, by name; the more specific ones first."""
 
 
 class NamedNumber(NamedTuple):
-    """A number as a sentence names it: its kind, and the text's phrases for those whose number it is."""
+    """A number as a sentence names it: its kind, and the text's phrases for its owners, such as *block A*."""
 
     kind: str
     owners: tuple[str, ...] = ()
 
 
 @cache
-def number_pattern(prefix: str = "") -> str:
-    """Return a pattern of a phrase for a number, with groups for its kind and its owners, whose names have a prefix."""
-    nouns = "|".join(f"(?P<{prefix}n{index}>{kind.nouns})" for index, kind in enumerate(NUMBERS.values()))
+def number_pattern() -> str:
+    """Return the pattern of a phrase such as *its mass* or *coefficient of friction between A and B*.
+
+    It has a group for each kind of number, *n0*, *n1* and so on, and groups for the owners.
+    """
+    nouns = "|".join(f"(?P<n{index}>{kind.nouns})" for index, kind in enumerate(NUMBERS.values()))
     told = r"(?: ?,? (?:relative to|with respect to) @\d+@ ?,?)?"
     owner = (
-        rf"(?: (?:of|for|between|on|in) (?:both )?(?P<{prefix}of>@\d+@)(?: and (?:(?P<{prefix}and>@\d+@)"
+        rf"(?: (?:of|for|between|on|in) (?:both )?(?P<of>@\d+@)(?: and (?:(?P<and>@\d+@)"
         rf"|(?:{GROUNDS})|its (?:{GROUNDS})))?"
         rf"|(?: (?:of|on|for|between) (?:{GROUNDS}|hand|wall|pulling hand|hand 's pull))(?: and"
-        rf" (?P<{prefix}too>@\d+@))?)?"
+        rf" (?P<too>@\d+@))?)?"
     )
     start = r"(?: (?:at start|at launch|at release|initially))?"
-    return rf"(?:(?P<{prefix}own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){told}{owner}{start}"
+    return rf"(?:(?P<own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){told}{owner}{start}"
 
 
-def named_number(found: re.Match[str], subject: Mapping[str, str], prefix: str = "") -> NamedNumber:
+def named_number(found: re.Match[str], subject: Mapping[str, str]) -> NamedNumber:
     """Return the number that a match of `number_pattern` names; `subject` has the text's phrase for each token."""
-    kinds = list(NUMBERS)
-    kind = next(name for index, name in enumerate(kinds) if found[f"{prefix}n{index}"] is not None)
-    tokens = (found[f"{prefix}{key}"] for key in ("own", "of", "and", "too"))
+    kind = next(name for index, name in enumerate(NUMBERS) if found[f"n{index}"] is not None)
+    tokens = (found[key] for key in ("own", "of", "and", "too"))
     return NamedNumber(kind, tuple(subject[token] for token in tokens if token))
 
 
 def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
-    """Return the addresses of a scene's numbers that a name may mean; more than one only if it names several owners."""
+    """Return the addresses of the numbers that a name means, one for each owner; none if the name is ambiguous."""
     owners = tuple(each for said in named.owners for each in _each(said))
     if named.kind == EVERY_MASS:
         return tuple(path for path, _ in _of_kind("mass", study.scene))
@@ -184,13 +189,13 @@ def _is_of(parameter: Parameter, kind: NumberKind) -> bool:
     if not any(f".{parameter.path}".endswith(f".{field}") for field in kind.fields):
         return False
     measure = parameter.measure
-    if parameter.measure.unit == "deg":
+    if measure.unit == "deg":
         return _place(parameter) in kind.units
     return not kind.units or measure.unit in kind.units or measure.noun in kind.units
 
 
 def _place(parameter: Parameter) -> str:
-    """Return what an angle is that of: a *plane*, a *launch* or a *swing*; empty for any other."""
+    """Return the place of an angle: *plane*, *launch* or *swing*; empty for any other."""
     part, name = parameter.path.split(".")[-2], parameter.measure.name
     if name == "elevation" or part == "start":
         return "launch"
@@ -198,7 +203,7 @@ def _place(parameter: Parameter) -> str:
 
 
 def _belongs(path: str, value: float, owner: str, study: Study, words: Words, count: int) -> bool:
-    """Return whether a number is that of an owner: of a body at its address, or an initial speed that the body has."""
+    """Return whether a number belongs to an owner: by its address, or as an initial speed that the body has."""
     head = path.rpartition(".")[0]
     held = words.mentions.get(head, words.mentions.get(f"{head}.body"))
     if held is not None and held.split()[-1] != "start":
@@ -211,7 +216,7 @@ def _belongs(path: str, value: float, owner: str, study: Study, words: Words, co
 
 
 def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
-    """Return the only coefficient of friction, if the owners named rub on one another, or on the fixed surface."""
+    """Return the address of the coefficient of friction between the owners, or of an owner and the fixed surface."""
     if len(every) != 1:
         if len(owners) == 2:
             return _between(every, owners, study, words)
@@ -232,7 +237,7 @@ def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
 
 
 def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
-    """Return the coefficient of friction between a body and the one it rides on; empty if there is none."""
+    """Return the address of the coefficient of friction between a body and its carrier; none if there is none."""
     bodies = {said: name for name, said in words.called(Bodies()).items()}
     one, other = (bodies.get(said, "") for said in owners)
     mechanism = study.mechanism
@@ -242,6 +247,6 @@ def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
 
 
 def _roughens(study: Study, path: str, value: float) -> set[str]:
-    """Return the bodies whose friction a number decides."""
+    """Return the names of the bodies whose friction changes with a number."""
     faces = with_number(study.scene, path, value * MORE).mechanism.contacts
     return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}

@@ -1,4 +1,4 @@
-"""Readings of conditions that come about or not: thresholds, balances, and shapes of orbits."""
+"""Questions for the number with which something comes about, such as that a block slips or that a planet escapes."""
 
 from collections.abc import Iterator, Sequence
 from math import inf
@@ -15,6 +15,7 @@ from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.meaning import Understood
+from sim2reason.questions.ordinary.numbers_placed import rubs, without_acceleration
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.whatif.condition_rows import (
     BOUND,
@@ -34,9 +35,9 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
     TAUT,
 )
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
-from sim2reason.questions.ordinary.whatif.frames import GREATEST, LEAST, WantedFrame
+from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whens import AFTER
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
@@ -56,7 +57,7 @@ THRESHOLDS = {
     TAUT: (("goes slack", False),),
     SLACK: (("goes slack", True),),
 }
-"""By the outcome that a sentence tells, those of the library, and whether each happens."""
+"""By the outcome that a sentence names, the outcomes of the library to try, and whether each is to happen."""
 
 
 def by_outcome(
@@ -64,19 +65,19 @@ def by_outcome(
 ) -> Iterator[Reading]:
     """Yield the readings of a question such as *what mass must B have for A to stay at rest*.
 
-    The number (the mass of B) is at the address `path`, empty where the scene does not state it; the outcome that it
-    is to bring about (A stays at rest) is that of `condition`.
+    The number (the mass of B) is at the address `path`; it is empty if the scene has no such number, which only a
+    needed coefficient of friction allows. The outcome (A stays at rest) is that of `condition`.
     """
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
-    if outcome == RESTS and (friction or (frame.end and _rubs(words))):
+    if outcome == RESTS and (friction or (frame.end and rubs(words))):
         outcome = HOLDS
     if friction and outcome in (HOLDS, STAYS):
         of = who or next(iter(frame.number.owners), "")
         if frame.end != GREATEST:
             yield from _needed(path, of, motion, words, stopped=outcome == STAYS)
-    elif path and outcome == CLIMBS and _rubs(words):
+    elif path and outcome == CLIMBS and rubs(words):
         if _as_rough_at_rest(words):  # what just begins to climb then goes on without acceleration
             yield from _thresholds(frame, condition, (("rises", True),), path, who)
     elif path and outcome in (RESTS, CLIMBS, DESCENDS):
@@ -91,7 +92,7 @@ def by_outcome(
 def _thresholds(
     frame: WantedFrame, condition: StatedCondition, rows: Sequence[tuple[str, bool]], path: str, who: str
 ) -> Iterator[Reading]:
-    """Yield the questions for where an outcome changes, first for the subject that is named, then for the only one."""
+    """Yield the questions for the number at which an outcome changes, for the named subject and for the only one."""
     least = {LEAST: True, GREATEST: False}.get(frame.end)
     rows = rows[1:] if condition.outcome == ROUND and condition.taut else rows
     for rank, (does, happens) in enumerate(rows):
@@ -104,15 +105,10 @@ def _as_rough_at_rest(words: Words) -> bool:
     return all(contact.static_ratio == 1.0 for contact in words.mechanism.contacts.values())
 
 
-def _rubs(words: Words) -> bool:
-    contacts = words.mechanism.contacts
-    return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
-
-
 def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stopped: bool) -> Iterator[Reading]:
-    """Yield the question for the least coefficient with which what is released rests or rolls, however rough it is.
+    """Yield the question for the least coefficient of friction with which a body stays at rest, or rolls.
 
-    What is *stopped* is not released, but set moving, and is to rest where it first stops.
+    If `stopped`, the body is set moving at the start, and is to stay at rest where it first stops.
     """
     if words.released if stopped else not words.released and not _rolling(words):
         return
@@ -131,14 +127,14 @@ def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stoppe
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
         slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
         when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
-        asked = StructuredQuestion(NEEDED, of, when, change=change, compare="value" if change else "")
+        asked = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
         yield Reading(asked, side=AFTER, steady=not change)
 
 
 def on_the_other_side(
     found: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
 ) -> bool:
-    """Return whether an orbit that is to be open, or closed, is so on the other side of a number that is found."""
+    """Return whether a planet escapes only below a number that is asked for as the least one, or the like."""
     value, path = found.followed.answer, found.asked.find
     if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not found.asked.given:
         return False
@@ -149,12 +145,12 @@ def on_the_other_side(
 
 
 def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a body that is to rest, or any if everything is, is accelerated with the number that is found.
+    """Return whether a condition fails with the number that is found.
 
-    Or whether one that is told to move meanwhile is not.
+    It fails if a body that is to stay at rest is accelerated, or one that is to move meanwhile is not.
     """
     value, path = found.followed.answer, found.asked.find
-    if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", "value"):
+    if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", VALUE):
         return False
     study = motion_of(with_number(motion.study.scene, path, value)).study
     start, said = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
@@ -171,7 +167,7 @@ def moves_nevertheless(found: Understood, condition: StatedCondition, motion: Fo
 
 
 def slips_nevertheless(found: Understood) -> bool:
-    """Return whether what is needed is more than the greatest coefficient of friction that a scene can have."""
+    """Return whether a body slips even with the greatest coefficient of friction that a scene can have."""
     if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
         return False
     _, most = found.posed.varied.values[0]
@@ -183,26 +179,22 @@ def _rolling(words: Words) -> bool:
 
 
 def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
-    """Yield the questions for the number with which a body, or each, is not accelerated; none if it is on a rough face.
+    """Yield the questions for the number with which a body, or each body, has no acceleration.
 
-    Where anything rubs, only one that lies on a smooth face itself is meant.
+    With friction, a whole range of numbers does, so that there are none but for a named body on a smooth face.
     """
     alone = addresses(words).get(who)
-    if _rubs(words):
+    if rubs(words):
         contact = words.mechanism.contacts.get(alone or "")
         if contact is None or contact.friction > 0.0 or not Bodies().senses(words.mechanism, contact.subject):
             return  # within a whole range of numbers
     bodies = words.called(Bodies())
     senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
-    for name in (alone,) if alone is not None and len(senses) == 1 else bodies:
-        senses = Bodies().senses(words.mechanism, name)
-        if len(senses) == 1:
-            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
-            yield Reading(StructuredQuestion(path, name, START, given=given))
+    yield from without_acceleration(path, (alone,) if alone is not None and len(senses) == 1 else bodies, words)
 
 
 def _orbits(who: str, words: Words) -> Iterator[str]:
-    """Yield the pairs of a body, or of any, with what draws it."""
+    """Yield the pairs of a named body, or of any body, with the body that attracts it."""
     name = addresses(words).get(who, "")
     for pull in words.mechanism.attractions:
         if not name or name in (pull.a, pull.b):
@@ -210,10 +202,10 @@ def _orbits(who: str, words: Words) -> Iterator[str]:
 
 
 def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words: Words) -> Iterator[Reading]:
-    """Yield the question for the number with which an orbit is a parabola, or is a circle.
+    """Yield the question for the number with which an orbit is a parabola or a circle.
 
-    It is a circle where its semi-major axis is the distance at the start, if the velocity is at right angles to the
-    line between the two.
+    If the velocity at the start is perpendicular to the line between the two bodies, the orbit is a circle where its
+    semi-major axis is the distance at the start; else no number makes it a circle.
     """
     if outcome != CIRCULAR:
         yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))

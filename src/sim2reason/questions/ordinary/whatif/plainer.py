@@ -1,9 +1,9 @@
-"""Plainer wordings of questions for a number of the scene: what a turn of phrase means, in a frame that is read."""
+"""Replacement of turns of phrase in questions for a number of the scene by plainer words that `frames` has."""
 
 import re
 from collections.abc import Mapping
-from functools import cache
 
+from sim2reason.questions.ordinary.vocabulary import compiled
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
 
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
@@ -34,7 +34,7 @@ _CONSTANT = re.compile(
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
     r"|(?: ,)? instead(?! of)(?: ,)?"
 )
-"""What says only that all else stays as it is."""
+"""Phrases that say only that everything else stays as it is, such as *at the same angle*."""
 
 _AUX = "(?:would|must|should|could|will|does|can|has|might|may|did)"
 _LEAST = "least|minimum|minimal|smallest|lowest"
@@ -82,7 +82,6 @@ PLAINER: Mapping[str, str] = {
     r"|force)": r"\g<size> ",
     r"\b(?:at (?:very )?least|at minimum)(?= [^,.]*\bat least\b)": "",
     r"\bat very (?=least\b)": "at ",
-    r"\bat (?=most\b|least\b)the ": "at ",
     r"\b(?:still|yet) (?=[a-z]+ @)": "",
     rf"\bhow {_LIKE} (?:of )?(?=(?:(?:steady|constant|horizontal|pulling|initial) )*(?:{_NOUNS})\b)": "what ",
     r"\b(?:steady|constant) (?=(?:horizontal )?(?:force|pull)\b)": "",
@@ -118,24 +117,24 @@ PLAINER: Mapping[str, str] = {
     r" on)$": " at once",
     r" (?:as soon as|when) (?:@\d+@|it|engine) is (?:lit|ignited|started|switched on)$": " at once",
 }
-"""By what a part of a question is like, on text without articles: what says the same."""
+"""By the pattern of a part of a question without articles, plainer words with the same meaning."""
 MULTIPLE = rf"how many times (?:as|so) (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
 COMPARED = rf"(?:by )?how much (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
 _SMALLER = frozenset({"lighter", "slower"})
 
 
 def _compared(found: re.Match[str]) -> str:
-    """Return *how much heavier must A be* as a question for a mass."""
+    """Return *by how much must mass of A be greater* for *how much heavier must A be*, and the like."""
     noun = next(noun for told, noun in _ADJECTIVES.items() if re.fullmatch(told, found["how"]))
     head = "by what factor" if found[0].startswith("how many") else "by how much"
     return f"{head} must {noun} of {found['s']} be {'smaller' if found['how'] in _SMALLER else 'greater'} "
 
 
 def plainer(text: str) -> str:
-    """Return a question for a number of the scene without what says nothing, in plainer words."""
+    """Return a question for a number of the scene in plainer words."""
     said = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
     for told, plain in PLAINER.items():
-        said = _compiled(told).sub(plain, said)
+        said = compiled(told).sub(plain, said)
     said = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, said))
     bound = re.match("(LEAST|GREATEST) ", said)
     said = said.removeprefix("LEAST ").removeprefix("GREATEST ")
@@ -143,8 +142,3 @@ def plainer(text: str) -> str:
         said = f"{'at least' if bound[1] == 'LEAST' else 'at most'} {said}"
     said = said.replace("BOUND ", "" if bound is None else f"{bound[1].lower()} ")
     return " ".join(said.split())
-
-
-@cache
-def _compiled(told: str) -> re.Pattern[str]:
-    return re.compile(told)

@@ -1,10 +1,9 @@
-"""Plainer wordings of what a number of the scene is to bring about: who pulls whom, and turns of phrase for results."""
+"""Replacement of turns of phrase in conditions, such as *to pull A up*, by plainer words that the tables have."""
 
 import re
 from collections.abc import Mapping
-from functools import cache
 
-from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
 
 _S = r"@\d+@"
 _LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow)"
@@ -95,7 +94,7 @@ CONDITIONS: Mapping[str, str] = {
     r" (?P<n>#\d+#)$": (r"energy lost in \g<x> be \g<n>"),
     r"^(?:give|gives) (?=(?:amplitude|period|tension|acceleration|total energy)\b.* #\d+#)": "",
 }
-"""By what a condition is like, on text without articles: what says the same."""
+"""By the pattern of a part of a condition without articles, plainer words with the same meaning."""
 
 
 def plainer_condition(said: str) -> str:
@@ -107,15 +106,5 @@ def plainer_condition(said: str) -> str:
         said,
     )
     for told, plain in CONDITIONS.items():
-        said = _compiled(told).sub(lambda found, plain=plain: _filled(found, plain), said)
+        said = compiled(told).sub(plain, said)
     return said
-
-
-def _filled(found: re.Match[str], plain: str) -> str:
-    """Return what replaces a match; a group that is not in it is empty."""
-    return re.sub(r"\\g<(\w+)>", lambda group: found[group[1]] or "", plain)
-
-
-@cache
-def _compiled(told: str) -> re.Pattern[str]:
-    return re.compile(told)

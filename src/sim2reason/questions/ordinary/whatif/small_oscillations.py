@@ -1,4 +1,4 @@
-"""Questions for the period that small oscillations would have, whatever the motion is."""
+"""Questions for the period of small oscillations, which a scene has even if its own motion is another one."""
 
 import re
 
@@ -25,7 +25,7 @@ _WITH = "(?:with|at) which"
 _SWING = "(?:oscillate|swing|vibrate)"
 _OSCILLATES = f"@0@ (?:would )?{_SWING}s?"
 _SLIGHTLY = f"(?:(?:through|with|at) {_SMALL}|slightly)"
-FORMS = (
+PATTERNS = (
     rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}",
     rf"what would be {_MEASURE} (?:of|for) {_SMALL}{_OF}{_ABOUT}?",
     rf"what would {_MEASURE}{_OF} be (?:for|with|in case of) {_SMALL}{_OF}{_ABOUT}?",
@@ -39,29 +39,29 @@ FORMS = (
         rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
     ),
 )
-OF_THIS = (
+OF_MOTION = (
     rf"{_ASK} {_MEASURE} (?:of|for) {_SMALL}{_OF}",
     rf"{_ASK} {_MEASURE} of @0@ 's {_SMALL}{_ABOUT}?",
     rf"{_ASK} {_MEASURE} {_WITH} {_OSCILLATES} {_SLIGHTLY}{_ABOUT}?",
     rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} {_SLIGHTLY}{_ABOUT}?",
     rf"{_ASK} small(?:-angle|-amplitude)? {_MEASURE} of (?:@0@ 's (?:oscillations?|swings?|motion)|@0@)",
 )
-"""Forms that take the motion itself for a small oscillation, unlike the others."""
+"""Patterns that presume that the motion in the scene is itself a small oscillation, unlike `PATTERNS`."""
 SMALL = 20.0  # degrees: what swings farther than that does not swing through small angles
 
 
 def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
-    """Return whether what swings, if anything does, swings through small angles."""
+    """Return whether a body swings, and only through small angles."""
     asked = Reading(StructuredQuestion("greatest deflection"))
     meant = reader.first_of([asked], motion, words)
     return meant is not None and (meant.followed.answer or SMALL) < SMALL and "deg" in meant.posed.unit(words)
 
 
 def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
-    """Return the question for the period, or a frequency, of the only small oscillations about the equilibrium."""
-    for number, told in enumerate((*FORMS, *OF_THIS)):
+    """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
+    for number, told in enumerate((*PATTERNS, *OF_MOTION)):
         found = re.fullmatch(told, heard.text)
-        if found is not None and (number < len(FORMS) or _is_small(motion, words, reader)):
+        if found is not None and (number < len(PATTERNS) or _is_small(motion, words, reader)):
             reading = Reading(StructuredQuestion(found["q"], "", EQUILIBRIUM))
             meant = reader.first_of([reading], motion, words)
             query = meant.posed.query if meant is not None else None

@@ -34,11 +34,11 @@ RESULTS = (
     (
         (
             rf"(?P<s>{_S}) (?:oscillate|oscillates|swing|swings|vibrate|vibrates|move|go round|revolve|revolves|go to"
-            rf" and fro) (?:to and fro )?(?:with|at) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)"
+            rf" and fro) (?:to and fro )?(?:with|at) (?P<what>period|frequency) of {_ABOUT}{_N}"
         ),
         "what is {what} of {s}",
     ),
-    (rf"(?P<s>{_S}) (?:have|has) (?P<what>period|frequency) of {_ABOUT}{_N}(?P<rest>)", "what is {what} of {s}"),
+    (rf"(?P<s>{_S}) (?:have|has) (?P<what>period|frequency) of {_ABOUT}{_N}", "what is {what} of {s}"),
     (
         (
             rf"(?P<s>{_S}) (?:accelerate|accelerates|be accelerated) (?:(?P<way>up|down|upwards|downwards)"
@@ -67,6 +67,7 @@ RESULTS = (
         "what is {what}{rest}",
     ),
 )
+"""Statements with a number, each with the question for which the number is the answer."""
 SPEEDS = (
     (
         (
@@ -86,51 +87,51 @@ SPEEDS = (
     (
         (
             rf"(?P<s>{_S}) (?:reach|reaches|attain|attains|have|has|get to) (?:(?:greatest|maximum|top) )(?:speed"
-            rf"|velocity) of {_ABOUT}{_N}(?P<rest>)"
+            rf"|velocity) of {_ABOUT}{_N}"
         ),
         "what is greatest speed of {s}",
     ),
     (
-        rf"(?P<s>{_S}) (?:reach|reaches|attain|attains|get to) (?:(?:speed|velocity) of )?{_ABOUT}{_N}(?P<rest>)",
+        rf"(?P<s>{_S}) (?:reach|reaches|attain|attains|get to) (?:(?:speed|velocity) of )?{_ABOUT}{_N}",
         "what is greatest speed of {s}",
     ),
     (
         (
             rf"(?P<s>{_S}) (?:reach|reaches|attain|attains) (?:final|terminal) (?:speed|velocity) of"
-            rf" {_ABOUT}{_N}(?P<rest>)"
+            rf" {_ABOUT}{_N}"
         ),
         "what is final speed of {s}",
     ),
 )
 TIMES = (
     (
-        rf"(?P<s>{_S}) (?:go|goes|revolve|circle|orbit)(?: (?:round|around))?(?: once)? in {_ABOUT}{_N}(?P<rest>)",
+        rf"(?P<s>{_S}) (?:go|goes|revolve|circle|orbit)(?: (?:round|around))?(?: once)? in {_ABOUT}{_N}",
         "what is period of {s}",
     ),
     (
         (
             rf"(?P<s>{_S}) (?P<verb>{_VERB})(?P<pred> .+?)? (?:in|after|within) {_ABOUT}{_N}(?: (?:after start|after"
-            rf" release|from start))?(?P<rest>)"
+            rf" release|from start))?"
         ),
         "how long does {s} take to {verb}{pred}",
     ),
     (
         (
             rf"(?P<s>{_S}) (?:take|takes|need|needs|require|requires) {_ABOUT}{_N} to (?P<verb>{_VERB})(?P<pred>"
-            rf" .+)?(?P<rest>)"
+            rf" .+)?"
         ),
         "how long does {s} take to {verb}{pred}",
     ),
     (
-        rf"it (?:take|takes) {_ABOUT}{_N} for (?P<s>{_S}) to (?P<verb>{_VERB})(?P<pred> .+)?(?P<rest>)",
+        rf"it (?:take|takes) {_ABOUT}{_N} for (?P<s>{_S}) to (?P<verb>{_VERB})(?P<pred> .+)?",
         "how long does {s} take to {verb}{pred}",
     ),
     (
-        rf"(?P<s>{_S}) (?:stay|stays|remain|remains|be|is) (?:in (?:air|flight)|airborne) for {_ABOUT}{_N}(?P<rest>)",
+        rf"(?P<s>{_S}) (?:stay|stays|remain|remains|be|is) (?:in (?:air|flight)|airborne) for {_ABOUT}{_N}",
         "how long is {s} in air",
     ),
     (
-        rf"(?P<s>{_S}) (?:complete|make|go through) (?P<pred>.+?) in {_ABOUT}{_N}(?P<rest>)",
+        rf"(?P<s>{_S}) (?:complete|make|go through) (?P<pred>.+?) in {_ABOUT}{_N}",
         "how long does {s} take to complete {pred}",
     ),
 )
@@ -142,7 +143,7 @@ LENGTHS = (
         ),
         "how high does {s} rise{rest}",
     ),
-    (rf"(?P<s>{_S}) go down {_ABOUT}{_N}(?P<rest>)", "how far down does {s} go"),
+    (rf"(?P<s>{_S}) go down {_ABOUT}{_N}", "how far down does {s} go"),
     (rf"(?P<s>{_S}) (?:rise|rises|get|go|climb) {_ABOUT}{_N} high(?P<rest>.*)", "how high does {s} rise{rest}"),
     (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N} (?P<dir>away|far)(?P<rest>.*)",
@@ -171,13 +172,13 @@ LENGTHS = (
         rf"(?P<s>{_S}) (?:be|is|get) (?P<how>compressed|stretched|extended) by {_ABOUT}{_N}(?P<rest>.*)",
         "by how much is {s} {how}{rest}",
     ),
-    (rf"(?P<s>{_S}) compress (?P<t>{_S}) by {_ABOUT}{_N}(?P<rest>)", "what is greatest compression of {t}"),
+    (rf"(?P<s>{_S}) compress (?P<t>{_S}) by {_ABOUT}{_N}", "what is greatest compression of {t}"),
 )
 ANGLES = (
     (
         (
             rf"(?P<s>{_S}) (?:swing|turn|rise|go|move) (?:out |up |away )?to (?:angle of )?{_ABOUT}{_N}"
-            rf" (?:from|to|with) (?:downward )?vertical(?P<rest>)"
+            rf" (?:from|to|with) (?:downward )?vertical"
         ),
         "what is greatest angle of {s} with vertical",
     ),
@@ -196,7 +197,6 @@ ACCELERATIONS = (
         "what is acceleration of {s}{rest}",
     ),
 )
-"""By the form of a statement with a number, the question that asks for the number."""
 _UNITS = (
     (SPEEDS, ("m/s", "km/s", "au/yr")),
     (TIMES, ("s", "yr", "ms")),
@@ -205,11 +205,11 @@ _UNITS = (
     (ACCELERATIONS, ("m/s²",)),
 )
 OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, units in _UNITS for unit in units}
-"""By its unit, the forms of a statement with a number of it."""
+"""By unit, the statements whose numbers have the unit, each with the question for which the number is the answer."""
 
 
 def asked_by(said: str, heard: Heard) -> Iterator[tuple[str, str]]:
-    """Yield each question that a statement with a number answers, with the number and its unit."""
+    """Yield each question that a statement such as *A reaches 3 m/s* answers, with the stated number and its unit."""
     tokens = re.findall(r"#\d+#", said)
     for token in dict.fromkeys(tokens):
         number = heard.number(token)

@@ -1,12 +1,12 @@
-"""Forms of suppositions in ordinary English, each with the kind of number that it changes, and how."""
+"""Clauses that suppose something, such as *A were twice as heavy*, each with the number that it changes, and how."""
 
 from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
-from sim2reason.questions.ordinary.whatif.numbers import EVERY_MASS
+from sim2reason.questions.ordinary.whatif.numbers import EVERY_MASS, NUMBER
 
 VALUE, TIMES, MORE, FIXED, SWAPPED, NONE, SAME = "value", "times", "more", "fixed", "swapped", "none", "same"
-"""How a number is changed: to a value, by a factor, by a difference; what is held fixed, swapped, or vanishes."""
+"""Changes: of a number to a value, by a factor or by a difference; of a body that is held fixed; and so on."""
 _S = r"@\d+@"
 _W = "(?:was|were|is|are|be|had been|has been|would be|became|being)"
 _N = r"(?P<n>#\d+#)"
@@ -17,8 +17,8 @@ MULTIPLES: Mapping[str, float] = {
     "five times": 5.0,
     "ten times": 10.0,
     "(?:half|one half|half of)": 0.5,
-    "(?:a third|one third|third of|third)": 1.0 / 3.0,
-    "(?:a quarter|one quarter|quarter of|quarter)": 0.25,
+    "(?:one third|third of|third)": 1.0 / 3.0,
+    "(?:one quarter|quarter of|quarter)": 0.25,
 }
 DONE: Mapping[str, float] = {
     "doubled": 2.0,
@@ -53,130 +53,80 @@ _LAUNCHED = (
 _INSTEAD = r"(?: instead(?: of (?:#\d+#|with #\d+#|at #\d+#))?| rather than #\d+#| in place of #\d+#)?"
 _DIRECTED = rf"(?: (?:(?P<way>up|down)(?:wards)?|off|initially|at start)(?: (?:{GROUNDS}))?)?"
 _LATER = "(?: (?:at start|initially))?"
-P = "NUMBER"
-ROWS = (
-    (rf"{P} {_W} {_MULT}{_LIKE}", TIMES),
-    (rf"{P} {_W} (?:all |both |each )?(?P<done>{'|'.join(DONE)})", TIMES),
-    (rf"{P} {_W} (?:{_SET} )*{_N}{_INSTEAD}", VALUE),
-    (rf"{P} {_W} (?:{_GROW}|{_SHRINK}) by {_N}{_PCT}", MORE),
-    (rf"{P} {_W} {_N}{_PCT} (?:{_GROW}|{_SHRINK})", MORE),
-    (rf"{P}(?: {_W})?(?: (?:remained|stayed|kept|left|still))* (?:same|unchanged|as before)", SAME),
-    (rf"{P} {_W} (?P<zero>zero|negligible)", NONE),
-    (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {_MULT}{_SAME} {P}", TIMES),
-    (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {P} of {_N}{_INSTEAD}", VALUE),
-    (rf"(?P<s>{_S}) (?:had|were given) {P} {_MULT}{_LIKE}", TIMES),
-)
-OTHERS = (
+_THROWN = rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked)"
+_SENT = rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED}"
+_SPEED = "(?:speed|velocity)"
+_BURNED = "engine (?:burned|burnt|consumed)"
+_PLACE = f"(?:{GROUNDS})"
+_STEEPER = "(?:(?P<grow>steeper)|(?P<shrink>less steep|flatter))"
+_REPLACED = rf"replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}"
+_PURELY = "(?:perfectly |completely |totally )"
+_THERE = rf"(?: ,)?(?: \(| where| with) ?,? ?g (?:= |is |of )?{_N}\)?"
+CLAUSES = (
+    (rf"{NUMBER} {_W} {_MULT}{_LIKE}", "", TIMES),
+    (rf"{NUMBER} {_W} (?:all |both |each )?(?P<done>{'|'.join(DONE)})", "", TIMES),
+    (rf"{NUMBER} {_W} (?:{_SET} )*{_N}{_INSTEAD}", "", VALUE),
+    (rf"{NUMBER} {_W} (?:{_GROW}|{_SHRINK}) by {_N}{_PCT}", "", MORE),
+    (rf"{NUMBER} {_W} {_N}{_PCT} (?:{_GROW}|{_SHRINK})", "", MORE),
+    (rf"{NUMBER}(?: {_W})?(?: (?:remained|stayed|kept|left|still))* (?:same|unchanged|as before)", "", SAME),
+    (rf"{NUMBER} {_W} (?:zero|negligible)", "", NONE),
+    (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {_MULT}{_SAME} {NUMBER}", "", TIMES),
+    (rf"(?P<s>{_S}) (?:had|has|have|were given|was given) {NUMBER} of {_N}{_INSTEAD}", "", VALUE),
+    (rf"(?P<s>{_S}) (?:had|were given) {NUMBER} {_MULT}{_LIKE}", "", TIMES),
+    # what a verb or an adjective says of a body
     (
         (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from"
-            rf" rest(?: instead)?"
+            rf"(?P<s>{_S}) {_W} (?:instead )?(?:simply |only |just )?(?:released|let go|started|set free) from rest"
+            "(?: instead)?"
         ),
         "motion at start",
         NONE,
     ),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:heavy|massive)(?: as)?{_SAME}", "mass", TIMES),
     (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:stiff|strong|hard)(?: as)?{_SAME}", "stiffness", TIMES),
-    (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?(?:long)(?: as)?{_SAME}", "length", TIMES),
-    (rf"(?P<s>{_S}) {_W} replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
+    (rf"(?P<s>{_S}) {_W} {_MULT} (?:as )?long(?: as)?{_SAME}", "length", TIMES),
+    (rf"(?P<s>{_S}) {_W} {_REPLACED}", "mass", VALUE),
     (rf"(?P<s>{_S}) (?:weighed|had mass) (?:only )?{_N}{_INSTEAD}", "mass", VALUE),
-    (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
-    (rf"(?P<s>{_S}) {_W} (?:only )?(?P<n>#\d+#) long{_INSTEAD}", "length", VALUE),
+    (rf"(?P<s>{_S}) {_W} (?:only )?{_N} (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
+    (rf"(?P<s>{_S}) {_W} (?:only )?{_N} long{_INSTEAD}", "length", VALUE),
+    (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(DONE)})", "charge", TIMES),
+    # how a motion begins
     (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) (?:only )?(?:(?:initial )?(?:speed"
-            rf"|velocity) of |(?:speed|velocity) )?{_N}{_LATER}{_INSTEAD}"
-        ),
+        rf"{_SENT} (?:at|with) (?:only )?(?:(?:initial )?{_SPEED} of |{_SPEED} )?{_N}{_LATER}{_INSTEAD}",
         "speed",
         VALUE,
     ),
+    (rf"{_SENT} (?:at|with) {_MULT}{_SAME} (?:initial )?{_SPEED}{_LATER}", "speed", TIMES),
+    (rf"{_SENT} {_MULT} as fast(?: as)?{_SAME}", "speed", TIMES),
+    (rf"{_THROWN} (?P<level>horizontally)(?: at same speed)?{_INSTEAD}", "launch angle", VALUE),
+    (rf"{_THROWN} (?P<upright>(?:straight|vertically) (?:up|upwards))(?: at same speed)?", "launch angle", VALUE),
     (
         (
-            rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} (?:at|with) {_MULT}{_SAME} (?:initial )?(?:speed"
-            rf"|velocity){_LATER}"
-        ),
-        "speed",
-        TIMES,
-    ),
-    (rf"(?P<s>{_S}) {_W} (?:instead )?{_LAUNCHED}{_DIRECTED} {_MULT} as fast(?: as)?{_SAME}", "speed", TIMES),
-    (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?P<level>horizontally)(?: at"
-            rf" same speed)?{_INSTEAD}"
+            rf"{_THROWN} (?:at|under) (?:angle of )?{_N}(?: (?:above|to) horizontal)?(?: (?:at|with) same speed)?"
+            rf"{_INSTEAD}"
         ),
         "launch angle",
         VALUE,
     ),
     (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?P<upright>(?:straight"
-            rf"|vertically) (?:up|upwards))(?: at same speed)?"
-        ),
-        "launch angle",
-        VALUE,
-    ),
-    (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) (?:at|under) (?:angle of"
-            rf" )?{_N}(?: (?:above|to) horizontal)?(?: (?:at|with) same speed)?{_INSTEAD}"
-        ),
-        "launch angle",
-        VALUE,
-    ),
-    (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from (?:height of |point"
-            rf" )?{_N}(?: (?:above ground|high|up))?(?: instead(?: of #\d+#)?)?"
-        ),
+        rf"{_THROWN} from (?:height of |point )?{_N}(?: (?:above ground|high|up))?(?: instead(?: of #\d+#)?)?",
         "height",
         VALUE,
     ),
-    (
-        rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from {_MULT}{_SAME} height",
-        "height",
-        TIMES,
-    ),
+    (rf"{_THROWN} from {_MULT}{_SAME} height", "height", TIMES),
+    (rf"{_THROWN} from (?P<ground>ground(?: level)?|level of ground)", "height", VALUE),
     (
         (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:thrown|launched|projected|fired|kicked) from (?P<ground>ground(?:"
-            rf" level)?|level of ground)"
-        ),
-        "height",
-        VALUE,
-    ),
-    (
-        (
-            rf"(?:{GROUNDS}) {_W} (?:only )?(?:(?:inclined|tilted|sloping) )?(?:at )?(?:angle of )?(?:only )?{_N}(?:"
-            rf" (?:to|above) horizontal| steep)?{_INSTEAD}"
-        ),
-        "slope",
-        VALUE,
-    ),
-    (rf"(?:{GROUNDS}) {_W} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter)) by {_N}", "slope", MORE),
-    (rf"(?:{GROUNDS}) {_W} {_N} (?:(?P<grow>steeper)|(?P<shrink>less steep|flatter))", "slope", MORE),
-    (rf"(?:{GROUNDS}) {_W} (?P<flat>horizontal|level)", "slope", VALUE),
-    (
-        (
-            rf"(?P<s>{_S}) {_W} (?:instead )?(?:(?:released|let go|started|held|initially|first|start) )*(?:from |at"
-            rf" )(?:angle of )?{_N}(?: (?:to|from|with)(?: downward)? vertical)?(?: at start)?{_INSTEAD}"
+            rf"(?P<s>{_S}) {_W} (?:instead )?(?:(?:released|let go|started|held|initially|first|start) )*(?:from |at )"
+            rf"(?:angle of )?{_N}(?: (?:to|from|with)(?: downward)? vertical)?(?: at start)?{_INSTEAD}"
         ),
         "swing angle",
         VALUE,
     ),
     (
         (
-            rf"(?:both|all|two|three|all three|both of)? ?masses(?: (?:of (?:both |all )?@\d+@|both|all))? {_W}"
-            rf" (?P<done>{'|'.join(DONE)})"
-        ),
-        EVERY_MASS,
-        TIMES,
-    ),
-    (rf"(?:both|all|two|three|all three)? ?masses(?: of (?:both |all )?@\d+@)? {_W} {_MULT}{_LIKE}", EVERY_MASS, TIMES),
-    (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(DONE)})", "charge", TIMES),
-    (
-        (
-            rf"(?:blow|kick) (?:still |only |instead )*(?:gave|had given|had sent|sent) (?P<s>{_S}) (?:(?:initial"
-            rf" )?speed of )?{_N}{_INSTEAD}"
+            "(?:blow|kick) (?:still |only |instead )*(?:gave|had given|had sent|sent) "
+            rf"(?P<s>{_S}) (?:(?:initial )?speed of )?{_N}{_INSTEAD}"
         ),
         "speed",
         VALUE,
@@ -184,25 +134,69 @@ OTHERS = (
     (rf"(?:blow|kick) gave (?P<s>{_S}) {_MULT}{_SAME} speed", "speed", TIMES),
     (
         (
-            rf"(?P<s>{_S}) (?:kept|retained|rebounded with|bounced with|lost all but) {_N}(?: times)?(?: of)? (?:its"
-            rf" )?(?:vertical )?(?:speed|velocity)(?: (?:at|after|in|on) (?:each|every) (?:landing|bounce|impact"
-            rf"|rebound))?{_INSTEAD}"
+            rf"(?P<s>{_S}) (?:{_W} {_LAUNCHED}|started|set off|had started) (?:with )?{_N}{_PCT}"
+            " (?:(?P<grow>faster)|(?P<shrink>slower))"
+        ),
+        "speed",
+        MORE,
+    ),
+    # slopes
+    (
+        (
+            rf"{_PLACE} {_W} (?:only )?(?:(?:inclined|tilted|sloping) )?(?:at )?(?:angle of )?(?:only )?{_N}"
+            rf"(?: (?:to|above) horizontal| steep)?{_INSTEAD}"
+        ),
+        "slope",
+        VALUE,
+    ),
+    (rf"{_PLACE} {_W} {_STEEPER} by {_N}", "slope", MORE),
+    (rf"{_PLACE} {_W} {_N} {_STEEPER}", "slope", MORE),
+    (rf"{_PLACE} {_W} (?P<flat>horizontal|level)", "slope", VALUE),
+    # all masses, and masses exchanged
+    (
+        (
+            rf"(?:both|all|two|three|all three|both of)? ?masses(?: (?:of (?:both |all )?{_S}|both|all))? "
+            rf"{_W} (?P<done>{'|'.join(DONE)})"
+        ),
+        EVERY_MASS,
+        TIMES,
+    ),
+    (
+        rf"(?:both|all|two|three|all three)? ?masses(?: of (?:both |all )?{_S})? {_W} {_MULT}{_LIKE}",
+        EVERY_MASS,
+        TIMES,
+    ),
+    (
+        rf"masses of (?P<s>{_S})(?: and (?P<t>{_S}))? {_W} (?:interchanged|swapped|exchanged)",
+        "mass",
+        SWAPPED,
+    ),
+    (rf"(?P<s>{_S}) and (?P<t>{_S}) (?:exchanged|swapped|interchanged) (?:their )?masses", "mass", SWAPPED),
+    # impacts
+    (
+        (
+            rf"(?P<s>{_S}) (?:kept|retained|rebounded with|bounced with|lost all but) {_N}(?: times)?(?: of)?"
+            rf" (?:its )?(?:vertical )?{_SPEED}(?: (?:at|after|in|on) (?:each|every)"
+            rf" (?:landing|bounce|impact|rebound))?{_INSTEAD}"
         ),
         "restitution",
         VALUE,
     ),
     (
-        (
-            rf"(?P<s>{_S}) (?:{_W} {_LAUNCHED}|started|set off|had started) (?:with )?{_N}{_PCT} (?:(?P<grow>faster)"
-            rf"|(?P<shrink>slower))"
-        ),
-        "speed",
-        MORE,
+        rf"(?:every |all |each )?(?:collisions?|impacts?|bounces?) {_W} {_PURELY}?(?P<elastic>elastic)(?: instead)?",
+        "restitution",
+        VALUE,
     ),
     (
+        rf"(?:every |all |each )?(?:collisions?|impacts?) {_W} {_PURELY}(?P<plastic>inelastic)(?: instead)?",
+        "restitution",
+        VALUE,
+    ),
+    # engines and hands
+    (
         (
-            rf"(?:its )?(?:fuel|gas|propellant) {_W} (?:burnt|burned|consumed|used|ejected) {_MULT} as (?:fast"
-            rf"|quickly)(?: as)?{_SAME}"
+            rf"(?:its )?(?:fuel|gas|propellant) {_W} (?:burnt|burned|consumed|used|ejected) {_MULT} as (?:fast|quickly)"
+            rf"(?: as)?{_SAME}"
         ),
         "burn rate",
         TIMES,
@@ -213,81 +207,66 @@ OTHERS = (
         "exhaust speed",
         VALUE,
     ),
-    (
-        rf"engine (?:burned|burnt|consumed) (?:fuel )?(?:at )?(?:rate of )?{_N}(?: of fuel)?{_INSTEAD}",
-        "burn rate",
-        VALUE,
-    ),
-    (rf"engine (?:burned|burnt|consumed) (?:its )?fuel {_MULT} as (?:fast|quickly)(?: as)?{_SAME}", "burn rate", TIMES),
+    (rf"{_BURNED} (?:fuel )?(?:at )?(?:rate of )?{_N}(?: of fuel)?{_INSTEAD}", "burn rate", VALUE),
+    (rf"{_BURNED} (?:its )?fuel {_MULT} as (?:fast|quickly)(?: as)?{_SAME}", "burn rate", TIMES),
     (rf"hand (?:pulled|pulls) with (?:force of )?(?:only )?{_N}{_INSTEAD}", "force", VALUE),
     (rf"hand (?:pulled|pulls) {_MULT} as (?:hard|strongly)(?: as)?{_SAME}", "force", TIMES),
-    (rf"hand (?:pulled|pulls) with {_MULT}{_SAME} (?:force)", "force", TIMES),
+    (rf"hand (?:pulled|pulls) with {_MULT}{_SAME} force", "force", TIMES),
+    # friction, fields and gravity
     (
         (
-            rf"(?:there {_W} no friction(?: at all)?|friction {_W} (?:absent|negligible|removed|switched off"
-            rf"|neglected|zero|absent altogether|eliminated|ignored))(?: (?:on|between|with|at) .+)?"
+            rf"(?:there {_W} no friction(?: at all)?|friction {_W} (?:absent|negligible|removed|switched off|neglected"
+            "|zero|absent altogether|eliminated|ignored))(?: (?:on|between|with|at) .+)?"
         ),
         "friction",
         NONE,
     ),
     (
         (
-            rf"(?:(?:{GROUNDS})|(?P<s>{_S})|top of (?P<t>{_S})|contact|all surfaces|surfaces) {_W} (?:perfectly "
-            rf"|made |completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
+            rf"(?:{_PLACE}|(?P<s>{_S})|top of (?P<t>{_S})|contact|all surfaces|surfaces) {_W} (?:perfectly |made "
+            "|completely |instead )*(?:smooth|frictionless|free of friction)(?: instead of rough)?"
         ),
         "friction",
         NONE,
     ),
     (
-        (
-            rf"(?:every |all |each )?(?:collisions?|impacts?|bounces?) {_W} (?:perfectly |completely |totally"
-            rf" )?(?P<elastic>elastic)(?: instead)?"
-        ),
-        "restitution",
-        VALUE,
+        rf"(?P<e>electric|magnetic) field {_W} (?:switched off|turned off|absent|removed)(?: at start)?",
+        "",
+        NONE,
     ),
-    (
-        (
-            rf"(?:every |all |each )?(?:collisions?|impacts?) {_W} (?:perfectly |completely |totally"
-            rf" )(?P<plastic>inelastic)(?: instead)?"
-        ),
-        "restitution",
-        VALUE,
-    ),
-    (rf"(?P<e>electric|magnetic) field {_W} (?:switched off|turned off|absent|removed)(?: at start)?", "", NONE),
     (rf"there {_W} no (?P<e>electric|magnetic) field", "", NONE),
     (
         (
             rf"(?:this happened |experiment {_W} (?:done|made|performed|carried out) |it {_W} )?on (?:moon|mars"
-            rf"|another planet|planet|jupiter)(?: ,)?(?: \(| where| with) ?,? ?g (?:= |is |of )?{_N}\)?"
+            rf"|another planet|planet|jupiter){_THERE}"
         ),
         "gravity",
         VALUE,
     ),
     (rf"g {_W} (?:only )?{_N}{_INSTEAD}", "gravity", VALUE),
+    # bodies held fixed
     (
         (
-            rf"(?P<s>{_S}) {_W} (?:(?:held|kept|clamped|fixed|bolted|nailed|glued|screwed|locked|fastened|prevented"
-            rf" from (?:moving|sliding))"
-            rf"(?: (?:fixed|in place|at rest|to (?:{GROUNDS})|down|firmly|still|immovable|so that it (?:can not"
-            rf"|cannot|can't) move))?)(?: instead of (?:being )?free to (?:move|slide))?"
+            rf"(?P<s>{_S}) {_W} (?:held|kept|clamped|fixed|bolted|nailed|glued|screwed|locked|fastened"
+            r"|prevented from (?:moving|sliding))"
+            rf"(?: (?:fixed|in place|at rest|to {_PLACE}|down|firmly|still|immovable"
+            r"|so that it (?:can not|cannot|can't) move))?(?: instead of (?:being )?free to (?:move|slide))?"
         ),
         "",
         FIXED,
     ),
     (rf"(?P<s>{_S}) (?:could not|couldn't|could no longer) (?:move|slide)", "", FIXED),
-    (rf"masses of (?P<s>{_S})(?: and (?P<t>{_S}))? {_W} (?:interchanged|swapped|exchanged)", "mass", SWAPPED),
-    (rf"(?P<s>{_S}) and (?P<t>{_S}) (?:exchanged|swapped|interchanged) (?:their )?masses", "mass", SWAPPED),
 )
+"""Clauses that suppose something: a pattern, the kind of number, if its noun is not in the pattern, and the change."""
 ADJUNCTS = (
     (r"(?:without(?: any)? friction|in absence of (?:any )?friction|with no friction)", "friction", NONE),
-    (rf"(?:on|with) (?:perfectly |completely )?(?:smooth|frictionless) (?:{GROUNDS})", "friction", NONE),
-    (rf"with {_MULT}{_SAME} {P}", "", TIMES),
+    (rf"(?:on|with) (?:perfectly |completely )?(?:smooth|frictionless) {_PLACE}", "friction", NONE),
+    (rf"with {_MULT}{_SAME} {NUMBER}", "", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as (?:heavy|massive)", "mass", TIMES),
-    (rf"with (?P<s>{_S}) replaced by (?:block|body|mass|one|ball|trolley|puck) of (?:mass )?{_N}", "mass", VALUE),
+    (rf"with (?P<s>{_S}) {_REPLACED}", "mass", VALUE),
     (rf"with (?P<s>{_S}) {_MULT} as stiff", "stiffness", TIMES),
     (rf"with (?P<s>{_S}) {_MULT} as long", "length", TIMES),
-    (rf"with {P} of {_N}{_INSTEAD}", "", VALUE),
-    (r"on (?:moon|mars)(?: ,)?(?: \(| where| with) ?,? ?g (?:= |is |of )?(?P<n>#\d+#)\)?", "gravity", VALUE),
+    (rf"with {NUMBER} of {_N}{_INSTEAD}", "", VALUE),
+    (rf"on (?:moon|mars){_THERE}", "gravity", VALUE),
 )
-"""Phrases that suppose something without a clause."""
+"""Phrases that suppose something without a clause, such as *without friction*, in rows like those of `CLAUSES`."""

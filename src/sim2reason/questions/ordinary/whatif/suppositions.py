@@ -1,28 +1,30 @@
-"""Suppositions in ordinary English: clauses that say how a scene is changed, as other values of its numbers."""
+"""The reading of suppositions, such as *if g were 5 m/s²*, as changes of a scene's numbers."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from typing import NamedTuple
 
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, named_number, number_pattern
+from sim2reason.questions.ordinary.whatif.numbers import NUMBER, NamedNumber, named_number, number_pattern
 from sim2reason.questions.ordinary.whatif.supposed_rows import (
     ADJUNCTS,
+    CLAUSES,
     DONE,
     MULTIPLES,
-    OTHERS,
-    ROWS,
     SWAPPED,
     TIMES,
-    P,
 )
+
+Rows = tuple[tuple[str, str, str], ...]
+_JOINED = re.compile(r" (?:,? ?and|,) (?:if )?")
 
 
 class Supposition(NamedTuple):
-    """A change of a number, or of a body: how, to or by how much, of what; the number has the unit that is told.
+    """A change of a number or a body that a sentence supposes.
 
-    A speed may be told with the `way`, *up* or *down*.
+    `how` is one of the changes of `supposed_rows`. The number changes to a `value`, with the unit of the sentence, by a
+    `factor`, or by the value with a `sign`. A speed may be told with the `way`, *up* or *down*.
     """
 
     how: str
@@ -34,23 +36,28 @@ class Supposition(NamedTuple):
 
 
 def suppositions(text: str, heard: Heard) -> tuple[Supposition, ...]:
-    """Return the changes that a clause supposes, which *and* may join; none if a part of it is not understood."""
-    whole = tuple(_one(text, heard, (*((told, "", how) for told, how in ROWS), *OTHERS)))
-    if whole:
-        return whole[:1]
-    for found in re.finditer(r" (?:,? ?and|,) (?:if )?", text):
-        one, other = suppositions(text[: found.start()], heard), suppositions(text[found.end() :], heard)
-        if one and other:
+    """Return the changes that a clause such as *A were twice as heavy and g were 5 m/s²* supposes, joined by *and*.
+
+    There are none if a part of the clause is not understood.
+    """
+    alone = _first(text, heard, CLAUSES)
+    if alone:
+        return alone
+    for found in _JOINED.finditer(text):
+        # The first part is one change, not several: else each *and* would double the work.
+        one = _first(text[: found.start()], heard, CLAUSES)
+        if other := suppositions(text[found.end() :], heard) if one else ():
             return (*one, *other)
     return ()
 
 
 def adjunct(text: str, heard: Heard) -> tuple[Supposition, ...]:
     """Return the change that a phrase such as *without friction* supposes; none if it is not understood."""
-    return tuple(_one(text, heard, ADJUNCTS))[:1]
+    return _first(text, heard, ADJUNCTS)
 
 
-def _one(text: str, heard: Heard, rows: tuple[tuple[str, str, str], ...]) -> Iterator[Supposition]:
+def _first(text: str, heard: Heard, rows: Rows) -> tuple[Supposition, ...]:
+    """Return the change of the first row that a text matches; none if it matches no row."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
     said = re.sub(r"\b(?:just|instead only|only)\b ?", "", text).strip(" ,")
     for told, kind, how in rows:
@@ -58,17 +65,18 @@ def _one(text: str, heard: Heard, rows: tuple[tuple[str, str, str], ...]) -> Ite
         if found is None:
             continue
         groups = found.groupdict()
-        number = named_number(found, subject) if P in told else NamedNumber(kind or f"{groups.get('e')} field")
+        number = named_number(found, subject) if NUMBER in told else NamedNumber(kind or f"{groups.get('e')} field")
         owners = tuple(subject[groups[key]] for key in ("s", "t") if groups.get(key))
         if owners and not number.owners and how != SWAPPED:
             number = number._replace(owners=owners[:1])
         elif how == SWAPPED:
             number = number._replace(owners=owners)
-        yield _changed(how, number, groups, heard)
+        return (_changed(how, number, groups, heard),)
+    return ()
 
 
 MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic": "1", "plastic": "0"}
-"""By the group of a form, the value that its words mean."""
+"""By the group of a row that matches, the value that its words mean."""
 
 
 def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: Heard) -> Supposition:
@@ -92,4 +100,4 @@ def _factor(groups: Mapping[str, str | None], heard: Heard) -> float:
 
 @cache
 def _compiled(told: str) -> re.Pattern[str]:
-    return re.compile(told.replace(P, number_pattern()))
+    return re.compile(told.replace(NUMBER, number_pattern()))

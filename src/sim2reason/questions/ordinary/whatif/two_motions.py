@@ -1,4 +1,4 @@
-"""Questions about two motions, of which the second begins where something is cut, or let go, during the first."""
+"""Questions about a motion during which something is cut or let go, so that a second motion begins."""
 
 import re
 
@@ -14,5 +14,5 @@ _BOTH = re.compile(
 
 
 def goes_on_otherwise(text: str) -> bool:
-    """Return whether a sentence supposes that something is cut, or let go, after a part of the motion."""
+    """Return whether a sentence begins like *suppose the string is cut after 2 s*."""
     return _BOTH.match(text) is not None

@@ -1,7 +1,7 @@
-"""Understanding of questions about a changed scene, by the reader of questions about the scene as it is."""
+"""Understanding of questions about a changed scene, such as *how fast would A be if B were twice as heavy*."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from math import isclose
 
@@ -13,37 +13,36 @@ from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.meaning import Understood
+from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.comparisons import ChangedQuestion, changed_questions
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
 from sim2reason.questions.ordinary.whatif.suppositions import Supposition
+from sim2reason.questions.posing import RATIO
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.variation import SceneChange, units_of, words_in
 from sim2reason.questions.words import Words
 
-Reads = Callable[[Heard, FollowedMotion, Words], Understood | None]
-"""The reader of a heard question about a motion as it is."""
 TINY = 1e-9  # the least value of what must not be zero, and is as good as zero
 EQUAL = 1e-6  # relative: answers that differ by less are one
 
 
-def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, read: Reads) -> Understood | None:
+def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the meaning of a sentence as a question about a changed scene; None if it is not understood so."""
     for asked in changed_questions(heard.text, heard):
         varied = _variation(asked, motion, words)
         if varied is None:
             continue
-        found = _answered(asked, varied, heard, motion, words, read)
+        found = _answered(asked, varied, heard, motion, words, reader)
         if found is not None:
             return found
     return None
 
 
 def _answered(
-    asked: ChangedQuestion, varied: SceneChange, heard: Heard, motion: FollowedMotion, words: Words, read: Reads
+    asked: ChangedQuestion, varied: SceneChange, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     told = replace(heard, text=asked.question)
     try:
@@ -52,10 +51,10 @@ def _answered(
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
     compare = asked.compare
-    before = of_all(read, told, motion, words) if compare != ITSELF else None
+    before = of_all(reader, told, motion, words) if compare != ITSELF else None
     if compare != ITSELF and (before is None or not before.followed.answer):
         return None
-    after = of_all(read, told, there, words_in(scene, words))
+    after = of_all(reader, told, there, words_in(scene, words))
     if after is None or after.posed.unknown is not None:
         return None
     question = replace(after.posed, varied=varied, compare=compare)
@@ -67,9 +66,9 @@ def _answered(
     return Understood(structured, question, _compared(asked, before.followed, after.followed))
 
 
-def of_all(read: Reads, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the meaning of a question; where it names nobody, of each moving body, if they have one answer."""
-    found = read(heard, motion, words)
+def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+    """Return the meaning of a question; without a subject, of one about each moving body if all have one answer."""
+    found = reader.read(heard, motion, words)
     asks = re.match(
         r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )",
         heard.text,
@@ -79,24 +78,24 @@ def of_all(read: Reads, heard: Heard, motion: FollowedMotion, words: Words) -> U
     bodies = tuple(words.called(Bodies()).values())
     rest = heard.text[asks.end() :].removeprefix(" of system").removeprefix(" of blocks").removeprefix(" of bodies")
     told = (replace(heard, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies)))
-    every = [read(each, motion, words) for each in told]
+    every = [reader.read(each, motion, words) for each in told]
     answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
     alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=EQUAL) for a in answers)
     return every[0] if alike and every else None
 
 
 def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Followed:
-    """Return a changed answer compared with that before; TextError if it does not grow, or shrink, as is presumed."""
+    """Return an answer compared with that before the change; TextError if the question presumes the other direction."""
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")
-    if asked.compare == "ratio":
+    if asked.compare == RATIO:
         return after._replace(answer=then / now)
     return after._replace(answer=then - now if asked.grows is None else abs(then - now))
 
 
 def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> SceneChange | None:
-    """Return the changes that a sentence supposes, by addresses; None if a name means no number of the scene."""
+    """Return the change of the scene that a sentence supposes; None if a name means no number of the scene."""
     values, fixed = dict[str, float](), list[str]()
     for supposed in asked.supposed:
         if supposed.how == FIXED:
@@ -134,7 +133,7 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
 
 
 def _goes(supposed: Supposition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a body sets off the way that is told: with another speed it does so, too."""
+    """Return whether a body sets off the way that the sentence tells, *up* or *down*."""
     names = [name for name, said in words.called(Bodies()).items() if said in supposed.number.owners]
     rising = float(Velocity.evaluate(motion.study.trace.at(0.0), names[0])[0, 2]) if len(names) == 1 else 0.0
     return rising > 0.0 if supposed.way == "up" else rising < 0.0
@@ -155,7 +154,7 @@ def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
 
 
 def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
-    """Return zero for what vanishes; all friction, unless the owners that are named are not where it is."""
+    """Return zero for each number that vanishes, by address; all coefficients of friction unless owners are named."""
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)
