@@ -109,8 +109,13 @@ class Quantity(ABC):
         """Its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """The names that `evaluate` takes, in the order of the mechanism."""
-        return self.of.names(mechanism)
+        """Return the names that `evaluate` takes, in the order of the mechanism: those of its kind that fit."""
+        return tuple(name for name in self.of.names(mechanism) if self.fits(mechanism, name))
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether a subject of its kind has the quantity; by default True."""
+        del mechanism, name
+        return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Whether it is worth asking of one subject, as friction is on a rough face; so by default."""
