@@ -20,6 +20,7 @@ class Quantity(ABC):
         name, unit, symbol: the unit is canonical SI, the symbol one letter.
         of: the kind of subject that it belongs to.
         vector: whether it has three components, in room coordinates.
+        along: whether it is a number whose sign refers to a direction of its subject, as an extension's to *stretched*.
 
     How it is phrased; a quantity without words is recorded, but never asked. Templates name the subject by its
     slot, ``{body}``, and may use what it fills besides, such as ``{ground}``:
@@ -56,6 +57,7 @@ class Quantity(ABC):
     symbol: ClassVar[str]
     of: ClassVar[Subject]
     vector: ClassVar[bool] = False
+    along: ClassVar[bool] = False
     magnitude: ClassVar[str] = ""
     over: ClassVar[str] = ""
     signed: ClassVar[str] = ""
