@@ -33,9 +33,9 @@ class Option:
 
 
 def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
-    """Return a scene of an entity with all ports closed that must be, and each other port with a chance of one half.
+    """Return a scene of an entity whose ports are connected: each required one, and each other one at even odds.
 
-    `widely`: by any entity at all.
+    `widely`: to any entity, with bodies or without.
 
     Raises:
         SceneError: there is nothing to close a port with, or what was drawn does not fit.
@@ -75,9 +75,10 @@ class _Scene:
 
 
 def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
-    """Return all ways to close a port: if possible by entities with bodies if this one has none, else without.
+    """Return all ways to close a port of an entity class.
 
-    `widely`: to any entity.
+    An entity without bodies is joined to entities with bodies, and one with bodies to entities without, where there
+    are such ways. `widely`: to any entity.
     """
     port = outer_ports(cls)[name]
     found = list(_passed(port) if isinstance(port, Pass) else _ended(port))
@@ -87,7 +88,7 @@ def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Opti
 
 
 def _ended(port: Port) -> Iterator[Option]:
-    """Yield the connections from this port to another one, or from there to it if only that is allowed."""
+    """Yield the connections between this port and another entity's, which comes first only if this one may not."""
     for kind in CONNECTIONS.values():
         for partner, other in _ends():
             if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):
@@ -97,7 +98,7 @@ def _ended(port: Port) -> Iterator[Option]:
 
 
 def _passed(port: Port) -> Iterator[Option]:
-    """Yield the connections from one end to another that pass through this port."""
+    """Yield the connections from another entity through this port to a third one, as of a string over a pulley."""
     for kind in CONNECTIONS.values():
         if kind.admits(port, 1, 2):
             first = [end for end in _ends() if kind.admits(outer_ports(end[0])[end[1]], 0, 2)]

@@ -109,14 +109,14 @@ class Projectile(Entity):
 
     @property
     def _velocity(self) -> tuple[float, float]:
-        """Return the horizontal and vertical velocity at the start, m/s."""
+        """Return the ball's initial velocity, m/s: the horizontal component, and the vertical one, positive upwards."""
         speed, angle = self.speed or 0.0, radians(self.angle or 0.0)
         ahead = cos(angle) if self.angle != STRAIGHT else 0.0  # which rounding would leave a little of
         return speed * ahead, speed * sin(angle) * (1.0 if self.side == "above" else -1.0)
 
     @property
     def _rise(self) -> float:
-        """The vertical velocity at the start, m/s."""
+        """Return the vertical component of the ball's initial velocity, m/s, positive upwards."""
         return self._velocity[1]
 
     def horizon(self, gravity: float) -> float | None:

@@ -29,11 +29,11 @@ _COUNTED = "one two three four five six seven eight nine ten eleven twelve"
 _PARTS = {"half": 2, "third": 3, "quarter": 4, "fifth": 5, "tenth": 10}
 _PLAIN = {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
 _SHARES = {
-    f"{word} {part}{'s' if word != 'a' else ''} of {article}": str(Decimal(count) / size)
-    for word, count in ({"a": "1"} | _PLAIN).items()
+    f"{word} {part}{'s' if count > 1 else ''} of {article}": str(Decimal(count) / size)
+    for count, word in enumerate(("a", *_COUNTED.split(" ")[1:]), start=1)
     for part, size in _PARTS.items()
     for article in ("a", "an")
-    if Decimal(count) < size and (part != "half" or word == "a") and word != "one"
+    if count < size
 }
 _HALVES = {"half a": "0.5", "half an": "0.5"}
 _SMALL = _SHARES | _HALVES | _PLAIN

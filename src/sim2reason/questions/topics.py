@@ -17,8 +17,8 @@ from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
 AXES = "x", "y", "z"
-STRAIN = ".strain.by"  # how far one of an entity's springs is stretched or compressed at first, as its start tells
-SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: times one, and, in m, where there is none
+STRAIN = ".strain.by"  # path of the number that tells how far a spring is stretched or compressed at the start
+SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: a factor, and values in m for a relaxed spring
 SAME = 1e-6  # relative, and in SI units: answers that differ by less are one
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
@@ -68,9 +68,10 @@ def _has_slackened(question: Question, study: Study) -> bool:
 
 
 def depends_on_start(query: Query, study: Study) -> bool:
-    """Return whether a query is about a motion that begins in one way, or springs strained at first decide its answer.
+    """Return whether the answer to a query depends on how the motion starts, or on the initial strain of springs.
 
-    Between two walls these push and pull at rest, too, with forces that hang on how long the springs are by themselves.
+    Springs between two walls exert forces in equilibrium, too. These depend on the natural lengths, which a text tells
+    by the initial strain.
     """
     kind = KINDS[query.kind]
     if kind.of_motion(query):
@@ -82,7 +83,7 @@ def depends_on_start(query: Query, study: Study) -> bool:
 
 
 def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
-    """Other values of how far a spring is strained at first, even where it is not."""
+    """Yield other initial strains of each spring, by the path of the number; a relaxed spring is strained a little."""
     for parameter in scene.parameters:
         if parameter.path.endswith(STRAIN):
             values = (SHIFTED * parameter.value,) if parameter.value else FROM_NONE
@@ -90,7 +91,7 @@ def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
 
 
 def _depends_on_start(question: Question, study: Study) -> bool:
-    """Whether the answer does."""
+    """Return whether the answer to a question depends on the start of the motion."""
     return depends_on_start(question.query, study)
 
 

@@ -18,12 +18,12 @@ class Hands(Subject):
         return tuple(line.name for line in mechanism.pulls)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return *the hand* for the only hand; empty if there are several."""
+        """Return the phrase *the hand* for the only hand; no phrases for several, which it would not tell apart."""
         del mentions
         names = self.names(mechanism)
         return {names[0]: "the hand"} if len(names) == 1 else {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return True: nothing else must be known."""
+        """Return True, since a question about a hand needs no number of the text."""
         del need, mechanism, name, said
         return True

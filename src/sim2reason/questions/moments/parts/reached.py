@@ -31,7 +31,7 @@ class Reached(Happening):
 
     target: Target
     given: StatedResult
-    number: int = 1  # 2 for the second time, from whichever side
+    number: int = 1  # 2 for the second time that it passes through the value, up or down
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
@@ -109,14 +109,14 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     The subject and the axis may be left out: then they are those of the question.
     """
     left, equals, right = said.partition("=")
-    left, _, along = left.partition(" along ")
+    left, _, along = (part.strip() for part in left.partition(" along "))
     if not equals:
         raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
     known = quantities_named(words.mechanism)
-    longest = max((name for name in known if f"{left.strip()} ".startswith(f"{name} ")), key=len, default="")
-    name, of = (longest, left.strip().removeprefix(longest)) if longest else left.partition(" of ")[::2]
-    find, of = one_of(place, name.strip(), known), of.strip().removeprefix("of ")
-    named = replace(asked, find=find, of=of.strip() or asked.of, along=along.strip() or asked.along)
+    names = (name for name in known if f"{left} ".startswith(f"{name} of ") or left == name)  # which may hold an *of*
+    name = max(names, key=len, default=left.partition(" of ")[0])
+    find, of = one_of(place, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
+    named = replace(asked, find=find, of=of or asked.of, along=along or asked.along)
     target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))
 
