@@ -67,7 +67,7 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
 
 
 def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
-    """Return whether a sentence's number surely is that of a form: it is beside the same word, or of a list of bodies."""
+    """Return whether a sentence's number surely is that of a form: beside the same word, or in a list of bodies."""
     listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
     return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
 

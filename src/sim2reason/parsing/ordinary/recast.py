@@ -109,7 +109,7 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
 
 
 def _known(sentence: str) -> list[tuple[str, float]] | None:
-    """Return the library's wordings of a clause; [] for a clause such as *it starts from rest*, None without wordings."""
+    """Return the library's wordings of a clause; [] for one such as *it starts from rest*, None without wordings."""
     forms = same(sentence)
     if any(form.text in RESTS for form in forms):
         return []

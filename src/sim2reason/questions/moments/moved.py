@@ -81,7 +81,7 @@ class Moved(DistanceThreshold):
         )
 
     def told(self, words: Words, said: str) -> str:
-        """Return a clause with the distance `said`: *A has moved $d$*, *A is the distance $d$ from its starting point*."""
+        """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
         return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has moved {said}'}"
 
