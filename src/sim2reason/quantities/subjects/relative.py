@@ -22,7 +22,7 @@ class RelativeBodies(Subject):
         return tuple(AND.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return no phrases: only structured questions are about pairs; a sentence with two bodies is about each of them."""
+        """Return no phrases: only structured questions are about pairs; a sentence with two bodies is about each."""
         del mechanism, mentions
         return {}
 
