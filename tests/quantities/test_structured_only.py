@@ -113,3 +113,11 @@ def test_an_energy_has_no_direction() -> None:
         posed(StructuredQuestion("spring energy", "", "at 0.1 s", "stretched"), motion, words)
     pushes = posed(StructuredQuestion("spring force", "", "at start", "stretched"), motion, words).followed(motion)
     assert pushes.answer == pytest.approx(-133.0 * 0.14)
+
+
+def test_a_subject_stands_after_of() -> None:
+    """Otherwise it would be taken for a part of the quantity's name."""
+    scene = load(SCENES / "lob.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    with pytest.raises(TextError, match="height above the start the ball"):
+        posed(StructuredQuestion("time", "", "height above the start the ball = 0.5 m"), motion, words)
