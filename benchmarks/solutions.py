@@ -8,8 +8,8 @@ Then every line of the bar, figure against bar, by difficulty: how many have a s
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
 (each number 7 % larger, each sign turned, a few of each text), whether it is graded right as an answer, how long it is,
 and how long it takes. Each solution is recomputed from its data, in which then faults are planted: how many of each
-kind are refused; `sim2reason.testing.solutions.planted` says how they are counted. With `events` for KEPT, problems
-are hard ones in whose motion an event precedes what is asked, and ITEMS of them are looked at.
+kind are refused; `sim2reason.testing.solutions.planted` says how they are counted. With `events` for KEPT, ITEMS
+hard problems are looked at in which an event, such as a collision, precedes what is asked.
 """
 
 import random
@@ -107,7 +107,7 @@ def requests(seed: int, recipes: list[str], modes: list[str], units: str, kept: 
 
 
 def problems(requested: Iterator[Request], kept: str) -> Iterator[list[Solved]]:
-    """Yield the problem of each request, as a list of its parts; with `EVENTS`, of those that have an event alone."""
+    """Yield the parts of each requested problem; with `EVENTS`, only of problems in which an event precedes a part."""
     for request in requested:
         held = list(solved(request))
         if kept != EVENTS or any(forward(part.setting).story for part in held):
@@ -156,7 +156,7 @@ def main(
 ) -> int:
     """Print the figures; exit code 1 if a line of the bar is not kept."""
     names = recipes.split(",") if recipes else list(RECIPES)
-    count: dict[str, Counter[str]] = defaultdict(Counter)
+    outcomes: dict[str, Counter[str]] = defaultdict(Counter)
     why, rng = Counter[tuple[str, str, str]](), random.Random(seed)
     tallies = {difficulty: Tally() for difficulty in DIFFICULTIES}
     drawn = islice(problems(requests(seed, names, modes.split(","), units, kept), kept), items)
@@ -167,16 +167,16 @@ def main(
         tally.times.append(time.process_time() - begin)
         tally.count["asked"] += 1
         if held.solution.answer is None:
-            count[recipe]["none"] += 1
+            outcomes[recipe]["none"] += 1
             why[recipe, setting.query.kind, held.solution.reason[:160]] += 1
             continue
         wrong = [*_wrong(held, tally), *_reading(held.item, held.solution, tally, rng)]
         wrong += _recomputed(forward(setting), held.solution, tally, rng)
-        count[recipe]["faulty" if wrong else held.solution.strategy] += 1
+        outcomes[recipe]["faulty" if wrong else held.solution.strategy] += 1
         for fault in wrong:
             print(f"{held.item.id} {setting.query.kind}: {fault}", flush=True)
     for recipe in names:
-        print(f"{recipe:16} {dict(count[recipe])}")
+        print(f"{recipe:16} {dict(outcomes[recipe])}")
     for held, times_said in why.most_common(40):
         print(f"{times_said:4} {': '.join(held)}")
     return _tell(tallies)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.posing import posed
@@ -102,3 +103,21 @@ def test_bodies_that_do_not_attract_have_a_distance_where_both_move_freely_in_a_
     """Two such bodies have a distance, as two planets do."""
     at_start = found("two_planets", "distance", "system.planets.0 & system.planets.1", "at start")
     assert at_start == pytest.approx(sqrt(0.37**2 + 0.58**2), rel=1e-9)
+
+
+def test_an_energy_has_no_direction() -> None:
+    """The force and the extension of a spring have a sign, *along stretched*; its energy has none."""
+    scene = load(SCENES / "compressed_trolley.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    with pytest.raises(TextError, match="no components"):
+        posed(StructuredQuestion("spring energy", "", "at 0.1 s", "stretched"), motion, words)
+    pushes = posed(StructuredQuestion("spring force", "", "at start", "stretched"), motion, words).followed(motion)
+    assert pushes.answer == pytest.approx(-133.0 * 0.14)
+
+
+def test_a_subject_stands_after_of() -> None:
+    """Otherwise it would be taken for a part of the quantity's name."""
+    scene = load(SCENES / "lob.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    with pytest.raises(TextError, match="height above the start the ball"):
+        posed(StructuredQuestion("time", "", "height above the start the ball = 0.5 m"), motion, words)

@@ -14,6 +14,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import MOMENTS
 from sim2reason.questions.choices import pick
 from sim2reason.questions.following import motion_of
+from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
@@ -94,10 +95,12 @@ def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts:
 
 
 def test_recipes_ask_none_of_it() -> None:
-    """Recipes never draw moments and quantities that are marked as not drawn."""
+    """Recipes never draw quantities that are marked as not drawn; the moments and functionals so marked are these."""
     words = words_of(describe(ramp(2.0, 30.0)))
     spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
     assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}
     assert pick(spared, np.random.default_rng(0)) is None
     people = {"fastest", "lifted_off", "returned", "top_after_bounce"}
     assert {name for name, cls in MOMENTS.items() if not cls.drawn_by_recipes} == people
+    undrawn = {name for name, held in FUNCTIONALS.items() if not held.drawn_by_recipes}
+    assert undrawn == {"amplitude", "greatest spring force"}

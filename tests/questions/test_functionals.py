@@ -360,6 +360,7 @@ def test_every_sentence_is_parsed_back(case: Case) -> None:
         (towed().told, "impulse of a tension", "floor.rope", AtTime(0.9)),  # that of a jerk is none of a tension
         (motions.rocket().told, "greatest speed", "pad.rocket", WholeMotion()),  # which never returns
         (dashpot().told, "greatest compression", "bench.spring", WholeMotion()),
+        (told(atwood()), "amplitude", "one.system.blocks.0", AtTime(0.7)),  # it never turns back
     ],
 )
 def test_what_no_smooth_top_decides_has_no_answer(made: Made, name: str, subject: str, moment: Moment) -> None:

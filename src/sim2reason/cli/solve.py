@@ -57,8 +57,8 @@ Example:
 )
 @click.option(
     "--compare",
-    help="How a changed answer, or a number found, is told: as a ratio, difference or value."
-    " By default a change is a ratio.",
+    help="Tell a changed answer, or a number that is found, as its ratio to that of the scene, as the difference"
+    " or as its value. By default a ratio with --change, a value otherwise.",
     metavar="[ratio|difference|value]",
     default="",
 )
@@ -94,7 +94,7 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
 
 
 def _text(path: Path) -> str:
-    """Return the text of a scene file; the error for a missing file says how to solve the problem of an id."""
+    """Return the text of a scene file; FileNotFoundError names `--id`, in case the user means the id of a problem."""
     try:
         return source.text(path)
     except FileNotFoundError as error:

@@ -91,12 +91,12 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
 
 
 def unseen(done: int) -> None:
-    """Do nothing as positions are finished; the default of `advance`."""
+    """Ignore the number of finished positions; the function called if the caller gives no `advance`."""
     del done
 
 
 def unwatched(attempt: Attempt) -> None:
-    """Do nothing after an attempt to make an item; the default of `watch`."""
+    """Ignore an attempt to make an item; the function called if the caller gives no `watch`."""
     del attempt
 
 

@@ -32,13 +32,13 @@ A question has **parts**: what to `find`, `of` what, and `when`.
   first time that it has that value (`QUANTITY of SUBJECT along AXIS = VALUE`, in full); `equilibrium`. `before` after
   a moment is the instant just before it.
 - `along`: a component, by its axis, or by what is positive.
-- `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`. Of several values
-  that do, `QUANTITY = VALUE, least` is the least.
-- `change`: `ADDRESS = VALUE`, `ADDRESS × 2`, `BODY fixed`, or several of these with commas: by what factor, or by how
-  much (`compare`), that changes what is found; with `compare: value`, what is found then. A number that is found may be
-  compared, too, with the one that the scene has;
-  `ADDRESS = greatest` finds its extreme value, `ADDRESS = infinity` or `0` what it approaches as a mass grows or
-  vanishes.
+- `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`. If several values
+  of the number do, `QUANTITY = VALUE, least` takes the least of them, `greatest` the greatest.
+- `change`: `ADDRESS = VALUE`, `ADDRESS × 2`, `BODY fixed`, or several of these with commas between them: the factor by
+  which the change multiplies what is found. `ADDRESS = greatest` or `least` finds the extreme value that it can have,
+  `ADDRESS = infinity` or `0` the value that it approaches as a mass grows or vanishes.
+- `compare`: what a `change` tells: the `ratio` to what is found without it, the `difference` from that, or the `value`
+  itself. A number found by `given` is a `value` by default, and may be compared with the one of the scene, too.
 
 A **sentence** is one writing of the same. Besides those of the tables, ordinary English is read: *How far does the
 block slide before it stops?* A sentence with a word that is not understood, or with two readings whose answers differ,

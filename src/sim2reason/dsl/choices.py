@@ -13,7 +13,7 @@ SPECIAL = 0.2  # the chance of a value that a word tells, such as smooth or hori
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
-    """Return random choices for one draw of a class and of all that it may hold."""
+    """Return random choices for one draw of a class and of all classes that it may hold."""
     found = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
@@ -24,7 +24,7 @@ def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
 
 
 def chances(cls: type[Model]) -> dict[str, Choice]:
-    """Return the chance of each optional field of a class and of all that it may hold."""
+    """Return the chance that each optional field has a value, of a class and of all classes that it may hold."""
     return {
         f"{model.__name__}.{name}?": OPTIONAL
         for model in reachable(cls)

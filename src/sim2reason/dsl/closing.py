@@ -33,9 +33,9 @@ class Option:
 
 
 def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
-    """Return a scene of an entity with all ports closed that must be, and each other port with a chance of one half.
+    """Return a scene of an entity whose ports are connected: each required one, and each other one at even odds.
 
-    `widely`: by any entity at all.
+    `widely`: to any entity, with bodies or without.
 
     Raises:
         SceneError: there is nothing to close a port with, or what was drawn does not fit.

@@ -87,7 +87,7 @@ class Hidden:
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """Symbol and name of a number for scenes that also give an optional one: µ_k instead of µ where µ_s is given."""
+    """Symbol and name of a number in scenes that give another, optional number, too: µ_k instead of µ beside µ_s."""
 
     field: str
     symbol: str

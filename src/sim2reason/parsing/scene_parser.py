@@ -90,7 +90,7 @@ class _Readings:
 
     @property
     def unsaid(self) -> list[str]:
-        """Return the names of closings whose absence is all that some reading lacks."""
+        """Return the names of the closing sentences, such as *rest*, whose absence is why a reading was refused."""
         return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
 
     @property
@@ -112,7 +112,7 @@ class _Readings:
 
 
 def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
-    """Return the scene of a text whose sentences say the same as sentences of the library; None if there is none."""
+    """Return the scene of a text in ordinary English, recast in the library's sentences; None if there is none."""
     for first in recast(said):
         waiting = [first]
         for told in waiting:  # grows as it is walked through

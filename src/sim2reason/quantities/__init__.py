@@ -20,6 +20,7 @@ class Quantity(ABC):
         name, unit, symbol: the unit is canonical SI, the symbol one letter.
         of: the kind of subject that it belongs to.
         vector: whether it has three components, in room coordinates.
+        along: whether it is a number whose sign refers to a direction of its subject, as an extension's to *stretched*.
 
     How it is phrased; a quantity without words is recorded, but never asked. Templates name the subject by its
     slot, ``{body}``, and may use what it fills besides, such as ``{ground}``:
@@ -56,6 +57,7 @@ class Quantity(ABC):
     symbol: ClassVar[str]
     of: ClassVar[Subject]
     vector: ClassVar[bool] = False
+    along: ClassVar[bool] = False
     magnitude: ClassVar[str] = ""
     over: ClassVar[str] = ""
     signed: ClassVar[str] = ""
@@ -109,8 +111,13 @@ class Quantity(ABC):
         """Its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """The names that `evaluate` takes, in the order of the mechanism."""
-        return self.of.names(mechanism)
+        """Return the names that `evaluate` takes, in the order of the mechanism: those of its kind that fit."""
+        return tuple(name for name in self.of.names(mechanism) if self.fits(mechanism, name))
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether a subject of its kind has the quantity; by default True."""
+        del mechanism, name
+        return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Whether it is worth asking of one subject, as friction is on a rough face; so by default."""

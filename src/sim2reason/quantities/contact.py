@@ -51,7 +51,7 @@ class FrictionForce(Quantity):
 
 @quantity
 class FrictionNeeded(Quantity):
-    """The ratio of friction to normal force, which the coefficient of static friction must exceed to prevent slipping.
+    """The least coefficient of static friction that prevents slipping: the friction force over the normal force.
 
     It is used in structured questions only, and never drawn by recipes.
     """
@@ -61,13 +61,13 @@ class FrictionNeeded(Quantity):
     drawn_by_recipes = False
     floor = 0.1
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that lie on a rough face, be it as rough as is needed."""
-        return tuple(name for name in self.of.names(mechanism) if mechanism.contacts[name].friction > 0.0)
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the face is rough."""
+        return mechanism.contacts[name].friction > 0.0
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """|f| / N, (n,); infinite where nothing presses the body on its face."""
+        """Return |f| / |N|, (n,); zero without friction, infinite where friction acts without a normal force."""
         pressed = np.abs(state.normal[subject])
         ratio = np.divide(
             np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0

@@ -25,9 +25,9 @@ class ElectricPotentialEnergy(Quantity):
     floor, heavy = 0.1, True
     panel, pooled, order = "energy", True, 9
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies on which forces with a potential act everywhere, and of their kind no others."""
-        return tuple(name for name in self.of.names(mechanism) if self.present(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether electric forces act on the body, and all of them have a potential everywhere."""
+        return self.present(mechanism, name)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Whether all such forces on it are static, without curl, and in no region, whose border would have one."""

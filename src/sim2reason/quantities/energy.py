@@ -79,9 +79,9 @@ class RotationalEnergy(EnergyOfTurning):
     magnitude = "the rotational kinetic energy of {body} about its centre of mass"
     order = 7
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies that turn and have a moment of inertia."""
-        return tuple(name for name in self.of.names(mechanism) if self.present(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body turns and has a moment of inertia."""
+        return self.present(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

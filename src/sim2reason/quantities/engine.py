@@ -16,10 +16,9 @@ class OfEngine(Quantity):
     drawn_by_recipes = False
     floor = 0.1
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies with a single engine."""
-        burning = [burn.body for burn in mechanism.burns]
-        return tuple(name for name in self.of.names(mechanism) if burning.count(name) == 1)
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a single engine."""
+        return [burn.body for burn in mechanism.burns].count(name) == 1
 
 
 @quantity
@@ -44,12 +43,12 @@ class ThrustPower(OfEngine):
     heavy, order = True, 22
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body burns fuel."""
-        return name in self.subjects(mechanism)
+        """Return whether the body has a single engine."""
+        return self.fits(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """In W, (n,); zero after burnout."""
+        """Return the power in W, (n,); zero after burnout."""
         along = Velocity.evaluate(state, subject) @ np.array(_burn(state.mechanism, subject).direction)
         return Thrust.evaluate(state, subject) * along
 
@@ -75,7 +74,7 @@ class FuelLeft(OfEngine):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """All of the fuel less what has been burnt, (n,)."""
+        """Return the fuel at the start less the fuel burnt since then, in kg, (n,)."""
         burn = _burn(state.mechanism, subject)
         return burn.rate * burn.until - FuelBurnt.evaluate(state, subject)
 

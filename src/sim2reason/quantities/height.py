@@ -1,4 +1,4 @@
-"""The height of a body above the ground, in scenes with a ground, and above its start."""
+"""The height of a body above the ground, in scenes with a ground, and above its starting point."""
 
 from math import inf
 
@@ -32,15 +32,14 @@ class Height(Quantity):
         gap = next(met for met in mechanism.meetings if met.a is None and met.names == (subject,))
         return state.vector(state.frames.center(subject).place) @ np.array(gap.normal) - gap.distance
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that fall to the ground or bounce off the ground."""
-        names = self.of.names(mechanism)
-        return tuple(name for name in names if _falling(mechanism, name) is not None or _bounces(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body falls to the ground or bounces off the ground."""
+        return _falling(mechanism, name) is not None or _bounces(mechanism, name)
 
 
 @quantity
 class HeightAboveStart(Quantity):
-    """How much higher a body is than it was at the start, whatever its path; never drawn."""
+    """The height of a body above its starting point; used in structured questions only, never drawn by recipes."""
 
     name, unit, symbol = "height above the start", "m", "h"
     of = Bodies()
@@ -52,10 +51,9 @@ class HeightAboveStart(Quantity):
         """Return the vertical displacement of the centre of mass in m, (n,)."""
         return Displacement.evaluate(state, subject)[:, 2]
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that can go up or down under gravity."""
-        names = self.of.names(mechanism) if mechanism.gravity != ZERO else ()
-        return tuple(name for name in names if center_path(mechanism, name).rises)
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether there is gravity and the body can move up or down."""
+        return mechanism.gravity != ZERO and center_path(mechanism, name).rises
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:

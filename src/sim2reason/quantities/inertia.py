@@ -101,7 +101,7 @@ class InertiaAboutAxle(AboutCenter):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """n·I n + m d², with the distance d of the centre of mass from the axle, (n,)."""
+        """Return n·I n + m d² in kg m², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
         held = product(axis, applied(mechanism.body[subject].inertia, axis))
@@ -110,36 +110,26 @@ class InertiaAboutAxle(AboutCenter):
         across = np.cross(arm, np.array(axis))
         return held + mechanism.body[subject].mass * np.einsum("ij,ij->i", across, across)
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that turn about one fixed hinge."""
-        named = (name for name in self.of.names(mechanism) if mechanism.body[name].mass)
-        return tuple(name for name in named if len(turning_axes(mechanism, name)) == 1 and _on_axle(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a mass and turns about one fixed hinge."""
+        return mechanism.body[name].mass > 0.0 and _on_axle(mechanism, name)
 
 
 def _on_axle(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body can turn about one hinge and cannot move otherwise."""
     kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"]
 
 
 @quantity
-class InertiaAboutAxis(AboutCenter):
-    """The moment of inertia of a round body about its axis, on which its centre of mass need not lie; never drawn."""
+class InertiaAboutAxis(InertiaAboutAxle):
+    """The moment of inertia of a round body on a face about its axis, on which its centre of mass need not lie.
 
-    name, unit, symbol = "moment of inertia about the axis", "kg m^2", "I"
-    vector = False
-    drawn_by_recipes = False
+    It is used in structured questions only, and never drawn by recipes.
+    """
 
-    @staticmethod
-    def evaluate(state: State, subject: str) -> Array:
-        """n·I n + m d², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
-        body = state.mechanism.body[subject]
-        _, axis = turning_axes(state.mechanism, subject)[0]
-        across = np.cross(np.array(body.center), np.array(axis))
-        return np.full(
-            len(state.times), product(axis, applied(body.inertia, axis)) + body.mass * float(across @ across)
-        )
+    name = "moment of inertia about the axis"
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that stand on a face and have a hinge of their own."""
-        named = (name for name in self.of.names(mechanism) if name in mechanism.contacts)
-        return tuple(name for name in named if any(c.kind == "hinge" for c in mechanism.body[name].coordinates))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body lies on a face and has a hinge of its own."""
+        return name in mechanism.contacts and any(c.kind == "hinge" for c in mechanism.body[name].coordinates)

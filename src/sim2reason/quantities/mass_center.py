@@ -1,4 +1,4 @@
-"""The motion of the centre of mass of everything, for questions of people: recipes do not ask for it."""
+"""Motion of the centre of mass of all bodies; used in structured questions only, never drawn by recipes."""
 
 import numpy as np
 
@@ -20,15 +20,15 @@ class MassCenterVelocity(Quantity):
     needs = ("mass",)
     floor = 0.1
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the only name there is, or none."""
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether there are several bodies with a mass and all of them can move."""
+        del name
         heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
-        together = len(heavy) > 1 and all(moves(mechanism, name) for name in heavy)
-        return self.of.names(mechanism) if together else ()
+        return len(heavy) > 1 and all(moves(mechanism, each) for each in heavy)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Σ m v / Σ m, (n, 3)."""
+        """Return Σ m v / Σ m in m/s, (n, 3)."""
         del subject
         mass, momentum = np.zeros((len(state.times), 1)), np.zeros((len(state.times), 3))
         for body in state.mechanism.bodies:

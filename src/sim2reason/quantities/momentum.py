@@ -65,9 +65,9 @@ class AboutCenter(Quantity):
     weight = 0.4
     floor, heavy = 0.01, True
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies with a moment of inertia."""
-        return tuple(name for name in self.of.names(mechanism) if any(mechanism.body[name].inertia))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a moment of inertia."""
+        return any(mechanism.body[name].inertia)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body has a moment of inertia and is not part of a larger rigid body."""

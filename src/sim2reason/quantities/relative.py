@@ -10,55 +10,57 @@ from sim2reason.quantities.subjects.paths import rides
 
 
 class OfRider(Quantity):
-    """A quantity of a body that slides along one line on a body that moves without turning."""
+    """Base class of quantities of a body that slides along one line on a body that moves without turning."""
 
     of = Bodies()
     drawn_by_recipes = False
     floor = 0.1
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies."""
-        return tuple(name for name in self.of.names(mechanism) if rides(mechanism, name) and _slides(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body slides along one line on a body that moves without turning."""
+        return rides(mechanism, name) and _slides(mechanism, name)
 
 
 @quantity
 class RiderDisplacement(OfRider):
-    """How far a body has gone along what carries it."""
+    """The displacement of a body relative to the body that carries it."""
 
     name, unit, symbol = "displacement relative to its carrier", "m", "s"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """q, which is zero at the start, (n,)."""
-        return np.asarray(state.q[:, _number(state.mechanism, subject)])
+        """Return q in m, which is zero at the start, (n,)."""
+        return _own(state.q, state, subject)
 
 
 @quantity
 class RiderVelocity(OfRider):
-    """How fast a body goes along what carries it."""
+    """The velocity of a body relative to the body that carries it."""
 
     name, unit, symbol = "speed relative to its carrier", "m/s", "v"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """q̇, (n,)."""
-        return np.asarray(state.v[:, _number(state.mechanism, subject)])
+        """Return q̇ in m/s, (n,)."""
+        return _own(state.v, state, subject)
 
 
 @quantity
 class RiderAcceleration(OfRider):
-    """The acceleration of a body along what carries it, relative to that."""
+    """The acceleration of a body relative to the body that carries it."""
 
     name, unit, symbol = "acceleration relative to its carrier", "m/s^2", "a"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """q̈, (n,)."""
-        return np.asarray(state.a[:, _number(state.mechanism, subject)])
+        """Return q̈ in m/s², (n,)."""
+        return _own(state.a, state, subject)
 
 
-def _number(mechanism: Mechanism, name: str) -> int:
-    return mechanism.number[mechanism.body[name].coordinates[0].name]
+def _own(values: Array, state: State, name: str) -> Array:
+    """Return the column of a body's only coordinate, (n,), in the values of all coordinates, (n, coordinates)."""
+    mechanism = state.mechanism
+    return np.asarray(values[:, mechanism.number[mechanism.body[name].coordinates[0].name]])
 
 
 def _slides(mechanism: Mechanism, name: str) -> bool:

@@ -54,22 +54,17 @@ class AngularAcceleration(Quantity):
 
 
 class Angle(Quantity):
-    """What angles about one axis share."""
+    """Base class of angles of a body that turns about parallel axes, so that the angles about them add up."""
 
     of = TurningBodies()
-
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies that turn about parallel axes, so that their angles add up."""
-        names = self.of.names(mechanism)
-        return tuple(name for name in names if _about_one_axis(mechanism, name) and self.fits(mechanism, name))
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Whether it has one axis."""
         return name in self.subjects(mechanism)
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether a body turns in the way that this angle is of."""
-        raise NotImplementedError
+        """Return whether all axes about which the body turns are parallel."""
+        return _about_one_axis(mechanism, name)
 
 
 @quantity
@@ -85,8 +80,8 @@ class AngleTurned(Angle):
     panel, order = "angle turned", 0
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """What swings rather than rolls."""
-        return not _rolls(mechanism, name)
+        """Return whether the body swings rather than rolls."""
+        return super().fits(mechanism, name) and not _rolls(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -109,8 +104,8 @@ class AngleRolled(Angle):
     panel, order = "angle turned", 0
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """What rolls."""
-        return _rolls(mechanism, name)
+        """Return whether the body rolls."""
+        return super().fits(mechanism, name) and _rolls(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -126,11 +121,6 @@ class Revolutions(Angle):
     drawn_by_recipes = False
     floor, least = 0.1, 1e-3
     from_start = True
-
-    def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return True: the number of turns is defined for everything that turns."""
-        del mechanism, name
-        return True
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

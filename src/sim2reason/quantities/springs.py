@@ -20,7 +20,7 @@ class Extension(Quantity):
     """The length of a spring less its natural length: negative where it is compressed."""
 
     name, unit, symbol = "extension", "m", "x"
-    of = Springs()
+    of, along = Springs(), True
     magnitude = "the amount by which {spring} is stretched or compressed"
     how = "by how much is {spring} stretched or compressed {when}?"
     indirect = "by how much {spring} is stretched or compressed"
@@ -61,7 +61,7 @@ class ExtensionRate(Quantity):
     """The rate at which a spring grows longer."""
 
     name, unit, symbol = "extension rate", "m/s", "u"
-    of = Springs()
+    of, along = Springs(), True
     magnitude = "the magnitude of the rate at which the length of {spring} changes"
     how = "how fast is the length of {spring} changing {when}?"
     given = True
@@ -80,7 +80,7 @@ class SpringForce(Quantity):
     """The force of a spring, positive where it pulls; that of its damping included."""
 
     name, unit, symbol = "spring force", "N", "F"
-    of = Springs()
+    of, along = Springs(), True
     magnitude = "the magnitude of the force exerted by {spring}"
     how = "how large is the force exerted by {spring} {when}?"
     needs = ("stiffness",)

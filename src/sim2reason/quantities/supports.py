@@ -1,4 +1,4 @@
-"""What supports bear: the force of strings on a pulley, and that of what turns on its axle. Recipes ask for neither."""
+"""Forces between supports and what they hold; used in structured questions only, never drawn by recipes."""
 
 from collections.abc import Collection
 
@@ -17,19 +17,26 @@ from sim2reason.quantities.subjects.pulleys import Pulleys
 from sim2reason.quantities.subjects.turners import TurningBodies
 
 
-@quantity
-class PulleyForce(Quantity):
-    """The resultant force of the strings that run over a pulley on it, which of a light one its axle bears."""
+class SupportForce(Quantity):
+    """Base class of forces between a support, such as an axle, and what it holds."""
 
-    name, unit, symbol = "force on a pulley", "N", "F"
-    of, vector = Pulleys(), True
+    unit, symbol = "N", "F"
+    vector = True
     drawn_by_recipes = False
     needs = ("mass",)
     floor, heavy = 0.1, True
 
+
+@quantity
+class PulleyForce(SupportForce):
+    """The resultant force on a pulley of the strings that run over it; the axle of a massless pulley bears it."""
+
+    name = "force on a pulley"
+    of = Pulleys()
+
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Σ T along each part of a string that leaves the rim, (n, 3)."""
+        """Return Σ T along each part of a string that leaves the rim, in N, (n, 3)."""
         total = np.zeros((len(state.times), 3))
         for line in state.mechanism.lines:
             for one, other in zip(line.through, line.through[1:], strict=False):
@@ -43,31 +50,28 @@ class PulleyForce(Quantity):
 
 
 class AxleLoads(TurningBodies):
-    """What turns about an axle, of all of which the text gives what a quantity needs."""
+    """Every body that a hinge turns, for the force on its axle, to which all that turns about the axle adds."""
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """What an axle bears comes from everything that is there."""
+        """Return whether the text gives it for every body that has it, since each may load the axle."""
         del name
         return all_said(need, mechanism, said)
 
 
 @quantity
-class AxleForce(Quantity):
-    """The force of what turns about a fixed axle on that axle, if nothing else than axle and weight acts on it."""
+class AxleForce(SupportForce):
+    """The force that a body on a fixed axle exerts on the axle, where only the axle and gravity act on the body."""
 
-    name, unit, symbol = "force on the axle", "N", "F"
-    of, vector = AxleLoads(), True
-    drawn_by_recipes = False
-    needs = ("mass",)
-    floor, heavy = 0.1, True
+    name = "force on the axle"
+    of = AxleLoads()
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of what turns about a fixed axle, each part of it included."""
-        return tuple(name for name in mechanism.body if _held_by_axle_alone(mechanism, name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body is, or is part of, what turns about a fixed axle and is held by the axle alone."""
+        return _held_by_axle_alone(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Σ m (g − a) of all that turns together, (n, 3)."""
+        """Return Σ m (g − a) of all bodies that turn together, in N, (n, 3)."""
         total = np.zeros((len(state.times), 3))
         for body in carried_by(state.mechanism, chain(state.mechanism, subject)[-1].name):
             if body.mass:
@@ -78,7 +82,7 @@ class AxleForce(Quantity):
 
 
 def _held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body, with all that is joined to it, turns about one fixed axle, and nothing else holds it."""
+    """Return whether a body, with all bodies joined to it, turns about one fixed axle and touches nothing else."""
     if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
         return False
     together = carried_by(mechanism, chain(mechanism, name)[-1].name)
@@ -92,27 +96,24 @@ def _held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
 
 
 @quantity
-class GuideForce(Quantity):
+class GuideForce(SupportForce):
     """The horizontal force, in N, that a smooth vertical guide on an accelerating box exerts on the body in it."""
 
-    name, unit, symbol = "force of the guide", "N", "N"
-    of, vector = Bodies(), True
-    drawn_by_recipes = False
-    needs = ("mass",)
-    floor, heavy = 0.1, True
+    name, symbol = "force of the guide", "N"
+    of = Bodies()
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies in guides on bodies that slide on a level floor."""
-        return tuple(body.name for body in mechanism.bodies if _guided(mechanism, body.name))
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body slides in a vertical guide that is mounted on a body on a level floor."""
+        return _guided(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The level part of m a, as a string beside the guide pulls straight up, (n, 3)."""
+        """Return the horizontal part of m a in N, (n, 3); the other forces, a string's and gravity, are vertical."""
         return NetForce.evaluate(state, subject) * np.array((1.0, 1.0, 0.0))
 
 
 def _guided(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body slides up and down on a body that slides on the level, and lies on no face of it."""
+    """Return whether a body slides vertically along another one that slides horizontally, without lying on it."""
     body = mechanism.body[name]
     carrier = mechanism.body[body.parent] if body.parent is not None else None
     if carrier is None or name in mechanism.contacts:

@@ -20,15 +20,9 @@ class OfFreeBody(Quantity):
     of = Bodies()
     drawn_by_recipes = False
 
-    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies that have the quantity."""
-        free = (name for name in self.of.names(mechanism) if moves_in_plane(mechanism, name))
-        return tuple(name for name in free if self.fits(mechanism, name))
-
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether a body that moves freely in a plane has the quantity; by default True."""
-        del mechanism, name
-        return True
+        """Return whether the body moves freely in a plane."""
+        return moves_in_plane(mechanism, name)
 
 
 @quantity
@@ -39,8 +33,8 @@ class SlopeOfVelocity(OfFreeBody):
     floor = 1.0
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the plane is vertical, in a uniform field."""
-        return mechanism.gravity != ZERO and _upright(mechanism, name)
+        """Return whether the body moves freely in a vertical plane under uniform gravity."""
+        return super().fits(mechanism, name) and mechanism.gravity != ZERO and _upright(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -77,12 +71,12 @@ class RadiusOfPath(OfFreeBody):
     floor = 0.1
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether uniform magnetic fields alone act on a body."""
-        return _circles(mechanism, name)
+        """Return whether the body moves freely in a plane, and uniform magnetic fields alone act on it."""
+        return super().fits(mechanism, name) and _circles(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The radius of curvature, (n,), which is the same everywhere on a circle."""
+        """Return the radius of curvature in m, (n,), which is the same everywhere on a circle."""
         return CurvatureRadius.evaluate(state, subject)
 
 

@@ -50,7 +50,7 @@ def first_return(trace: Trace) -> float | None:
 
 
 def drift_return(trace: Trace) -> float | None:
-    """Return the time, s, at which everything but the place has its initial value again; None if places matter.
+    """Return the time, s, at which everything but the position first has its initial value again; else None.
 
     Then everything repeats itself elsewhere: all velocities, accelerations, angles and lengths. None if they do not
     return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
@@ -65,7 +65,7 @@ def drift_return(trace: Trace) -> float | None:
     same = max(SAME, ERRS * trace.tolerance)
 
     def excess(state: State) -> Array:
-        """Return the gain of velocity times the initial acceleration, (n,)."""
+        """Return the change of velocity since the start, projected on the initial acceleration and times it, (n,)."""
         return (state.v - start.v[0]) @ start.a[0]
 
     def alike(here: State) -> bool:

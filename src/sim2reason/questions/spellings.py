@@ -29,8 +29,8 @@ _COUNTED = "one two three four five six seven eight nine ten eleven twelve"
 _PARTS = {"half": 2, "third": 3, "quarter": 4, "fifth": 5, "tenth": 10}
 _PLAIN = {word: str(n) for n, word in enumerate(_COUNTED.split(" "), start=1)}
 _SHARES = {
-    f"{'a' if count == 1 else word} {part}{'s' if count > 1 else ''} of {article}": str(Decimal(count) / size)
-    for count, word in enumerate(_COUNTED.split(" "), start=1)
+    f"{word} {part}{'s' if count > 1 else ''} of {article}": str(Decimal(count) / size)
+    for count, word in enumerate(("a", *_COUNTED.split(" ")[1:]), start=1)
     for part, size in _PARTS.items()
     for article in ("a", "an")
     if count < size

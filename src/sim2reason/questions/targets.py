@@ -15,7 +15,6 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
 
@@ -118,7 +117,7 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     if quantity.sense is not None or not asked.along:
         return Target(quantity.name, name, quantity.sense)
     senses = quantity.of.senses(mechanism, name)
-    if not (quantity.vector or isinstance(quantity.of, Springs)) or not senses:
+    if not (quantity.vector or quantity.along) or not senses:
         raise TextError("along", f"{quantity.name} has no components here", "leave it out")
     return Target(quantity.name, name, sense_named("along", asked.along, senses))
 

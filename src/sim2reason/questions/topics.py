@@ -17,9 +17,8 @@ from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
 AXES = "x", "y", "z"
-STRAIN = ".strain.by"  # ends the paths of initial strains of springs
-SHIFTED = 0.9  # times a strain: another one
-FROM_NONE = 0.05, 0.01  # m: other strains of springs without one
+STRAIN = ".strain.by"  # path of the number that tells how far a spring is stretched or compressed at the start
+SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: a factor, and values in m for a relaxed spring
 SAME = 1e-6  # relative, and in SI units: answers that differ by less are one
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
@@ -69,9 +68,10 @@ def _has_slackened(question: Question, study: Study) -> bool:
 
 
 def depends_on_start(query: Query, study: Study) -> bool:
-    """Return whether the answer to a query depends on the state in which the motion begins.
+    """Return whether the answer to a query depends on how the motion starts, or on the initial strain of springs.
 
-    It also does where nothing moves, if springs hold each other strained, as those of a chain between two walls do.
+    Springs between two walls exert forces in equilibrium, too. These depend on the natural lengths, which a text tells
+    by the initial strain.
     """
     kind = KINDS[query.kind]
     if kind.of_motion(query):
@@ -83,7 +83,7 @@ def depends_on_start(query: Query, study: Study) -> bool:
 
 
 def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
-    """Yield other initial strains, in m, of each spring of a scene whose strain is a parameter."""
+    """Yield other initial strains of each spring, by the path of the number; a relaxed spring is strained a little."""
     for parameter in scene.parameters:
         if parameter.path.endswith(STRAIN):
             values = (SHIFTED * parameter.value,) if parameter.value else FROM_NONE
@@ -91,7 +91,7 @@ def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
 
 
 def _depends_on_start(question: Question, study: Study) -> bool:
-    """Return whether the answer to a question depends on the state in which the motion begins."""
+    """Return whether the answer to a question depends on the start of the motion."""
     return depends_on_start(question.query, study)
 
 

@@ -153,7 +153,7 @@ def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
 
 
 class _Share(NamedTuple):
-    """Contribution of pieces to the moment and to the inertia of an arm."""
+    """Contribution of pieces of an arm to Σ m x and to the moment of inertia about the axle."""
 
     moment: float  # m x, kg·m
     own: float  # moment of inertia about their own centres, kg·m²

@@ -13,9 +13,9 @@ from sim2reason.figures.scaled.setting import Setting
 from sim2reason.figures.scaled.stated import stated
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
 from sim2reason.figures.vectors import box
+from sim2reason.quantities.subjects.paths import rim_of
 
 WHEEL = 0.16  # units, the least radius of a pulley
-RIMS = (("left", "right"), ("in", "out"))  # the points where a string meets a pulley, of an entity and of a string
 ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # drawn where the mechanism shows them, not at a place of their own
 
 
@@ -45,8 +45,7 @@ def scaled(setting: Setting) -> Sketch:
 
 def _pulley(setting: Setting, address: str) -> Sketch:
     """A wheel between the two points of its rim, with its axle and its name."""
-    rims = ([f"{address}.{side}" for side in pair] for pair in RIMS)
-    sides = next((pair for pair in rims if all(site in setting.mechanism.site for site in pair)), None)
+    sides = rim_of(setting.mechanism, address)
     if sides is None:
         return Sketch()
     left, right = (setting.site(site) for site in sides)

@@ -46,12 +46,12 @@ class Content:
 
     @property
     def facts(self) -> frozenset[str]:
-        """Return the words, without letters of bodies and without numbers."""
+        """Return the words of the sentence, without numbers and without letters that name bodies."""
         return frozenset(word for word in self.words if len(word) > 1 and word[0] != "#")
 
     @property
     def order(self) -> tuple[str, ...]:
-        """Return the words whose order matters."""
+        """Return the words of the sentence whose order matters, in order, each once where it is repeated at once."""
         several = sum(word in SURFACES for word in self.words) > 1
         matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
         found = [word for word in self.words if word in matters]
@@ -59,7 +59,7 @@ class Content:
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """Return the letters that name bodies."""
+        """Return the letters that name bodies, in the order of the sentence."""
         return tuple(word for word in self.words if len(word) == 1)
 
     def beside(self, index: int) -> frozenset[str]:

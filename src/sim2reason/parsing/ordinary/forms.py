@@ -58,7 +58,7 @@ def forms() -> tuple[Form, ...]:
 
 
 def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
-    """Yield choices for scenes with every word for a number, such as *smooth*, every kind of part, and some more."""
+    """Yield choices for scenes that together show every word for a number, as *smooth*, and every kind of part."""
     fields = [(model, name, held) for model in reachable(cls) for name, held in field_types(model).items()]
     told = {f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)}
     few = {
@@ -76,7 +76,7 @@ def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
 
 
 def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: Container[str]) -> Iterator[Form]:
-    """Yield the sentences on a random scene of an entity that are not yet known; none if the draw is no valid scene."""
+    """Yield the sentences about a random scene of an entity that are not yet known; none if the scene is not valid."""
     rng = np.random.default_rng([number])
     try:
         scene = closed(Named(name=IT, entity=draw(cls, rng, chosen)), rng)

@@ -33,7 +33,7 @@ def _by_core() -> dict[frozenset[str], list[Form]]:
 
 
 def _core(said: Content) -> frozenset[str]:
-    """Return the words of a sentence that every form with the same meaning must have."""
+    """Return the words by which a sentence is looked up: sentences with the same meaning have the same ones."""
     return said.facts - NOUNS - {"rough"}
 
 
@@ -70,7 +70,7 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
 
 
 def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
-    """Return whether two numbers, of several of a kind, stand beside the same words, or belong to bodies in a list."""
+    """Return whether a sentence's number surely is that of a form: beside the same word, or in a list of bodies."""
     listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
     return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
 
@@ -96,7 +96,7 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
 
 
 def _equal(said: Content, form: Form) -> bool:
-    """Return whether a form has the same words, bodies in the same order, and numbers that cannot be confused."""
+    """Return whether a form says what a sentence says: in its words and order of bodies, with numbers that match."""
     other = form.content
     kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
     if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
@@ -107,12 +107,12 @@ def _equal(said: Content, form: Form) -> bool:
 
 
 def _agree(said: Content, other: Content) -> bool:
-    """Return whether the words are the same; *rough* may be left out, since the friction is stated in any case."""
+    """Return whether both have the same words; a sentence may leave out *rough*, since it states the friction."""
     return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
 
 
 def _of_one(said: Content, other: Content) -> bool:
-    """Return whether the words are the same but for the body beneath, which only one of the two names."""
+    """Return whether both have the same words, except for a noun, as *block*, that only one of them has."""
     mine, theirs = said.facts & NOUNS, other.facts & NOUNS
     if said.letters or other.letters or len(mine) + len(theirs) != 1:
         return False
@@ -121,13 +121,13 @@ def _of_one(said: Content, other: Content) -> bool:
 
 
 def _introduced(form: Form) -> bool:
-    """Return whether all letters of a form stand beside a number, as where bodies are introduced."""
+    """Return whether each letter of a form occurs once, beside a number, as in a sentence that introduces bodies."""
     beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
     return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
 def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
-    """Return whether the numbers of a kind stand beside the same words, or belong to lettered bodies in order."""
+    """Return whether the numbers of a kind match one by one: beside the same word, or beside the letter of a body."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
     return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
 

@@ -38,7 +38,7 @@ class Recast:
 
     @property
     def whole(self) -> bool:
-        """Return whether the start from rest is stated, if the text states it."""
+        """Return whether a closing says that the motion starts from rest, if the original text says so."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
     def adding(self, name: str) -> "Recast | None":
@@ -82,7 +82,7 @@ def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tupl
 
 
 def _unlettered(said: Sequence[str]) -> Sequence[str]:
-    """Return the sentences without the letter A if no other letter is used."""
+    """Return the sentences without the letter A, as in *block A*, if A is the only letter that names a body."""
     if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
         FIRST_LETTER
     }:
@@ -91,13 +91,13 @@ def _unlettered(said: Sequence[str]) -> Sequence[str]:
 
 
 def _comes_after(sentence: str, name: str) -> bool:
-    """Return whether a sentence is a closing that stands after the closing `name`; g stands last."""
+    """Return whether a sentence is a closing that comes after the closing called `name`; *g = …* comes last."""
     last = re.search(r"\bg = ", sentence) is not None
     return is_assumption(sentence) and (last or name.startswith(("rest", "start")))
 
 
 def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
-    """Return for each clause the library's sentences that say the same; None if some clause has none."""
+    """Return the library's wordings of each clause of a sentence; None if one of the clauses has none."""
     known = _known(sentence)
     if known is not None:
         return [known]
@@ -125,14 +125,14 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
 
 def _lettered(text: str, form: Form, said: Content) -> str:
-    """Return the text of a form, with A as its only letter if the sentence has no letters."""
+    """Return a form's text; the only letter in it becomes A if the sentence has no letter."""
     if said.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """Yield the ways to divide a sentence into two; none for a sentence that is too long."""
+    """Yield the divisions of a sentence into two clauses; none if the sentence is too long."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

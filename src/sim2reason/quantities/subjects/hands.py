@@ -24,6 +24,6 @@ class Hands(Subject):
         return {names[0]: "the hand"} if len(names) == 1 else {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return True: nothing else must be known."""
+        """Return True, since a question about a hand needs no number of the text."""
         del need, mechanism, name, said
         return True

@@ -32,7 +32,7 @@ class Pairs(Subject):
         return found
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives it for both bodies."""
+        """Return whether the text gives the number `need`, such as the mass, of both bodies."""
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:

@@ -6,6 +6,7 @@ from math import hypot
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBody
 from sim2reason.dsl.vectors import Vector, add, outer, scale
 
+RIMS = ("left", "right"), ("in", "out")  # the sites where a string meets a pulley, of an entity and of a string
 EVEN = 1e-9  # the vertical part of a direction that is level; the length of a direction that is none
 
 
@@ -92,6 +93,12 @@ def turning_axes(mechanism: Mechanism, name: str) -> list[tuple[str, Vector]]:
 def is_pulley_wheel(mechanism: Mechanism, name: str) -> bool:
     """Whether a body is the wheel of a pulley: its rim is marked on what carries it."""
     return f"{name}.left" in mechanism.site and f"{name}.right" in mechanism.site
+
+
+def rim_of(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
+    """Return the names of the two sites at the rim of a pulley; None if there is no pulley at the address."""
+    found = ((f"{address}.{one}", f"{address}.{other}") for one, other in RIMS)
+    return next((pair for pair in found if all(site in mechanism.site for site in pair)), None)
 
 
 def rides(mechanism: Mechanism, name: str) -> bool:

@@ -22,12 +22,12 @@ class RelativeBodies(Subject):
         return tuple(AND.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return nothing: such pairs are for structured questions only; a sentence with two bodies is about each."""
+        """Return no phrases: only structured questions are about pairs; a sentence with two bodies is about each."""
         del mechanism, mentions
         return {}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives it for both bodies."""
+        """Return whether the text gives the number `need`, such as the mass, of both bodies."""
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:

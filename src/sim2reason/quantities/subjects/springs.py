@@ -29,7 +29,7 @@ class Springs(Subject):
         return is_said(need, mechanism.line[name].whole, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """A stretch, as which an extension and a force count."""
+        """Return *stretched*, the direction in which extensions, their rates and forces count as positive."""
         del mechanism, name
         return [Sense(STRETCHED, ZERO)]
 

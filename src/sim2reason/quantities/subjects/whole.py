@@ -32,7 +32,7 @@ class Whole(Subject):
         return all_said(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """The directions that all bodies share."""
+        """Return the directions of the text if they are the same for all bodies with a mass; else none."""
         del name
         each = [Bodies().senses(mechanism, body.name) for body in mechanism.bodies if body.mass > 0.0]
         return each[0] if each and all(senses == each[0] for senses in each) else []

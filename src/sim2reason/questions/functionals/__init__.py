@@ -31,7 +31,8 @@ class Functional(ABC):
         center: whether it belongs to one point of its subject, the centre of mass of what has a size.
 
     When it is asked:
-        weight: how often, compared with others of its kind; zero where only people ask for it.
+        weight: how often, compared with others of its kind.
+        drawn_by_recipes: whether recipes ask for it; if not, only people do.
         needs: what its subject must have and the text must say, such as ``mass``.
     """
 
@@ -45,6 +46,7 @@ class Functional(ABC):
     indirect: ClassVar[str] = ""
     center: ClassVar[bool] = False
     weight: ClassVar[float] = 1.0
+    drawn_by_recipes: ClassVar[bool] = True
     needs: ClassVar[tuple[str, ...]] = ()
 
     @abstractmethod

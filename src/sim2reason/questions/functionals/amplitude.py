@@ -1,37 +1,42 @@
-"""How far a body on a straight line oscillates to each side."""
+"""The amplitude of an oscillation along a straight line."""
 
 import numpy as np
 
-from sim2reason.quantities.kinematics import Displacement
+from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
+STILL = 1e-6  # relative: a slower body is at rest
+
 
 @functional
 class OscillationAmplitude(Extreme):
-    """Half the distance between the two ends of the path of a body on a straight line; asked for by people alone."""
+    """Half the distance, in m, between the ends of the path of a body on a straight line; never drawn by recipes."""
 
     name = "amplitude"
     quantity = Displacement
     phrase = "the amplitude of the motion of {body}"
-    weight = 0.0
+    drawn_by_recipes = False
 
     def present(self, words: Words, name: str) -> bool:
-        """On a straight line."""
+        """Return whether the body moves along a straight line."""
         return center_path(words.mechanism, name).straight
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Half the range of the places along the line, m; None where the body does not turn back at both ends."""
-        scan = trace.scan
-        way = np.array(center_path(scan.mechanism, name).ways[0])
-        ends = [event.time for event in trace.events if event.kind == "turn" and event.time <= end]
-        places = Displacement.evaluate(scan, name)[scan.times <= end] @ way
-        turned = [float(Displacement.evaluate(trace.at(time), name)[0] @ way) for time in ends]
-        return 0.5 * float(np.ptp([*places, *turned])) if len(places) > 1 else None
+        """Return half the distance between the ends of the path, m; None unless the body is at rest at both ends."""
+        way = np.array(center_path(trace.mechanism, name).ways[0])
+        turns = [event.time for event in trace.events if event.kind == "turn" and event.time <= end]
+        at_turns, within = trace.sample(np.array([0.0, *turns, end])), trace.scan.times <= end
+        moving, turning = (np.abs(Velocity.evaluate(state, name) @ way) for state in (trace.scan, at_turns))
+        places, ends = (Displacement.evaluate(state, name) @ way for state in (trace.scan, at_turns))
+        rests = ends[turning <= STILL * moving[within].max()]
+        places = places[within]
+        found = float(np.ptp(rests)) if len(rests) else 0.0
+        return 0.5 * found if found > 0.0 and found >= (1.0 - STILL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the same."""
+        """Return the value itself: a reader takes nothing else for it."""
         return self.value(trace, name, end)

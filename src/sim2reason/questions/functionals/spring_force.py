@@ -7,9 +7,9 @@ from sim2reason.questions.functionals.parts.extreme import Extreme
 
 @functional
 class GreatestSpringForce(Extreme):
-    """The greatest force of a spring, pull or push; asked for by people alone."""
+    """The greatest magnitude of the force of a spring, N, whether it pulls or pushes; never drawn by recipes."""
 
     name = "greatest spring force"
     quantity = SpringForce
     phrase = "the greatest force exerted by {spring}"
-    weight = 0.0
+    drawn_by_recipes = False

@@ -26,22 +26,22 @@ class LiftedOff(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the phrases of the bodies that burn fuel and stand on a prop."""
+        """Return the phrases of the bodies that burn fuel and stand on props."""
         burns = {burn.body for burn in words.mechanism.burns}
         called = words.called(cls.of).items()
         return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return the props on which a body stands, since these are the subjects of its events."""
+        """Return the names of the props on which a body stands: its lift-off is recorded as an event of these."""
         return _props(words.mechanism, name)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether an event is that a prop of this body is no longer pressed."""
+        """Return whether at this event a prop of the body stops carrying load."""
         return event.kind in self.kinds and not _props(trace.mechanism, self.name).isdisjoint(event.subjects)
 
 
 def _props(mechanism: Mechanism, name: str) -> set[str]:
-    """Return the names of the props that lead to a body."""
+    """Return the names of the props on which a body stands."""
     props = (line for line in mechanism.lines if isinstance(line.law, Prop))
     return {line.name for line in props if name in {mechanism.site[site].body for site in line.through}}

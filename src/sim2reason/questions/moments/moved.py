@@ -81,12 +81,12 @@ class Moved(DistanceThreshold):
         )
 
     def told(self, words: Words, said: str) -> str:
-        """As in: block A has moved $d$, block A is the distance $d$ from its starting point; `said` is the distance."""
+        """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
         return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has moved {said}'}"
 
     def _there(self, words: Words, said: str) -> str:
-        """As in: 0.50 m from its starting point, a distance d to the left of it."""
+        """Return where the body is: *0.50 m from its starting point*, *0.50 m to the left of its starting point*."""
         sense, start = self.sense(words.mechanism) if self.towards else None, "its starting point"
         if sense is None:
             return f"{said} from {start}"

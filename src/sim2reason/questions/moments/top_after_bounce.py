@@ -39,7 +39,7 @@ class TopAfterBounce(Occurrence):
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Return the channel of the body's velocity."""
+        """Return the one channel on which the moment depends: the body's velocity."""
         return (Channel(self.name, Velocity.name),)
 
     def time(self, trace: Trace) -> float | None:

@@ -84,7 +84,7 @@ class StretchKind(Kind):
 
     def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
-        offered = [found for found in self._offered(words) if found[0].weight > 0.0]  # others are asked by people alone
+        offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = [moment for moment in ends if not moment.stated]
         for _ in range(TRIES):

@@ -56,7 +56,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def each(cls, name: str, last: int = 1) -> Iterator[Self]:
-        """Return the moments of one subject that are asked about, at least up to ordinal `last`."""
+        """Yield the first, second, … moment of one subject, up to number `most`, or to `last` if that is greater."""
         return (cls(name, number) for number in range(1, max(cls.most, last if cls.most else 1) + 1))
 
     @classmethod

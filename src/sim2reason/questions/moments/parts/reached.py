@@ -1,15 +1,17 @@
-"""The first time that any quantity has a stated value."""
+"""The first or second time that any quantity has a stated value."""
 
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from heapq import merge
+from itertools import islice
 from typing import Self
 
 import numpy as np
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
-from sim2reason.questions.crossing import crossings, first_crossing
+from sim2reason.questions.crossing import crossings
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening, Moment
 from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
@@ -25,13 +27,13 @@ _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 @dataclass(frozen=True, slots=True)
 class Reached(Happening):
-    """When a quantity first has a value, which it passes through. It is of the mode that asks for times alone."""
+    """The first or second time that a quantity passes through a value; only the mode that asks for times draws it."""
 
     label = "reached"
 
     target: Target
     given: StatedResult
-    number: int = 1  # 2 for the second time, from whichever side
+    number: int = 1  # 2 for the second time that it passes through the value, up or down
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
@@ -68,16 +70,13 @@ class Reached(Happening):
         return self.channels
 
     def time(self, trace: Trace) -> float | None:
-        """Whichever comes first: it was smaller before, or larger."""
+        """Return the time, s, of that passage through the value, upwards or downwards; None if there is none."""
 
         def excess(state: State) -> Array:
             return self.target.values(state) - self.given.value
 
-        found = [first_crossing(trace, excess), first_crossing(trace, lambda state: -excess(state))]
-        if self.number == 1:
-            return min((time for time in found if time is not None), default=None)
-        times = sorted([*crossings(trace, excess), *crossings(trace, lambda state: -excess(state))])
-        return times[self.number - 1] if len(times) >= self.number else None
+        times = merge(crossings(trace, excess), crossings(trace, lambda state: -excess(state)))
+        return next(islice(times, self.number - 1, None), None)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the speed of A is 2.1 m/s for the first time; none where the text has no words for it."""
@@ -109,14 +108,14 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     The subject and the axis may be left out: then they are those of the question.
     """
     left, equals, right = said.partition("=")
-    left, _, along = left.partition(" along ")
+    left, _, along = (part.strip() for part in left.partition(" along "))
     if not equals:
         raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
     known = quantities_named(words.mechanism)
-    longest = max((name for name in known if f"{left.strip()} ".startswith(f"{name} ")), key=len, default="")
-    name, of = (longest, left.strip().removeprefix(longest)) if longest else left.partition(" of ")[::2]
-    find, of = one_of(place, name.strip(), known), of.strip().removeprefix("of ")
-    named = replace(asked, find=find, of=of.strip() or asked.of, along=along.strip() or asked.along)
+    names = (name for name in known if f"{left} ".startswith(f"{name} of ") or left == name)  # which may hold an *of*
+    name = max(names, key=len, default=left.partition(" of ")[0])
+    find, of = one_of(place, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
+    named = replace(asked, find=find, of=of or asked.of, along=along or asked.along)
     target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))
 
