@@ -38,3 +38,11 @@ def test_pieces_that_are_drawn_are_clear_of_each_other(difficulty: Difficulty) -
         arm = sample("rotation", difficulty, seed=5, index=index).entities[0].entity
         assert isinstance(arm, WeldedArm)
         assert all(is_clear(one, other) for one, other in combinations(arm.pieces, 2))
+
+
+@pytest.mark.parametrize("difficulty", ["easy", "medium", "hard"])
+def test_distances_are_rounded_where_the_share_of_inertia_limits_them(difficulty: Difficulty) -> None:
+    for index in range(40):
+        for parameter in sample("rotation", difficulty, seed=6, index=index).parameters:
+            if parameter.value is not None and not parameter.hidden:
+                assert parameter.measure.round(parameter.value) == parameter.value, (index, parameter.path)

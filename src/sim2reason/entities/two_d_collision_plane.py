@@ -41,6 +41,7 @@ Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 TOUCHING = 1e-9  # m; what rounding leaves of no distance
 SLOWEST = 0.5  # m/s, of a puck that moves towards another
+PASSES, SHORTEST, LONGEST = 4.0, 2.0, 20.0  # of the fastest puck over the table; and s
 
 
 WALLS = {("x", -1.0): "left", ("x", 1.0): "right", ("y", -1.0): "bottom", ("y", 1.0): "top"}
@@ -106,9 +107,9 @@ class TwoDCollisionPlane(Entity):
         ),
         each(
             "pucks",
-            "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0, with velocity ({pucks.*.vx}, {pucks.*.vy}).",
-            "at t = 0 {pucks.*} is at ({pucks.*.x}, {pucks.*.y}) with velocity ({pucks.*.vx}, {pucks.*.vy}).",
-            "{pucks.*} starts from ({pucks.*.x}, {pucks.*.y}) at t = 0 with velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0, {pucks.*.moving}.",
+            "at t = 0 {pucks.*} is at ({pucks.*.x}, {pucks.*.y}), {pucks.*.moving}.",
+            "the position of {pucks.*} at t = 0 is ({pucks.*.x}, {pucks.*.y}); it is then {pucks.*.afoot}.",
             table=(
                 "each {noun}'s {columns} at t = 0 are listed below.",
                 "the {columns} of each {noun} at t = 0 are the following.",
@@ -166,6 +167,13 @@ class TwoDCollisionPlane(Entity):
         )
         aimed = rebuilt(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
         return {"pucks": (first, aimed, *rest)}
+
+    def horizon(self, gravity: float) -> float:
+        """Return the time, s, in which the fastest puck passes some times over the distance between two pucks."""
+        del gravity
+        fastest = max(hypot(puck.vx, puck.vy) for puck in self.pucks)
+        widest = max(hypot(a.x - b.x, a.y - b.y) for a, b in combinations(self.pucks, 2))
+        return min(max(SHORTEST, PASSES * widest / fastest), LONGEST) if fastest else LONGEST
 
     @property
     def _walls(self) -> list[tuple[str, float, float]]:

@@ -47,7 +47,12 @@ class Reverse(QuestionMode):
     """Which number makes a result what it is said to be, or when is it that?"""
 
     name = "reverse"
-    weights: ClassVar[Mapping[str, float]] = {"sum": 0.1, "threshold": 0.4, "comparison": 0.1}  # seldom measured
+    weights: ClassVar[Mapping[str, float]] = {  # seldom measured
+        "sum": 0.03,
+        "state": 0.4,
+        "threshold": 0.4,
+        "comparison": 0.1,
+    }
 
     @property
     def kinds(self) -> frozenset[str]:

@@ -39,7 +39,7 @@ IDEAS = {
 WEIGHTS = {
     "period": 0.5,
     "start": 0.15,
-    "comparison": 0.5,
+    "comparison": 0.1,
     "event": 0.2,
     "sum": 0.1,
     "extremum": 0.25,

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import cos, hypot, pi, sin, sqrt
+from math import hypot, sqrt
 
 import numpy as np
 
@@ -16,21 +16,25 @@ from sim2reason.entities.two_d_collision_plane import PairRestitution, TwoDColli
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
-PLACES = Range(-1.5, 1.5)  # m
-CLEAR = 4.0  # radii between any two pucks at the start
+APART = Range(0.5, 1.5)  # m, between two pucks at the start
+OFFSET = Range(0.3, 1.6)  # radii: how far the centre of one puck passes from that of the other, were they alone
+GRAZING = 0.4  # radii: how far beside the path of a struck puck the centre of the next one is, at most
+ALIKE = Range(0.6, 1.6)  # times a speed: another one on a perpendicular path
+ORIGIN = (0.0, 0.0)
+
+Vector = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class CollisionTier:
-    """How hard: how many pucks, how fast, how bouncy, how steep."""
+    """How hard: how pucks meet, how heavy, fast and elastic they are, and how what is on a track is drawn."""
 
-    pucks: Count
+    meetings: tuple[str, ...]  # of pucks, see `MEETINGS`
     mass: Range
     speed: Range
     restitution: tuple[str, ...]  # elastic, partial, dead
     track: Choices  # how the collisions on a straight track are drawn
-    tilt: float = 0.0  # the chance of a tilted table
-    pairs: float = 0.0  # the chance that one pair has a restitution of its own
+    tilt: float = 0.0  # the chance of a tilted table for two pucks that both move
     straight: float = 0.4  # of its scenes are on a straight track
 
 
@@ -39,7 +43,7 @@ PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for o
 PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
     "easy": CollisionTier(
-        Count(2, 2),
+        ("at rest", "head-on"),
         Range(0.5, 3.0),
         Range(0.5, 1.5),
         ("elastic", "partial"),
@@ -47,17 +51,15 @@ TIERS = {
         straight=0.25,  # where velocities do not hang on places, little can be asked
     ),
     "medium": CollisionTier(
-        Count(2, 3),
-        Range(0.5, 8.0),
+        ("at rest", "head-on", "crossing"),
+        Range(0.5, 5.0),
         Range(0.5, 3.0),
         ("elastic", "partial", "partial"),
         {**PLAIN, "tilt?": 0.6, "tilt": Range(5.0, 30.0), "gliders": Count(2, 3), "left?": 0.4, "right?": 0.4},
-        0.0,
-        0.3,
     ),
     "hard": CollisionTier(
-        Count(3, 3),  # with four of them a program is written, not a solution
-        Range(0.5, 15.0),
+        ("in turn", "in turn", "crossing"),
+        Range(0.5, 8.0),
         Range(1.0, 5.0),
         ("elastic", "partial", "partial", "partial", "dead"),
         {
@@ -69,14 +71,16 @@ TIERS = {
             "buffers": Count(0, 1),
             "pairs": Count(0, 1),
         },
-        0.6,
-        0.1,
+        0.4,
         straight=0.6,
     ),
 }
 
 WEIGHTS = {
     "count": 0.3,  # three collisions, or before some
+    "state": 0.3,  # places, where velocities are worth asking for
+    "reverse.state": 0.1,
+    "reverse.sum": 0.3,
     "comparison": 0.2,
     "extremum": 0.1,
     "limit": 0.0,  # which few laws answer
@@ -86,31 +90,19 @@ WEIGHTS = {
 
 @recipe("collision", weights=WEIGHTS)
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
+    """Pucks that meet off centre, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
     if rng.random() < tier.straight:
         restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
         choices = {**tier.track, "ComplexCollisionPlane.restitution": restitution, "restitution": PARTIAL}
         return one_of((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")
+    meeting = tier.meetings[int(rng.integers(len(tier.meetings)))]
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
-    count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
-    places = _places(count, CLEAR * radius, rng)
-    pucks: list[Puck] = []
-    for place in places:
-        slowest = min(pucks, key=lambda puck: hypot(puck.vx, puck.vy), default=None)
-        velocity = _aim(slowest, place, radius, tier, rng) if slowest else _any(Range(0.1, tier.speed.low), rng)
-        mass = _drawn(Puck, "mass", rng, tier.mass)
-        vx, vy = (as_said(Puck, "vx", part) for part in velocity)
-        pucks.append(Puck(mass=mass, x=place[0], y=place[1], vx=vx, vy=vy))
-    tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if rng.random() < tier.tilt else 0.0
     restitution = _restitution(tier, rng)
-    entity = TwoDCollisionPlane(
-        table=Table(tilt=tilt),
-        radius=radius,
-        pucks=tuple(pucks),
-        restitution=restitution,
-        pairs=_pairs(count, restitution, tier, rng),
-    )
+    pucks = MEETINGS[meeting](radius, restitution, tier, rng)
+    moving = all(puck.vx or puck.vy for puck in pucks)
+    tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if moving and rng.random() < tier.tilt else 0.0
+    entity = TwoDCollisionPlane(table=Table(tilt=tilt), radius=radius, pucks=pucks, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
@@ -131,38 +123,58 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
     return held.measure.draw(rng, found.low, found.high)
 
 
-def _places(count: int, clear: float, rng: np.random.Generator) -> list[tuple[float, float]]:
-    """Points at least `clear` apart, in metres."""
-    found: list[tuple[float, float]] = []
-    while len(found) < count:
-        point = (_drawn(Puck, "x", rng, PLACES), _drawn(Puck, "y", rng, PLACES))
-        if all(hypot(point[0] - x, point[1] - y) >= clear for x, y in found):
-            found.append(point)
-    return found
+def _puck(tier: CollisionTier, rng: np.random.Generator, place: Vector, velocity: Vector = ORIGIN) -> Puck:
+    """Return a puck of any mass."""
+    x, y, vx, vy = (as_said(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
+    return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
 
 
-def _any(speed: Range, rng: np.random.Generator) -> tuple[float, float]:
-    """A velocity of any direction."""
-    size, angle = rng.uniform(speed.low, speed.high), rng.uniform(0.0, 2.0 * pi)
-    return (size * cos(angle), size * sin(angle))
+def _any(held: Range, rng: np.random.Generator) -> float:
+    return float(rng.uniform(held.low, held.high))
 
 
-def _aim(
-    target: Puck, place: tuple[float, float], radius: float, tier: CollisionTier, rng: np.random.Generator
-) -> tuple[float, float]:
-    """A velocity with which a puck would meet another, were they alone: more or less off centre.
+def _beside(radius: float, rng: np.random.Generator) -> float:
+    """Return how far a path passes from a centre, on either side, m."""
+    return float(rng.choice([-1.0, 1.0])) * _any(OFFSET, rng) * radius
 
-    It is the target's velocity and one towards it, as large as leaves the sum within the tier's speeds.
-    """
-    dx, dy = target.x - place[0], target.y - place[1]
-    distance = hypot(dx, dy)
-    offset = rng.uniform(-1.4, 1.4) * radius
-    ux, uy = (dx - offset * dy / distance) / distance, (dy + offset * dx / distance) / distance
-    along = target.vx * ux + target.vy * uy
-    room = tier.speed.high**2 - target.vx**2 - target.vy**2
-    fastest = max(sqrt(max(along**2 + room, 0.0)) - along, 0.0)
-    speed = rng.uniform(min(tier.speed.low, 0.5 * fastest), fastest)
-    return (target.vx + speed * ux, target.vy + speed * uy)
+
+def _at_rest(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+    """Return a puck that moves along the x axis, and one at rest that it does not hit quite head-on."""
+    del restitution
+    place = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
+    return _puck(tier, rng, place, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
+
+
+def _head_on(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+    """Return two pucks that move towards each other on parallel paths."""
+    del restitution
+    place, toward = (2.0 * radius + _any(APART, rng), _beside(radius, rng)), (-_any(tier.speed, rng), 0.0)
+    return _puck(tier, rng, ORIGIN, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, place, toward)
+
+
+def _crossing(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+    """Return two pucks on perpendicular paths; the second is a little early or late where the paths cross."""
+    del restitution
+    ahead = _any(tier.speed, rng)
+    up = _any(ALIKE, rng) * ahead
+    time = (2.0 * radius + _any(APART, rng)) / min(ahead, up)
+    late = _beside(radius, rng) * hypot(ahead, up) / ahead  # so much that the centres pass at that distance
+    first = _puck(tier, rng, (-ahead * time, 0.0), (ahead, 0.0))
+    return first, _puck(tier, rng, (0.0, late - up * time), (0.0, up))
+
+
+def _in_turn(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+    """Return a puck that hits one at rest, which then hits another at rest: it moves off along the line of centres."""
+    first, second = _at_rest(radius, restitution, tier, rng)
+    across = -first.y / (2.0 * radius)
+    along = sqrt(1.0 - across**2)
+    way, beside = 2.0 * radius + _any(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
+    place = (along * way - across * beside, across * way + along * beside)
+    return first, second, _puck(tier, rng, place)
+
+
+PARTS = "x", "y", "vx", "vy"
+MEETINGS = {"at rest": _at_rest, "head-on": _head_on, "crossing": _crossing, "in turn": _in_turn}
 
 
 def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
@@ -170,14 +182,3 @@ def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
     if kind == "partial":
         return _drawn(PairRestitution, "restitution", rng, PARTIAL)
     return 1.0 if kind == "elastic" else 0.0
-
-
-def _pairs(count: int, usual: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[PairRestitution, ...]:
-    """At most one pair whose restitution is not the usual one."""
-    if count < 3 or rng.random() >= tier.pairs:
-        return ()
-    first = int(rng.integers(count - 1))
-    own = usual
-    while own == usual:
-        own = _drawn(PairRestitution, "restitution", rng, PARTIAL)
-    return (PairRestitution(first=first, second=first + 1, restitution=own),)

@@ -28,7 +28,14 @@ IDEAS = {
     ),
 }
 
-WEIGHTS = {"comparison": 0.1, "event": 0.3, "time_to_event": 0.4, "extremum": 0.1, "optimum": 0.0}
+WEIGHTS = {
+    "comparison": 0.1,
+    "state": 0.5,
+    "event": 0.3,
+    "time_to_event": 0.4,
+    "extremum": 0.1,
+    "optimum": 0.0,
+}
 
 
 @recipe("electromagnetic", weights=WEIGHTS)

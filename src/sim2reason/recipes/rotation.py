@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
-from math import copysign, nan, sqrt
+from math import copysign, floor, nan, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -123,7 +123,9 @@ def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
         most = min(most, MOVED * share.own)
     x, _, z = solid.center
     squared = most / mass - z**2
-    return sqrt(squared) - copysign(x, x * piece.place) if squared >= 0.0 else nan
+    if squared < 0.0:
+        return nan
+    return floor(1e2 * (sqrt(squared) - copysign(x, x * piece.place))) / 1e2  # as many places as a text has
 
 
 def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:

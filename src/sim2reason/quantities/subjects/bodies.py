@@ -10,7 +10,7 @@ from sim2reason.quantities.subjects.paths import EVEN, CenterPath, center_path, 
 
 UP, RIGHT = "up", "right"
 OPPOSITE = {UP: "down", RIGHT: "left"}
-SELDOM = 0.3  # of a component along no axis of the text
+SELDOM = 0.3  # of a component along no axis of the text, or along one of two
 AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
 
@@ -48,7 +48,8 @@ class Bodies(Subject):
         own = [c for c in mechanism.body[name].coordinates if c.label in AXES and c.kind == "slide"]
         path = center_path(mechanism, name)
         if own and len(own) == len(path.ways):
-            return [Sense(f"along the {c.label} axis", c.axis, c.label, fixed=True) for c in own]
+            share = SELDOM if len(own) > 1 else 1.0  # of a plane motion rather how fast, how far and which way
+            return [Sense(f"along the {c.label} axis", c.axis, c.label, share=share, fixed=True) for c in own]
         right = [Sense(RIGHT, c.axis) for c in mechanism.body[name].coordinates if c.label == RIGHT]
         return _of_path(path) or (right if path.straight else [])
 

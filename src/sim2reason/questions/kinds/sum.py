@@ -9,4 +9,4 @@ class SumKind(StretchKind):
     """What does a quantity add up to over a stretch of the motion?"""
 
     name = "sum"
-    share = 0.3
+    share = 0.25

@@ -1,8 +1,10 @@
 """Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
 
+from collections.abc import Sequence
+
 from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Power, Root, summed
+from sim2reason.solutions.algebra.functions import Power, Root, squares, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
@@ -41,13 +43,15 @@ class Flights(Impacts):
 def _meet(flights: Impacts, impact: Impact) -> Symbol:
     """When the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
     X, u, since, _ = _relative(flights, impact)
+    if (axis := _only_axis(u)) is not None:
+        return _meet_along(flights, impact, axis)
     book, distance = flights.book, _distance(flights, impact)
     step, t = book.open("impact time"), book.fresh("t")
     whole: Expression = ZERO
     for x, w in zip(X, u, strict=True):
         whole = added(whole, Power(added(x, multiplied(w, t)), 2))
     law = step.derived(whole, Power(distance, 2))
-    speeds = summed(Power(w, 2) for w in u)
+    speeds = squares(u)
     along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
     pair = flights.pair_mark(impact.bodies, flights.latest(impact)[1])
     p, q = book.fresh("p", pair), book.fresh("q", pair)
@@ -69,12 +73,44 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     return flights.counted(since, t)
 
 
+def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
+    """Return when discs meet whose relative velocity is along one axis: x + u t = ±√(d² − y²)."""
+    X, u, since, labels = _relative(flights, impact)
+    book, distance = flights.book, _distance(flights, impact)
+    step, t = book.open("impact time"), book.fresh("t")
+    reach: Expression = distance
+    if len(X) > 1 and X[1 - axis] != ZERO:
+        reach = Root(added(Power(distance, 2), -Power(X[1 - axis], 2)))
+    moved = added(X[axis], multiplied(u[axis], t))
+    law = step.law(squares((moved, *X[:axis], *X[axis + 1 :])), Power(distance, 2))
+    formula = ratio(added(_signed(flights, X[axis], reach), -X[axis]), u[axis])
+    known = f"The relative velocity is along the {labels[axis]} axis, so"
+    who = flights.setting.listed(list(impact.bodies))
+    step.say(f"{known} {who} meet when {law}.")
+    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
+    step.close()
+    return flights.counted(since, t)
+
+
+def _only_axis(u: Sequence[Expression]) -> int | None:
+    """Return the index of the only axis along which two discs move relative to each other; None if there are two."""
+    moving = [number for number, w in enumerate(u) if w != ZERO]
+    return moving[0] if len(moving) == 1 else None
+
+
+def _signed(flights: Impacts, place: Expression, size: Expression) -> Expression:
+    """Return a magnitude with the sign of a relative coordinate, which it keeps until the discs touch."""
+    return size if flights.book.value(place) > 0.0 else -size
+
+
 def _distance(flights: Impacts, impact: Impact) -> Expression:
     return flights.setting.lexicon.of(lambda m: m.meetings[impact.meeting].distance).expression()
 
 
 def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
-    """From the first to the second: where, and how fast, when the later of the two flights begins."""
+    """From the first to the second: where, and how fast, when the later of the two flights begins; told once."""
+    if impact.number in flights.relative:
+        return flights.relative[impact.number]
     legs, latest = flights.latest(impact)
     since = flights.when(latest) if latest is not None else None
     one, other = impact.bodies
@@ -100,10 +136,13 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         step.say(f"{who} have the same acceleration, so their relative velocities are constant between collisions.")
     pair = flights.pair_mark(impact.bodies, latest)
     for label, apart, w in found:
-        x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{label},{pair}")
-        said += [step.result(x, apart.expression(), METRES, law=True), step.result(v, w.expression(), SPEED, law=True)]
-        X.append(x)
-        u.append(v)
+        for base, axis, part, unit, known in (("", label, apart, METRES, X), ("u", f"{label},", w, SPEED, u)):
+            if part:
+                name = flights.book.fresh(base or axis, f"{axis if base else ''}{pair}")
+                known.append(name)
+                said.append(step.result(name, part.expression(), unit, law=True))
+            else:
+                known.append(ZERO)
         labels.append(label)
     who = [flights.setting.called(body) for body in impact.bodies]
     when = f"just after {flights.collision(latest)}" if latest is not None else "at t = 0"
@@ -115,21 +154,40 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
     """The direction of the line of centres, by axis, and how fast the discs approach along it, with a minus sign."""
-    book, time = flights.book, flights.when(impact)
-    X, u, since, labels = flights.relative[impact.number]
-    span = time if since is None else flights.passed(since, time)
-    distance = _distance(flights, impact)
-    step, n, number = book.open("normal"), dict[str, Symbol](), flights.which(impact)
+    book, number = flights.book, flights.which(impact)
+    _, u, _, labels = _relative(flights, impact)
+    parts, when = _normal(flights, impact)
+    step, n = book.open("normal"), dict[str, Symbol]()
     said: list[str] = []
-    for label, x, w in zip(labels, X, u, strict=True):
+    for label, part in zip(labels, parts, strict=True):
         n[label] = book.fresh("n", ",".join(part for part in (label, number) if part))
-        said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
-    step.say(f"The unit vector along the line of centres is then {joined(said)}.")
+        said.append(step.result(n[label], part, "", law=True))
+    step.say(f"{when} {joined(said)}.")
     approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"The relative velocity along it is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     return n, approach
+
+
+def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
+    """Return the components of the unit vector along the line of centres, and the words before them.
+
+    Where the relative velocity is along one axis, no time is needed: the offset y gives sin φ = y/d.
+    """
+    X, u, since, labels = _relative(flights, impact)
+    distance, axis = _distance(flights, impact), _only_axis(u)
+    if axis is not None and len(X) > 1:
+        aside = ratio(X[1 - axis], distance)
+        parts = [aside, aside]
+        parts[axis] = _signed(flights, X[axis], Root(added(Number(1.0), -Power(aside, 2))))
+        other = X[1 - axis].latex()
+        known = f"The relative velocity is along the {labels[axis]} axis, so ${other}$ does not change. "
+        return parts, f"{known}At {flights.collision(impact)} the unit vector along the line of centres is"
+    time = flights.when(impact)
+    span = time if since is None else flights.passed(since, time)
+    parts = [ratio(added(x, multiplied(w, span)), distance) for x, w in zip(X, u, strict=True)]
+    return parts, "The unit vector along the line of centres is then"
 
 
 def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:

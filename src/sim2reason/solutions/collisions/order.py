@@ -7,7 +7,7 @@ from math import inf
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Absolute, Power, Root, summed
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import Excluded, clauses
 from sim2reason.solutions.collisions.impacts import Impacts
@@ -132,13 +132,14 @@ class CollisionOrder:
         mark = flights.pair_mark(held.legs, held.begins)
         motion, more = RelativeMotion(book, step, mark), RelativeMotion(book, step, mark)
         X, u = zip(*((motion.named(a, x, METRES), motion.named("u", w, SPEED, a)) for a, x, w in parts), strict=True)
-        square, along = summed(Power(w, 2) for w in u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+        square, along = squares(u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
         aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
         if book.value(along) >= 0.0:
             exceeds(book, step, along, ZERO)
             found = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
         elif abs(book.value(aside)) >= book.value(Root(square)) * book.value(d):
-            apart = ratio(Absolute(aside), Root(square))
+            still = [x for x, w in zip(X, u, strict=True) if w == ZERO]
+            apart = Absolute(still[0]) if still else ratio(Absolute(aside), Root(square))
             exceeds(book, step, apart, d)
             found = self._excluded_by("pass", held, motion.concluded("b", apart, METRES))
         else:

@@ -93,6 +93,8 @@ class StretchKind(Kind):
             names = [functional.name for functional, _ in offered]
             weights = np.array([f.weight / names.count(f.name) for f, _ in offered])
             functional, name = offered.pop(int(rng.choice(len(offered), p=weights / weights.sum())))
+            if rng.random() > functional.weight:  # what is seldom asked is so where little else is offered, too
+                continue
             fitting = (moment for moment in ends if functional.when(moment, words, name))
             for moment in islice(fitting, ENDS):
                 query = StretchQuery(self.name, None, moment, functional.name, name)
