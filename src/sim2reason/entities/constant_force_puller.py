@@ -11,7 +11,9 @@ class ConstantForcePuller(Entity):
 
     force: Force
 
-    end = StringEnd(sites=("hand",), arrives="is pulled at its far end by a hand with a constant force of {force}", required=True)
+    end = StringEnd(
+        sites=("hand",), arrives="is pulled at its far end by a hand with a constant force of {force}", required=True
+    )
 
     def build(self, room: Frame) -> None:
         """A fixed point at which the string is drawn in."""

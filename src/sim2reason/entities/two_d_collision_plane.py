@@ -89,7 +89,9 @@ class TwoDCollisionPlane(Entity):
         ),
         "of_any": Word(
             "restitution",
-            {1.0: "{pucks:/the {pucks:s} rebound from each other elastically/all {pairs?/other }collisions are elastic}"},
+            {
+                1.0: "{pucks:/the {pucks:s} rebound from each other elastically/all {pairs?/other }collisions are elastic}"
+            },
             "the coefficient of restitution is {pucks:/{restitution}/{pairs?always/otherwise} {restitution}}",
         ),
         "of_two": Word(

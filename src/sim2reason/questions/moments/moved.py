@@ -84,7 +84,9 @@ class Moved(DistanceThreshold):
     def told(self, words: Words, said: str) -> str:
         """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
-        return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._moved(words)} {said}'}"
+        return (
+            f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._moved(words)} {said}'}"
+        )
 
     def _moved(self, words: Words) -> str:
         """Return how it has gone: *risen* where it can only go up before it turns back, else *moved*."""
