@@ -46,7 +46,7 @@ KNOWN = {
     "Find the kinetic energy of block A after it has moved 1.3 m.": (half_atwood(), 4, 8),
     "Find the magnitude of the change in the block's gravitational potential energy from t = 0 until it first comes to "
     "rest.": (ROUGH, 3, 8),  # how far, and how high that is
-    "Find the x component of the displacement of the ball from its starting point just before it reaches the ground.": (
+    "Find the horizontal displacement of the ball from its starting point just before it reaches the ground.": (
         thrown(),
         2,
         9,

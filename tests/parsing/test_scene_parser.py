@@ -235,7 +235,7 @@ STORY = (
 )
 HANGS = (
     "hangs on a light string that passes over a light fixed pulley"
-    " and ends in a hand that pulls with a steady force of 9.0 N."
+    " and is pulled at its far end by a hand with a constant force of 9.0 N."
 )
 HOSTILE = {
     "nothing": "",

@@ -49,8 +49,8 @@ def pulled() -> Scene:
     """Return a block of 3 kg on a smooth floor, drawn by a hand with 12 N."""
     return parse_scene(
         "A block of mass 3.0 kg lies on a smooth, fixed horizontal plane. A light string tied to the block runs to the"
-        " right along the plane and ends in a hand that pulls with a steady force of 12 N. The motion starts from"
-        " rest. Take g = 9.8 m/s²."
+        " right along the plane and is pulled at its far end by a hand with a constant force of 12 N. The motion starts"
+        " from rest. Take g = 9.8 m/s²."
     ).scene
 
 

@@ -69,8 +69,8 @@ def test_a_stretch_that_ends_at_a_moment_just_told_lasts_until_then() -> None:
     search = QuestionSearch(atwood(), 3)
     moment = AtTime(0.5)
     for stretch in moment.stretches(search.words):
-        text = f"Find how far A travels altogether {stretch}."
-        assert referring(text, moment, search.words) == f"Find how far A travels altogether until {THAT}."
+        text = f"Find how far A travels in all {stretch}."
+        assert referring(text, moment, search.words) == f"Find how far A travels in all until {THAT}."
         assert text in spelled_out(referring(text, moment, search.words), moment, search.words)
 
 

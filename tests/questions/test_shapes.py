@@ -27,7 +27,7 @@ from sim2reason.questions.shapes.parts.units import is_table, text_of, units
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 
 SCENES = 6  # of each recipe and difficulty
-MOST = 0.25  # of the prompts of a recipe
+MOST = 0.32  # of the prompts of a recipe
 
 
 def asked(recipe: str, count: int) -> Iterator[tuple[QuestionSearch, Question]]:

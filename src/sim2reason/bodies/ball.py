@@ -1,5 +1,6 @@
 """A small ball."""
 
+from collections.abc import Mapping
 from typing import Annotated
 
 from sim2reason.dsl.body import Body, body
@@ -8,6 +9,8 @@ from sim2reason.dsl.measures import Mass, Range
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Solid, point
 from sim2reason.dsl.vectors import Vector
+
+HEAVIEST_BEAD = 0.3  # kg
 
 
 @body
@@ -20,6 +23,11 @@ class Ball(Body):
     lone = ("a small {noun} of mass {mass}", "a small {noun} ({mass})")
     named = ("a small {noun} {letter} of mass {mass}", "a small {noun} {letter} ({mass})")
     listed = "{letter} ({mass})"
+
+    def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
+        """Return whether it is light enough for a bead, if it is to be called so."""
+        del bodies
+        return noun != "bead" or self.mass <= HEAVIEST_BEAD
 
     @property
     def look(self) -> Small:
@@ -40,8 +48,8 @@ class FixedBall(Shape):
     """A ball that is fixed to something and so small that its own moment of inertia never matters."""
 
     nouns = ("ball",)
-    lone = ("a small {noun} of mass {mass}", "a small heavy {noun} ({mass})")
-    named = ("a small {noun} {letter} of mass {mass}", "a small heavy {noun} {letter} ({mass})")
+    lone = ("a small {noun} of mass {mass}", "a small {noun} ({mass})")
+    named = ("a small {noun} {letter} of mass {mass}", "a small {noun} {letter} ({mass})")
 
     @property
     def solid(self) -> Solid:

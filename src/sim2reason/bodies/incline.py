@@ -21,7 +21,7 @@ class Incline(Body):
     lone = ("a fixed {tilt}", "a stationary {tilt}")
     words = {
         **{name: Plane.words[name] for name in ("tilt", "uphill", "downhill", "above", "below")},
-        "path": Word("angle", {0.0: "along the plane in a straight line"}, "straight up or down the slope"),
+        "path": Word("angle", {0.0: "along it in a straight line"}, "straight up or down the slope"),
         "edge": Word("angle", {0.0: "right-hand edge"}, "lower edge"),
     }
 

@@ -33,7 +33,7 @@ class Pivot(Carried):
     key: ClassVar[str] = "pivot"
 
     says: ClassVar[Wordings] = either(
-        "{b} turns without friction on an axle at {a}.",
+        "{b} turns without friction about an axle on {a}.",
         "{b} is attached to {a} by a frictionless axle.",
         "a frictionless axle joins {b} to {a}.",
     )

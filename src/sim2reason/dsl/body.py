@@ -1,5 +1,6 @@
 """Bodies: frozen values with parameters, a noun, a series of letters and ways to be introduced."""
 
+from collections.abc import Mapping
 from typing import Any, ClassVar, Literal, TypeVar
 
 from sim2reason.dsl.looks import BodyLook
@@ -34,6 +35,11 @@ class Body(Model):
     def look(self) -> BodyLook | None:
         """How a drawing shows it; None where its class declares nothing, and a drawing says so."""
         return None
+
+    def suits(self, noun: str, bodies: Mapping[str, "Body"]) -> bool:
+        """Return whether one of its nouns is apt for it among all `bodies` of a scene, by address; by default True."""
+        del noun, bodies
+        return True
 
     @property
     def density(self) -> float | None:

@@ -179,7 +179,6 @@ def variants(saying: Saying) -> tuple[tuple[str, ...], ...]:
 
 
 _PATH = re.compile(r"[a-z_0-9.*]+")
-_BETWEEN = re.compile(r"/(?![^{}]*\})")  # forms, not those of a slot inside a form
 
 
 @cache
@@ -220,11 +219,23 @@ def _slot(inside: str) -> Slot:
     if rest.startswith(">"):
         return Slot("member", rest[1:], path)
     if rest[0] in ":?" and "/" in rest:
-        one, *several = _BETWEEN.split(rest[1:])
+        one, *several = _forms(rest[1:])
         if len(several) > 1 + (rest[0] == ":"):
             raise ValueError(f"too many forms: {{{inside}}}")
         return Slot("agree" if rest[0] == ":" else "some", path=path, one=one, two=several[0], many=several[-1])
     raise ValueError(f"not a slot: {{{inside}}}")
+
+
+def _forms(text: str) -> list[str]:
+    """Return the forms between slashes, but for the slashes of slots inside a form."""
+    found, depth = [""], 0
+    for character in text:
+        depth += (character == "{") - (character == "}")
+        if character == "/" and depth == 0:
+            found.append("")
+        else:
+            found[-1] += character
+    return found
 
 
 def paths(template: str) -> tuple[str, ...]:

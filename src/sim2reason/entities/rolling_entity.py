@@ -34,9 +34,9 @@ class RollingEntity(Entity):
 
     says = (
         either(
-            "{body} is put on {plane} and can roll {plane.path}.",
-            "on {plane} there is {body}; it can roll {plane.path}.",
-            "{plane} carries {body}; it is free to roll {plane.path}.",
+            "{body} is placed on {plane} and can roll {plane.path}.",
+            "on {plane} there is {body}, free to roll {plane.path}.",
+            "{plane} carries {body}, which can roll {plane.path}.",
         ),
         lines_of("hole"),
         lines_of("grip"),

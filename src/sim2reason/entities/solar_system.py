@@ -10,11 +10,10 @@ from annotated_types import Len
 from pydantic import model_validator
 
 from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, assuming, each, either, entity
-from sim2reason.bodies.star import HeavyPlanet, Planet, Star
+from sim2reason.bodies.star import G, HeavyPlanet, Planet, Star
 from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
 
-G = 4.0 * pi**2  # au³/(Msun yr²): what is 1 au from 1 solar mass takes 1 year for a circle
 LIGHT = 1e-6  # solar masses; of a planet whose mass is not said, and does not matter
 INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
 APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets

@@ -83,15 +83,17 @@ class TwoDCollisionPlane(Entity):
         "of_all": Word(
             "restitution",
             {
-                1.0: "every {pairs?/other }collision is elastic",
-                0.0: "{pairs?the coefficient of restitution of every collision is zero/for every other pair it is zero}",
+                1.0: "{pucks:/the {pucks:s} collide elastically/every {pairs?/other }collision is elastic}",
+                0.0: "{pairs?the coefficient of restitution {pucks:/between the {pucks:s}/of every collision} is zero/for every other pair it is zero}",
             },
-            "{pairs?the coefficient of restitution of every collision/for every other pair it} is {restitution}",
+            "{pairs?the coefficient of restitution {pucks:/between the {pucks:s}/of every collision}/for every other pair it} is {restitution}",
         ),
         "of_any": Word(
             "restitution",
-            {1.0: "all {pairs?/other }collisions are elastic"},
-            "the coefficient of restitution is {pairs?always/otherwise} {restitution}",
+            {
+                1.0: "{pucks:/the {pucks:s} rebound from each other elastically/all {pairs?/other }collisions are elastic}"
+            },
+            "the coefficient of restitution is {pucks:/{restitution}/{pairs?always/otherwise} {restitution}}",
         ),
         "of_two": Word(
             "restitution",

@@ -112,6 +112,9 @@ def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
 
 
 def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
-    """One noun for each class of bodies, the first one twice as often as any other."""
+    """One noun for each class of bodies, the first one twice as often as any other, and where that suits not all."""
     classes = sorted({type(body) for body in scene.bodies.values()}, key=lambda held: held.__name__)
-    return {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
+    drawn = {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
+    bodies = scene.bodies
+    misnamed = {type(body) for body in bodies.values() if not body.suits(drawn[type(body)], bodies)}
+    return {held: held.nouns[0] if held in misnamed else noun for held, noun in drawn.items()}

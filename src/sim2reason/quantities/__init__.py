@@ -27,7 +27,7 @@ class Quantity(ABC):
         magnitude: the noun phrase of its size.
         signed: that with a sign; of a vector it is a component, named by ``{component}``.
         how: a question of its own, with ``{when}``: *how fast is … 2 s after release?* It asks for the size, or for
-            what has a sign where there is no phrase for the size.
+            what has a sign where there is no phrase for the size; with `over` it is asked over a stretch alone.
         over: the noun phrase of its size over a stretch, where that reads better than *since the start* at a moment.
         indirect: the same as a clause: *how fast … is moving*.
         sense: what is positive, where that is not a matter of the subject's directions, as in an increase.
@@ -123,6 +123,11 @@ class Quantity(ABC):
         """Whether it is worth asking of one subject, as friction is on a rough face; so by default."""
         del mechanism, name
         return True
+
+    def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
+        """Return the template for the component along a sense; by default `signed`, whatever the sense."""
+        del sense, mechanism, name
+        return self.signed
 
     @property
     def summary(self) -> str:

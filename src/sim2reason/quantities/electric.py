@@ -19,6 +19,7 @@ class ElectricPotentialEnergy(Quantity):
     name, unit, symbol = "electric potential energy", "J", "U"
     of = Bodies()
     over = "the magnitude of the change in {body}'s electric potential energy"
+    how = "by how much does the electric potential energy of {body} change {when}?"
     magnitude = f"{over} since the start"
     from_start = True
     needs = ("charge",)

@@ -96,6 +96,7 @@ class PotentialEnergy(Energy):
 
     name, symbol = "potential energy", "U"
     over = "the magnitude of the change in {body}'s gravitational potential energy"
+    how = "by how much does the gravitational potential energy of {body} change {when}?"
     magnitude = f"{over} since the start"
     weight = 0.25  # of one body it is seldom of use by itself
     from_start = True

@@ -6,8 +6,9 @@ from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.paths import EVEN, center_path
 
 STRAIGHT = 1e-9  # of the product of speed and acceleration: with less between them, a path does not bend
 
@@ -26,6 +27,16 @@ class Displacement(Quantity):
     weight = 2.0
     floor = 0.1
     panel, order = "displacement", 0
+
+    def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
+        """Return *the horizontal displacement* or *the vertical displacement* in a vertical plane with gravity."""
+        ways = [way[2] for way in center_path(mechanism, name).ways]
+        upright = any(abs(way) > 1.0 - EVEN for way in ways) and any(abs(way) < EVEN for way in ways)
+        along = abs(sense.vector[2])
+        if not sense.axis or not upright or mechanism.gravity == ZERO or EVEN < along < 1.0 - EVEN:
+            return self.signed
+        which = "horizontal " if along <= EVEN else "vertical "
+        return self.signed.replace("{component}", which)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

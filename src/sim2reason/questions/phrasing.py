@@ -78,7 +78,9 @@ def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
 def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
     """A noun with the phrases for its moment, or for the stretch up to that, if it is called something over one."""
     stretches = moment.stretches(words) if noun.over else ()
-    return (replace(noun, phrase=noun.over), stretches) if stretches else (noun, moment.phrases(words))
+    if stretches:
+        return replace(noun, phrase=noun.over), stretches
+    return replace(noun, how="" if noun.over else noun.how), moment.phrases(words)
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:

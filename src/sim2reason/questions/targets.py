@@ -170,7 +170,8 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
     for sense, quantity in [*along, *own]:
         component = f"{sense.axis} component of the " if sense.axis else ""
         how = "" if quantity.magnitude else filler.of(quantity, quantity.how)
-        yield Target(quantity.name, name, sense), Noun(filler.of(quantity, quantity.signed, component), how)
+        template = quantity.signed_along(sense, words.mechanism, name)
+        yield Target(quantity.name, name, sense), Noun(filler.of(quantity, template, component), how)
 
 
 class _Filler:

@@ -21,7 +21,7 @@ through the lowest point of its path for the first time. (The free-fall accelera
 Write the answer in N, to three significant figures, in \\boxed{}."""
 DISC = """A light straight arm can turn without friction in a vertical plane about a fixed horizontal axle. A \
 uniform thin disc of radius 0.17 m and mass 5.6 kg is fixed with its centre on the arm, 0.19 m from the \
-axle, and its axis along the arm. When the motion begins, the line from the axle to the disc points 64° \
+axle, and its axis along the arm. When the motion begins, the part of the arm from the axle to the disc points 64° \
 to the right of the downward vertical. The motion begins from rest. Find the greatest speed of the centre \
 of mass of the disc between release and the moment when it first comes to rest again. (The acceleration \
 of free fall is g = 9.8 m/s².) Write the answer in m/s, to three significant figures, in \\boxed{}."""

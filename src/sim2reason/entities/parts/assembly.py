@@ -49,7 +49,7 @@ class WeldedArm(Entity):
         "start": Word(
             "angle",
             {0.0: "{pieces.first.body} is straight below the axle"},
-            "the line from the axle to {pieces.first.body} points {angle} to the right of the downward vertical",
+            "the part of the arm from the axle to {pieces.first.body} points {angle} to the right of the downward vertical",
         ),
         "sent": Word("angle", {0.0: "{pieces.first.body} moving to the right"}, "{pieces.first.body} moving downwards"),
     }

@@ -51,7 +51,7 @@ class Hanging(MassSystem):
             "blocks",
             "{blocks} are joined by {blocks:/a light string, with {blocks.last} below {blocks.first}/light strings, one below the other in this order}.",
             "{blocks} hang one below the other, {blocks:/{blocks.first} on top, joined by a light string/in this order from the top down, joined by light strings}.",
-            "{blocks} hang in a column, {blocks:/{blocks.last} below {blocks.first} on a light string/each below the one before on a light string}.",
+            "{blocks} hang {blocks:/one below the other, with {blocks.last} attached to {blocks.first} by a light string/in a column, each below the one before on a light string}.",
             "{blocks:/a light string joins/light strings join} {blocks}, {blocks:/{blocks.last} hanging below {blocks.first}/which hang one below the other in this order}.",
         ),
     )

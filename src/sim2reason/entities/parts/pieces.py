@@ -31,14 +31,14 @@ Side = Literal[
     "from the axle",
     "from the axle, on the same side",
     "from the axle, on the other side",
-    "from the axle, on the side of the first body",
-    "from the axle, on the side opposite to the first body",
+    "from the axle, on the same side as the first body",
+    "from the axle, on the opposite side from the first body",
 ]
 FIRST: Side = "from the axle"
 SAME: Side = "from the axle, on the same side"
 OTHER: Side = "from the axle, on the other side"
-LIKE_FIRST: Side = "from the axle, on the side of the first body"
-UNLIKE_FIRST: Side = "from the axle, on the side opposite to the first body"
+LIKE_FIRST: Side = "from the axle, on the same side as the first body"
+UNLIKE_FIRST: Side = "from the axle, on the opposite side from the first body"
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
 Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
@@ -196,8 +196,8 @@ class CappedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its axis of symmetry along it; its {body.front} faces {faces} and is centred {distance} {side}.",
-            "rigidly attached to the arm is {body} with its axis of symmetry along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
+            "{body} is fixed to the arm so that its axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
+            "rigidly attached to the arm is {body}, whose axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
             "the arm carries {body}, welded to it with its axis of symmetry along the arm, its {body.front} facing {faces} and centred {distance} {side}.",
         ),
     )

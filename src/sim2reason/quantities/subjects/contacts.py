@@ -7,7 +7,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.subjects import Subject, all_said
 
 SURFACES = ("plane", "incline", "table", "floor", "track", "surface")  # fields of entities on which bodies may lie
-ANY = "the surface on which it rests"
+ANY = "the surface beneath it"
 
 
 @dataclass(frozen=True)
@@ -44,5 +44,5 @@ def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str
     while owner := owner.rpartition(".")[0]:
         found = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
         if found:
-            return found[0] if list(mentions.values()).count(found[0]) == 1 else f"{found[0]} on which it rests"
+            return found[0] if list(mentions.values()).count(found[0]) == 1 else f"{found[0]} beneath it"
     return ANY

@@ -27,8 +27,8 @@ class DistanceTravelled(Integral):
     name, unit, least = "distance travelled", "m", 1e-3
     of, center = Bodies(), True
     phrase = "the total distance that {body} travels{ground}"
-    how = "how far does {body} travel altogether{ground} {when}?"
-    indirect = "how far {body} travels altogether{ground}"
+    how = "how far does {body} travel in all{ground} {when}?"
+    indirect = "how far {body} travels in all{ground}"
     weight = 2.0
 
     def rate(self, state: State, name: str) -> Array:

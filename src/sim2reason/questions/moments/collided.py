@@ -7,6 +7,7 @@ import numpy as np
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.questions.moments import MOMENTS
+from sim2reason.questions.moments.parts.free_motion import meets_once
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
@@ -44,6 +45,10 @@ class Collided(VelocityJump):
     def subjects(self) -> tuple[str, ...]:
         """The two bodies."""
         return members(self.name)
+
+    def count(self, words: Words) -> int | None:
+        """Return no number where they can collide only once."""
+        return None if self.number == 1 and meets_once(words.mechanism) else self.number
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Whether the two collide."""

@@ -6,13 +6,14 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism, Meeting
+from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.state import State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.parts.free_motion import moves_freely
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -76,16 +77,9 @@ def _is_over(trace: Trace) -> bool:
     """Whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(end.v).max(initial=0.0))
-    if not _free(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
+    if not moves_freely(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
         return False
     return not any(_closes(end, meeting, STILL * fastest) for meeting in trace.mechanism.meetings)
-
-
-def _free(mechanism: Mechanism) -> bool:
-    """Whether nothing but contacts without friction acts between collisions, on bodies that don't turn."""
-    acts = (mechanism.lines, mechanism.forces, mechanism.attractions, mechanism.burns, mechanism.feet)
-    rubs = any(face.friction > 0.0 for face in mechanism.faces)
-    return not any(acts) and not rubs and all(c.kind == "slide" for c in mechanism.coordinates)
 
 
 def _closes(end: State, meeting: Meeting, still: float) -> bool:

@@ -13,7 +13,8 @@ class MostCompressed(SpringTurn):
     """The first time that a spring is compressed the most."""
 
     label = "greatest compression"
-    verb = Verb("reaches a maximum compression", "reach a maximum compression")
+    verb = Verb("reaches its maximum compression", "reach its maximum compression")
+    local_verb = Verb("reaches a maximum of its compression", "reach a maximum of its compression")
 
     def sign(self) -> float:
         """Its length is then the shortest."""

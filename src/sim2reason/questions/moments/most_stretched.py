@@ -13,7 +13,8 @@ class MostStretched(SpringTurn):
     """The first time that a spring is stretched the most."""
 
     label = "greatest extension"
-    verb = Verb("reaches a maximum extension", "reach a maximum extension")
+    verb = Verb("reaches its maximum extension", "reach its maximum extension")
+    local_verb = Verb("reaches a maximum of its extension", "reach a maximum of its extension")
 
     def sign(self) -> float:
         """Its length is then the longest."""

@@ -16,6 +16,7 @@ from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
+from sim2reason.questions.moments.parts.free_motion import goes_straight_up
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -83,7 +84,13 @@ class Moved(DistanceThreshold):
     def told(self, words: Words, said: str) -> str:
         """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
-        return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has moved {said}'}"
+        return (
+            f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._moved(words)} {said}'}"
+        )
+
+    def _moved(self, words: Words) -> str:
+        """Return how it has gone: *risen* where it can only go up before it turns back, else *moved*."""
+        return "risen" if goes_straight_up(words.mechanism, self.name) else "moved"
 
     def _there(self, words: Words, said: str) -> str:
         """Return where the body is: *0.50 m from its starting point*, *0.50 m to the left of its starting point*."""
@@ -107,7 +114,7 @@ class Moved(DistanceThreshold):
         if self._may_return(words):
             there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
             return (f"when {there}", f"at the moment when {there}", f"at the instant at which {there}")
-        moved = f"{self.subject(words)} has moved {self.said(words)}"
+        moved = f"{self.subject(words)} has {self._moved(words)} {self.said(words)}"
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 
     def clause(self, words: Words) -> Clause | None:
@@ -116,7 +123,9 @@ class Moved(DistanceThreshold):
         if self._may_return(words):
             there = self._there(words, f"first {said}")
             return Clause(self.subject(words), "is", there, f"is {there}")
-        return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
+        moved = self._moved(words)
+        takes = "rise" if moved == "risen" else "move"
+        return Clause(self.subject(words), "has", f"{moved} {said}", f"has {moved} {said}", f"to {takes} {said}")
 
 
 def _collides(mechanism: Mechanism, name: str) -> bool:

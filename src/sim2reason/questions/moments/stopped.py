@@ -16,6 +16,7 @@ from sim2reason.quantities.subjects.paths import EVEN, extended, rides, ways_of
 from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
+from sim2reason.questions.moments.parts.free_motion import goes_straight_up
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
@@ -37,6 +38,7 @@ class Stopped(Occurrence):
     verb = Verb("comes to rest", "come to rest")
     may_touch: ClassVar[bool] = True  # whether it counts as well where a speed touches zero and nothing turns back
     again: ClassVar[Verb] = Verb("comes to rest again", "come to rest again")
+    top: ClassVar[Verb] = Verb("reaches its greatest height", "reach its greatest height")
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -54,8 +56,18 @@ class Stopped(Occurrence):
         return f"the centre of {name}" if point == name else point
 
     def does(self, words: Words) -> Verb:
-        """It comes to rest again, where it is at rest at the start."""
+        """It reaches its greatest height, or comes to rest again, where it is at rest at the start."""
+        if self._is_top(words):
+            return self.top
         return self.verb if _starts(words.mechanism, self.name) else self.again
+
+    def count(self, words: Words) -> int | None:
+        """Return no number for the top of a flight, which is reached once."""
+        return None if self._is_top(words) else Occurrence.count(self, words)
+
+    def _is_top(self, words: Words) -> bool:
+        """Return whether it is the first stop of a body that goes straight up."""
+        return self.most > 0 and self.number == 1 and goes_straight_up(words.mechanism, self.name)
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:

@@ -20,7 +20,7 @@ class Labelled(PromptShape):
     """Like this: “Situation: Block A lies on …* and, in a paragraph of its own, *Question: how fast …?”."""
 
     name = "labelled"
-    share = 0.9
+    share = 0.3
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of every text."""

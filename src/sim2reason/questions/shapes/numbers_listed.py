@@ -28,6 +28,7 @@ class NumbersListed(PromptShape):
     """Like this: “Block A of mass $m_A$ lies on … How fast is it moving? Data: $m_A$ = 2.0 kg, …”."""
 
     name = "numbers_listed"
+    share = 0.35
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts without a table in which some numbers, but not too many, are told besides g."""

@@ -73,7 +73,7 @@ class FieldMoment:
                 SECONDS,
             )
         if len(kept) != 1 or drive is None or drive.frequency is not None:
-            raise UnsolvedError("it does not move to and fro on a line by a steady force")
+            raise UnsolvedError("it does not move to and fro on a line by a constant force")
         step, who = self.book.open("stop"), capital(self.setting.called(self.fields.body))
         step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
         if drive.growth is None and drive.slope is None and self.fields.damping is None:

@@ -18,9 +18,9 @@ class LinearDrag(Medium):
 
     says = (
         either(
-            "a medium resists the motion with a force of {coefficient} times the speed.",
-            "the motion is resisted by a medium, with a force of {coefficient} times the speed.",
-            "against the motion a medium exerts a force that is {coefficient} times the speed.",
+            "a medium resists the motion with a force proportional to the speed, with the constant of proportionality {coefficient}.",
+            "a medium exerts a drag force proportional to the speed; the constant of proportionality is {coefficient}.",
+            "the drag force of a medium is proportional to the speed, the constant of proportionality being {coefficient}.",
         ),
     )
 

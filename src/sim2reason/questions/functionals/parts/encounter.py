@@ -16,7 +16,10 @@ def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         return ()
     if isinstance(moment, Bounced):
         return moment.does(words).phrases(moment.subject(words), moment.number)
-    which = ordinal(moment.number)
+    number = moment.count(words)
+    if number is None:
+        return ("in their collision", "when they collide", "in the collision of the two")
+    which = ordinal(number)
     return (
         f"in their {which} collision",
         f"when they collide for the {which} time",

@@ -90,17 +90,18 @@ class Occurrence(VerbHappening):
         """How a question calls the one that it happens to."""
         return words.called(self.of)[self.name]
 
-    @property
-    def _count(self) -> int | None:
+    def count(self, words: Words) -> int | None:
+        """Return the number by which a text tells it from others of its subject; None if it happens but once."""
+        del words
         return self.number if self.most else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the string first goes slack."""
-        return self.does(words).phrases(self.subject(words), self._count)
+        return self.does(words).phrases(self.subject(words), self.count(words))
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the string first goes slack."""
-        return self.does(words).clause(self.subject(words), self._count)
+        return self.does(words).clause(self.subject(words), self.count(words))
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,11 +125,11 @@ class VelocityJump(Occurrence):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: just after the ball first hits the ground."""
-        return self.does(words).sided(self.subject(words), self.number, after=self.after)
+        return self.does(words).sided(self.subject(words), self.count(words), after=self.after)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the ball first hits the ground; when that is, is asked of one side alone."""
-        return self.does(words).clause(self.subject(words), self._count) if self.after else None
+        return self.does(words).clause(self.subject(words), self.count(words)) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:
         """As in: from release until just after the ball hits the ground for the second time."""

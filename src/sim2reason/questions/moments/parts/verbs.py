@@ -24,9 +24,10 @@ class Verb:
         happens = f"{subject} {self.told}" if number is None else self._counted(subject, number)
         return (f"when {happens}", f"at the moment when {happens}", f"at the instant at which {happens}")
 
-    def sided(self, subject: str, number: int, *, after: bool) -> tuple[str, ...]:
-        """*Just before …* or *just after …*."""
-        side, again = "after" if after else "before", self._counted(subject, number)
+    def sided(self, subject: str, number: int | None, *, after: bool) -> tuple[str, ...]:
+        """*Just before …* or *just after …*; `number` is None for what can happen but once."""
+        side = "after" if after else "before"
+        again = f"{subject} {self.told}" if number is None else self._counted(subject, number)
         return (
             f"just {side} {subject} first {self.told}" if number == 1 else f"at the moment just {side} {again}",
             f"just {side} {again}",
