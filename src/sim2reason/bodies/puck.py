@@ -28,10 +28,10 @@ class Puck(Body):
     listed = "{letter} ({mass})"
     symbols = {"vx": "v_x", "vy": "v_y"}
     words = {
-        "moving": Word("vx", {0.0: "{across}"}, "with velocity ({vx}, {vy})"),
-        "across": Word("vy", {0.0: "at rest"}, "with velocity components 0 along x and {vy} along y"),
-        "afoot": Word("vx", {0.0: "{afoot_across}"}, "moving with velocity ({vx}, {vy})"),
-        "afoot_across": Word("vy", {0.0: "at rest"}, "moving in the y direction, with a velocity component of {vy}"),
+        "moving": Word("vx", {0.0: "{moving_across}"}, "with velocity ({vx}, {vy})"),
+        "moving_across": Word("vy", {0.0: "at rest"}, "with velocity components 0 along x and {vy} along y"),
+        "motion": Word("vx", {0.0: "{motion_across}"}, "moving with velocity ({vx}, {vy})"),
+        "motion_across": Word("vy", {0.0: "at rest"}, "moving in the y direction, with a velocity component of {vy}"),
     }
 
     @property

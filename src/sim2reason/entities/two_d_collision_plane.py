@@ -111,7 +111,7 @@ class TwoDCollisionPlane(Entity):
             "pucks",
             "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0, {pucks.*.moving}.",
             "at t = 0 {pucks.*} is at ({pucks.*.x}, {pucks.*.y}), {pucks.*.moving}.",
-            "the position of {pucks.*} at t = 0 is ({pucks.*.x}, {pucks.*.y}); it is then {pucks.*.afoot}.",
+            "the position of {pucks.*} at t = 0 is ({pucks.*.x}, {pucks.*.y}); it is then {pucks.*.motion}.",
             table=(
                 "each {noun}'s {columns} at t = 0 are listed below.",
                 "the {columns} of each {noun} at t = 0 are the following.",
