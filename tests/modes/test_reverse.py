@@ -268,7 +268,7 @@ def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
     read = parse_prompt(
         "On a stationary plane inclined at 12° to the horizontal there is a uniform sphere of radius $R$ with a "
         "spherical hole of radius 0.060 m whose centre lies 0.094 m from that of the sphere (mass with the hole: 6.9 "
-        "kg); it can roll straight up or down the slope. At the start the line from its centre to the hole makes an "
+        "kg), free to roll straight up or down the slope. At the start the line from its centre to the hole makes an "
         "angle of 121° with the upward vertical, on the downhill side. It rolls without slipping. The motion begins "
         "from rest. Use g = 9.8 m/s². For which value of $R$ is the magnitude of the friction force exerted on the "
         "sphere by the plane just after release equal to 4.89 N? Write the answer in m, to three significant figures, "

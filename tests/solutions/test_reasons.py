@@ -138,7 +138,7 @@ SPRUNG = (
     "light spring with a stiffness of 27 N/m and a natural length of 0.69 m ties the crate to a fixed point at (0 m, "
     "0 m). Initially the crate is at the point (0.51 m, −0.35 m). The crate is given the velocity (−0.36 m/s, 0.52 "
     "m/s) at t = 0. Calculate the greatest kinetic energy of the crate between t = 0 and the moment when the spring "
-    "first reaches a maximum extension. State the answer in J to three significant figures, inside \\boxed{}."
+    "first reaches its maximum extension. State the answer in J to three significant figures, inside \\boxed{}."
 )
 
 

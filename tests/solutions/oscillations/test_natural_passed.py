@@ -7,7 +7,7 @@ STRETCHED = (
     "A crate of mass 2.0 kg lies on a smooth horizontal table, on which x points to the right and y away from you. A "
     "light spring with a stiffness of 40 N/m and a natural length of 0.50 m ties the crate to a fixed point at (0 m, "
     "0 m). Initially the crate is at the point (0.70 m, 0 m). The crate is given the velocity (−0.60 m/s, 0.50 m/s) at "
-    "t = 0. Calculate the greatest speed of the crate between t = 0 and the moment when the spring first reaches a "
+    "t = 0. Calculate the greatest speed of the crate between t = 0 and the moment when the spring first reaches its "
     "maximum extension. State the answer in m/s to three significant figures, inside \\boxed{}."
 )
 
