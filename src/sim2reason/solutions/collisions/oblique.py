@@ -10,6 +10,7 @@ from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
 
 RESTITUTION = "Conservation of momentum and restitution along it"
@@ -78,15 +79,16 @@ def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
     X, u, since, labels = _relative(flights, impact)
     book, distance = flights.book, _distance(flights, impact)
     step, t = book.open("impact time"), book.fresh("t")
+    x = book.fresh(labels[axis], flights.pair_mark(impact.bodies, flights.latest(impact)[1]))
+    known = step.result(x, X[axis], METRES, law=True)
     reach: Expression = distance
     if len(X) > 1 and X[1 - axis] != ZERO:
         reach = Root(added(Power(distance, 2), -Power(X[1 - axis], 2)))
-    moved = added(X[axis], multiplied(u[axis], t))
+    moved = added(x, multiplied(u[axis], t))
     law = step.law(squares((moved, *X[:axis], *X[axis + 1 :])), Power(distance, 2))
-    formula = ratio(added(_signed(flights, X[axis], reach), -X[axis]), u[axis])
-    known = f"The relative velocity is along the {labels[axis]} axis, so"
+    formula = ratio(added(_ahead(flights, u[axis], reach), -x), u[axis])
     who = flights.setting.listed(list(impact.bodies))
-    step.say(f"{known} {who} meet when {law}.")
+    step.say(f"The relative velocity is along the {labels[axis]} axis. With {known}, {who} meet when {law}.")
     step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
     step.close()
     return flights.counted(since, t)
@@ -98,9 +100,9 @@ def _only_axis(u: Sequence[Expression]) -> int | None:
     return moving[0] if len(moving) == 1 else None
 
 
-def _signed(flights: Impacts, place: Expression, size: Expression) -> Expression:
-    """Return a magnitude with the sign of a relative coordinate, which it keeps until the discs touch."""
-    return size if flights.book.value(place) > 0.0 else -size
+def _ahead(flights: Impacts, velocity: Expression, size: Expression) -> Expression:
+    """Return a magnitude with the sign of a relative coordinate: the opposite of that of the velocity of approach."""
+    return size if flights.book.value(velocity) < 0.0 else -size
 
 
 def _distance(flights: Impacts, impact: Impact) -> Expression:
@@ -116,9 +118,6 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     one, other = impact.bodies
     lexicon = flights.setting.lexicon
     places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
-    X: list[Expression] = []
-    u: list[Expression] = []
-    labels: list[str] = []
     found: list[tuple[str, Polynomial, Polynomial]] = []
     for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
         axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
@@ -130,26 +129,41 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
             raise ValueError("discs that are accelerated differently")
         if apart or w:  # along an axis on which nothing differs nothing happens
             found.append((flights.mechanism.coordinates[i].label, apart, w))
-    step, said = flights.book.open("relative"), list[str]()
+    step = flights.book.open("relative")
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
         who = capital(flights.setting.listed([body.name for body in flights.mechanism.bodies if body.mass]))
         step.say(f"{who} have the same acceleration, so their relative velocities are constant between collisions.")
-    pair = flights.pair_mark(impact.bodies, latest)
-    for label, apart, w in found:
-        for base, axis, part, unit, known in (("", label, apart, METRES, X), ("u", f"{label},", w, SPEED, u)):
-            if part:
-                name = flights.book.fresh(base or axis, f"{axis if base else ''}{pair}")
-                known.append(name)
-                said.append(step.result(name, part.expression(), unit, law=True))
-            else:
-                known.append(ZERO)
-        labels.append(label)
+    X, u, said = _named(flights, step, found, flights.pair_mark(impact.bodies, latest))
+    labels = [label for label, *_ in found]
     who = [flights.setting.called(body) for body in impact.bodies]
     when = f"just after {flights.collision(latest)}" if latest is not None else "at t = 0"
-    step.say(f"Position and velocity of {who[1]} relative to {who[0]} {when}: {joined(said)}.")
+    what = "Position and velocity" if any(x != ZERO for x in X) else "Velocity"
+    step.say(f"{what} of {who[1]} relative to {who[0]} {when}: {joined(said)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
+
+
+def _named(
+    flights: Impacts, step: Writing, found: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
+) -> tuple[list[Expression], list[Expression], list[str]]:
+    """Return names of relative coordinates and velocities, which a step tells, and the equations; zeros need no names.
+
+    Nor does the coordinate along the only axis of the relative velocity, which is told only where a time is asked for.
+    """
+    X, u, said = list[Expression](), list[Expression](), list[str]()
+    along = _only_axis([w.expression() for _, _, w in found])
+    for number, (label, apart, w) in enumerate(found):
+        for base, index, part, unit, known in (
+            (label, pair, apart, METRES, X),
+            ("u", f"{label},{pair}", w, SPEED, u),
+        ):
+            known.append(part.expression())
+            if part and not (number == along and known is X):
+                name = flights.book.fresh(base, index)
+                said.append(step.result(name, known[-1], unit, law=True))
+                known[-1] = name
+    return X, u, said
 
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
@@ -180,7 +194,7 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
     if axis is not None and len(X) > 1:
         aside = ratio(X[1 - axis], distance)
         parts = [aside, aside]
-        parts[axis] = _signed(flights, X[axis], Root(added(Number(1.0), -Power(aside, 2))))
+        parts[axis] = _ahead(flights, u[axis], Root(added(Number(1.0), -Power(aside, 2))))
         other = X[1 - axis].latex()
         known = f"The relative velocity is along the {labels[axis]} axis, so ${other}$ does not change. "
         return parts, f"{known}At {flights.collision(impact)} the unit vector along the line of centres is"
