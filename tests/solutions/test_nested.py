@@ -70,7 +70,7 @@ def drawn(mode: str, kind: str, recipe: str, count: int) -> Iterator[CertifiedQu
 @pytest.mark.parametrize("recipe", ["pulley", "hybrid", "rolling", "collision", "chain"])
 def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str) -> None:
     count = 0
-    for found in drawn("numeric", "comparison", recipe, 8):
+    for found in drawn("numeric", "comparison", recipe, 12):
         solution = solve(found.setting)
         assert solution.answer is not None, (found.prompt, solution.reason)
         assert not faults(solution, found.question.answer, SEEN.get("comparison", 1e-9)), solution.text
