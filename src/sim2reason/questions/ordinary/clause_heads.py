@@ -90,7 +90,7 @@ HEADS: Mapping[str, str] = {
     "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
-    "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
+    "(?:(?:get|go|come|return|fall|spring) back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
     f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"
     "|shortest|minimum length|smallest length|shortest length": "{s} most compressed",
@@ -105,10 +105,10 @@ HEADS: Mapping[str, str] = {
     # engines
     "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"
     " up| off)?"
-    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:engine|motor|burn|thrust) "
+    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:(?:engine|motor) )?run out of fuel|(?:engine|motor|burn|thrust) "
     "(?:itself )?(?:stop|cut out|cut off|shut down|shut off|burn out|end|finish|switch off|turn off|run out|quit|cease"
     "|go out|off)(?: (?:burn|fire|work|run))?|burnout|burn-out|(?:engine )?(?:cutoff|cut-off|shutdown|shut-down)"
-    "|run out of fuel|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
+    "|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
     "|end of (?:the )?burn|(?:fuel )?tank (?:empty|run dry)|no fuel (?:left|leave|remain)": "burnout",
     # slipping
     "(?:(?:start|begin) (?:to )?)?(?:pure(?:ly)? )?(?:roll|rolling)(?: purely)?(?: without (?:slip|slide"

@@ -35,7 +35,7 @@ _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
 _LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
-    "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
+    "(?:[{s} |system |everything |whole system |they |both ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
     " ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
 _ON_ITS_WAY = pattern(

@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 
+from sim2reason.questions.ordinary.turns_of_amount import AMOUNT_TURNS
 from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
 from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
+from sim2reason.questions.ordinary.turns_of_place import PLACE_TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
 
 REWORDINGS: Mapping[str, str] = {
@@ -64,6 +66,6 @@ REWORDINGS: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in {**MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
+    for told, plain in {**AMOUNT_TURNS, **PLACE_TURNS, **MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

@@ -1,0 +1,89 @@
+"""Turns of phrase about amounts, signs, units and numbers of events, with plainer equivalents."""
+
+from collections.abc import Mapping
+
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+
+_DOES = "(?:does|do|did|will|is|are|has|have|had|must|can)"
+_UNITS = (
+    "(?:kilometres|kilometers|km|centimetres|centimeters|cm|millimetres|mm|metres|meters|m|kilograms|kg|newtons|n|joules|j"
+    "|seconds|s|years|minutes|degrees|radians|m/s|km/s|rad/s|metres per second|watts|w|astronomical units|au)"
+)
+_MOMENT = "(?:when|by time|by moment|at|after|before|until|just|as|once|during|in first|while)"
+_RISE = "(?:rise|rises|reach|reaches|get|gets|bounce|bounces|jump|jumps|go|goes|come|comes|climb|climbs|fly|flies)"
+_NO_MORE = f"(?:(?:does|will|can) )?(?:no longer|not|never) {_RISE}(?: up)?(?: (?:again|any more))?"
+_AS_HIGH = "(?:as high as|(?:to )?(?:a )?height of|above|over|higher than|more than|to)"
+_HITS = f"(?:bounce|bounces|bounced|hit|hits|strike|struck|touch|touched|landed|land)(?: (?:on |off )?(?:{GROUNDS}))?"
+_RIGHT = "(?:rightwards?|right|to right|direction to right|motion to right|velocities to right|positive x direction)"
+_UPWARD = "(?:upwards?|up|upward direction|motion upwards?)"
+_EDGE = "(?:(?:next|following|new|front|first|neighbouring|adjacent|lower|that|this|leading) )?(?:edge|face)"
+_LANDS = (
+    f"(?:strikes?|hits?|lands?(?: on)?|touches|touch|reaches|meets|comes down(?: on)?|falls? on|comes to lie on)"
+    f"(?: (?:{GROUNDS}))?"
+)
+
+AMOUNT_TURNS: Mapping[str, str] = {
+    "\\blinear (?=(?:acceleration|speed|velocity|momentum)\\b)": "",
+    "\\b(?:common|joint) (?P<c>cent(?:re|er) of (?:mass|gravity))": r"\g<c>",
+    "\\bswinging (?:body|system|part|thing|assembly)\\b": "everything",
+    "\\bcompressed (?:the )?most\\b(?! of)": "most compressed",
+    "\\bstretched (?:the )?most\\b(?! of)": "most stretched",
+    f" ?,? (?:expressed |measured )?in {_UNITS}(?= {_MOMENT}\\b)": "",
+    "^by how many (?:j|joules) (?=has|does|is|will|did)": "by how much ",
+    " ?,? in end ,? (?=when|after|once)": " ",
+    "^(?P<ask>ASK|what) (?P<q>LEAST) length [that ]~(?P<s>@\\d+@) (?:has|have|reaches|attains|gets|takes)$": (
+        r"what is shortest length of \g<s>"
+    ),
+    "^(?P<ask>ASK|what) (?P<q>GREATEST) length [that ]~(?P<s>@\\d+@) (?:has|have|reaches|attains|gets|takes)$": (
+        r"what is longest length of \g<s>"
+    ),
+    "^ASK (?P<q>GREATEST) length of (?=@)": "what is longest length of ",
+    "^how long does (?:hand|pull) take to (?:pull|drag|move|draw|haul|shift|raise|lift) (?P<s>@\\d+@) (?=#|through|by)": (
+        r"how long does \g<s> take to move "
+    ),
+    "^by how much (?:has|does|did|will) friction (?:reduced?|lowered|lower|diminish|diminished|decreased?)"
+    " (?:mechanical|total) energy\\b": "how much energy is lost to friction",
+    f"^(?P<s>@\\d+@) (?:\\w+ )*?(?:to|at|in|into) (?:point|place|spot) (?:where|at which) (?:it|@\\d+@) (?P<clause>(?:\\w+ ?)+)\\. how"
+    f" far is (?:this|that) (?:point|place|spot) from (?P<home>HOME)$": r"how far is \g<s> from \g<home> when \g<s> \g<clause>",
+    # signs
+    f"\\. (?:take|count|regard|consider|let|reckon) {_RIGHT} (?:as|be|to be|count as) positive$": "",
+    f"\\. (?:take|count|regard|consider|let|reckon) {_UPWARD} (?:as|be|to be|count as) positive$": (
+        " , taking upwards as positive"
+    ),
+    # periods
+    "\\b(?P<p>period|frequency|angular frequency) (?:with|at|of|in) which (?P<s>@\\d+@) (?:oscillates?|vibrates?|swings?|moves?"
+    "|turns?|revolves?|goes round|go round)(?: to and fro| back and forth)?": r"\g<p> of \g<s>",
+    # parts of a string
+    "(?P<t>\\b(?:tension|force) (?:of|in) @\\d+@) ,? (?:(?:that|which) is )?(?:just |directly |right )?(?:above|over|below"
+    "|beside|next to) @\\d+@(?=$| ,| when| while| at| just| after)": r"\g<t>",
+    # numbers of bounces
+    f"^(?:after )?how (?:many times|often) (?:{_DOES} )?(?P<s>@\\d+@) (?:have (?:to )?)?(?:{_HITS}) (?:until|till|before|so that)"
+    f" (?:@\\d+@|it) {_NO_MORE} {_AS_HIGH} (?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?$": (
+        r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
+    ),
+    f"^after how many (?:bounces|landings|impacts|hits|rebounds) {_DOES} (?P<s>@\\d+@) (?:no longer|not|never) {_RISE}"
+    f"(?: up)?(?: (?:again|any more))? {_AS_HIGH} (?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?(?: any more| again)?$": (
+        r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
+    ),
+    f"^(?:after )?how many (?:bounces|landings|impacts|hits|rebounds) (?:{_DOES} (?:it )?(?:take|need|there)|are there|are"
+    f" needed) (?:until|till|before) (?P<s>@\\d+@) {_NO_MORE} {_AS_HIGH} (?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?$": (
+        r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
+    ),
+    # edges that land
+    f"\\b{_EDGE} {_LANDS}(?: for first time)?(?= ,|$)": "edge lands",
+    f"\\b(?P<s>@\\d+@) (?:first )?(?:lands|falls|comes down|drops) on (?:its )?{_EDGE}(?= ,|$)": "edge lands",
+    f"\\b(?:impact|landing) of {_EDGE}(?: (?:on|with|against) (?:{GROUNDS}))?(?= ,|$)": "edge lands",
+    # collisions of all
+    f"^how much (?:kinetic |mechanical )?energy {_DOES} (?:@\\d+@ )?(?:lose|lost|dissipate|dissipated)(?: (?:in all|in total"
+    f"|altogether|together))? (?:when|once|after|by time|by moment|by time that|until) (?:all|every one of) (?:of )?"
+    f"(?:their )?collisions (?:are|is|have been|have taken place|have happened|is)? ?(?:over|finished|done)?$": (
+        "how much energy is lost in all collisions"
+    ),
+    "\\b(?:any )?two of @\\d+@ (?:touch|collide|meet|hit each other|come into contact)(?: for first time)?$": (
+        "first collision takes place"
+    ),
+    "\\bboth (?P<go>move|moving|have|travel) (?=(?:with|at) (?:same|common|equal) |same )": r"they \g<go> ",
+    "\\bneither (?:stretched|extended) nor (?:compressed|shortened)\\b": "relaxed",
+    "\\bat (?:moments|instants|times|points) (?P<w>when|where|at which|in which)\\b": "at moment when",
+}
+"""Plainer words, by the pattern of a part of a question without articles that has the same meaning."""
