@@ -30,7 +30,7 @@ FORCE_ROWS = (
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?on|by|from|of", "?have|in total|in all|altogether"),
         "what force bears axle {s} {t}", 2),
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?have"), "what force bears axle {s}"),
-    WantedRow((FORCE, f"?{_ACT}", _HOOK, _ON, _ON), "what force on hook {s}"),
+    WantedRow((FORCE, "?string|rope|cord|cable|thread", f"?{_ACT}", _HOOK, _ON, _ON), "what force on hook {s}"),
     WantedRow(("how much", "pull|tug", "?on|at"), "what force does {s} exert on {t}", 2),
     WantedRow((FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
     WantedRow((FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),

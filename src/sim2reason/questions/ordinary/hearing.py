@@ -50,6 +50,7 @@ _OWN = re.compile(
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
+    r"|(?:is |lies |passes |swings |moves )?(?:directly |vertically |straight |exactly )*(?:below|beneath|under|underneath)"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
@@ -63,7 +64,7 @@ _PARTICIPLES = re.compile(
 )
 _HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
 _CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
-_WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
+_WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm)|swinging (?:body|part|thing))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 

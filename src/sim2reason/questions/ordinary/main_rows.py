@@ -205,6 +205,8 @@ ROWS = (
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what is greatest angle of {s} with vertical"),
+    WantedRow(("angle", "{least}|nearest|closest", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical",
+        "?reach|attain|make|come|get|swing"), "what is least angle of {s} with vertical"),
     WantedRow(("(?:at )?(?:what|which) angle|how steep|how steeply", ("?(?:with|to|from|and|against) (?:the"
     " )?(?:horizontal|ground)")),
         "what angle {s} hits at"),

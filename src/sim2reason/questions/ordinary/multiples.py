@@ -51,9 +51,9 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time so late that the answer no longer changes, as a medium resists the motion."""
+    """Return a question about a time so late that the answer no longer changes: a medium resists, or it is an extreme."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
-    if asked.find == "time" or not resisted:
+    if asked.find == "time" or not (resisted or asked.find.startswith(("greatest", "least"))):
         raise TextError("when", "nothing settles down here", "name a moment")
     until, unit, before = motion.study.scene.horizon, words.mechanism.units.time, list[float]()
     for _ in range(DOUBLINGS):

@@ -15,6 +15,7 @@ _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
+_ABOVE_GROUND = re.compile(rf"\babove (?:{GROUNDS})")
 _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
@@ -104,6 +105,8 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     rest = _without_parts(row, text, groups)
     if rest is None:
         return
+    if _ABOVE_GROUND.search(rest) is not None:
+        return  # a height above the start is another one
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))

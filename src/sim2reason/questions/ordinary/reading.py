@@ -214,9 +214,11 @@ def _whole(main: Main) -> Iterator[Reading]:
 
 
 def _to_its_end(main: Main) -> Iterator[Reading]:
-    """Yield readings of an extreme or a sum of a motion that does not repeat itself: until all is at rest for good."""
+    """Yield readings of an extreme or a sum of a motion that does not repeat itself: up to where nothing new comes."""
     if not main.find.startswith(("greatest", "least", "energy")):
         return
+    if not main.find.startswith("energy"):
+        yield _with(replace(main, rank=main.rank + 1), When(LONG, AFTER))
     for rank, when in enumerate((f"{main.of} halted", f"{main.of} stopped", "halted", "stopped", "landed"), start=2):
         ways = () if "stopped" not in when else ((main.of, RESTS),)
         yield _with(replace(main, rank=main.rank + rank), When(when.strip(), AFTER, ways))

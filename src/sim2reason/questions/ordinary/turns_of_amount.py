@@ -25,7 +25,6 @@ _LANDS = (
 AMOUNT_TURNS: Mapping[str, str] = {
     "\\blinear (?=(?:acceleration|speed|velocity|momentum)\\b)": "",
     "\\b(?:common|joint) (?P<c>cent(?:re|er) of (?:mass|gravity))": r"\g<c>",
-    "\\bswinging (?:body|system|part|thing|assembly)\\b": "everything",
     "\\bcompressed (?:the )?most\\b(?! of)": "most compressed",
     "\\bstretched (?:the )?most\\b(?! of)": "most stretched",
     f" ?,? (?:expressed |measured )?in {_UNITS}(?= {_MOMENT}\\b)": "",
@@ -45,6 +44,19 @@ AMOUNT_TURNS: Mapping[str, str] = {
     " (?:mechanical|total) energy\\b": "how much energy is lost to friction",
     f"^(?P<s>@\\d+@) (?:\\w+ )*?(?:to|at|in|into) (?:point|place|spot) (?:where|at which) (?:it|@\\d+@) (?P<clause>(?:\\w+ ?)+)\\. how"
     f" far is (?:this|that) (?:point|place|spot) from (?P<home>HOME)$": r"how far is \g<s> from \g<home> when \g<s> \g<clause>",
+    "^(?:ASK|what) GREATEST angle (?:[that ]~(?P<s>@\\d+@) ~makes? with|of (?P<t>@\\d+@) with|between (?P<u>@\\d+@) and)"
+    " [downward ]vertical on (?:other|far|opposite) side$": (
+        r"what angle does \g<s>\g<t>\g<u> make with vertical when \g<s>\g<t>\g<u> comes to rest on other side"
+    ),
+    "^how much time (?:passes|elapses|goes by|passed) after START (?:until|till|before|to moment when) ": (
+        "how much time passes until "
+    ),
+    "(?P<s>@\\d+@) (?P<is>[is |are ]MOTION) (?P<way>up|down) SURFACE (?:at|with) [speed of ](?P<n>#\\d+#)$": (
+        r"\g<s> \g<is> at \g<n> on its way \g<way>"
+    ),
+    "(?P<ask>(?:GREATEST|LEAST) QUANTITY (?:of|in|that|which)? ?@\\d+@(?: (?:has|reaches|attains|gets))?) (?:anywhere |at any"
+    " (?:point|time|place) )?(?:on|in|during|along) (?:its |@\\d+@ 's )?(?:way|orbit|path|trajectory|whole motion|motion|flight"
+    "|circuit|round)$": r"\g<ask>",
     # signs
     f"\\. (?:take|count|regard|consider|let|reckon) {_RIGHT} (?:as|be|to be|count as) positive$": "",
     f"\\. (?:take|count|regard|consider|let|reckon) {_UPWARD} (?:as|be|to be|count as) positive$": (

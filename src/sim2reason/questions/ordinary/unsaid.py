@@ -14,7 +14,7 @@ AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
 ENERGIES = "kinetic energy", "rotational kinetic energy"
 ORBITAL = "eccentricity", "semi-major axis"
-DEFLECTIONS = "deflection", "greatest deflection"
+DEFLECTIONS = "deflection", "greatest deflection", "least deflection"
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
 
