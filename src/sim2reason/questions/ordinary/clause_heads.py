@@ -136,7 +136,7 @@ HEADS: Mapping[str, str] = {
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
-    rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
+    rf"(?P<n>{N})(?: away)? (?:from|of) {HOME}": "{s} moves {n}{way}",
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
     "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
     " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",

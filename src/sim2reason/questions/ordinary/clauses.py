@@ -86,7 +86,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]sets off": place.sets_off,
     "{s} stays below {n}": place.stays_below,
     "{s} is under {t}": place.under,
-    "edge lands": read.jump("edge landed"),
+    " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),
     "[{s} ]at height of {n}": place.at_height,
     "[{s} ]moves {n} vertically {way=WAY}": place.vertically,
     "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,

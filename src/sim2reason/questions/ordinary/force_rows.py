@@ -8,7 +8,7 @@ FORCE = (
     " )*force"
     "|(?:total |resultant |net |whole )*(?:force|pull|load|reaction)"
 )
-_ACT = "exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
+_ACT = "load|exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
 _HOLDER = "axle|bear(?:ing)?|bracket|mount|mounting|support|suspension|hinge|pivot|(?:fixed )?axis"
 _HOOK = (
     "(?:fixed )?(?:hook|ceiling|beam)|(?:its )?(?:point of suspension|suspension point|fixed point|suspension"

@@ -63,6 +63,8 @@ _PARTICIPLES = re.compile(
     r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
 _HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
+_WHOLES = {"one": 1, "a": 1, "two": 2, "three": 3, "four": 4, "five": 5}
+_AND_HALF = re.compile(rf"\b(?P<n>{'|'.join(_WHOLES)})(?: (?P<u>second|metre|meter|year))? and a half(?: (?P<v>seconds|metres|meters|years))?\b")
 _CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
 _WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm)|swinging (?:body|part|thing))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
@@ -89,7 +91,7 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    sentence = _HALF.sub(r"\1 0.5 \2", sentence)
+    sentence = _HALF.sub(r"\1 0.5 \2", _AND_HALF.sub(_and_half, sentence))
     text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
@@ -123,6 +125,12 @@ def hear(sentence: str, words: Words) -> Heard:
     text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
     text = without_asides(text)
     return Heard(reworded(text), tuple(subjects), numbers)
+
+
+def _and_half(found: re.Match[str]) -> str:
+    """Return *one and a half seconds* in digits; unchanged without a unit."""
+    unit = found["v"] or found["u"]
+    return f"{_WHOLES[found['n']]}.5 {unit}" if unit else found[0]
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:

@@ -131,7 +131,7 @@ FRAMES: Mapping[str, Reader] = {
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
     "ASK energy stored in {s}": change.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
-    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": change.changed,
+    "how much {q=QUANTITY} ~[{s} ](?P<verb>gain|lose|change)": change.changed,
     "how far (?P<side>up|down) is {s}": read.far_off,
     "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
     "what force acts on {s}": read.of_fields,

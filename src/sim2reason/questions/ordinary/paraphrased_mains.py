@@ -105,8 +105,8 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     rest = _without_parts(row, text, groups)
     if rest is None:
         return
-    if _ABOVE_GROUND.search(rest) is not None:
-        return  # a height above the start is another one
+    if _ABOVE_GROUND.search(rest) is not None or re.search(r"\bby how much\b", rest) is not None:
+        return  # a height above the start is another one, and a change is no value
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))

@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     LIES,
     MOTIONS,
     ON,
+    ONE_LINE,
     ORIGIN,
     RESTS,
     SIDEWAYS,
@@ -72,6 +73,8 @@ def relatively(name: str) -> Reader:
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
         if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
             yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
+            straight = ((of, ONE_LINE), (on, ONE_LINE))
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=straight, rank=1)
 
     return read
 

@@ -29,7 +29,7 @@ from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
-PULLS = "rod force", "tension", "spring force"
+PULLS = "rod force", "tension", "spring force", "rod pull"
 
 
 def _extreme(size: str) -> Reader:
@@ -38,7 +38,7 @@ def _extreme(size: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
-        if name == "rod force":
+        if name in ("rod force", "tension"):
             yield from (
                 Main(f"{size} {force}", heard.subject(found.groupdict().get("s")), needs=STRETCH) for force in PULLS
             )

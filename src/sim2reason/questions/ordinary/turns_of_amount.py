@@ -16,7 +16,7 @@ _AS_HIGH = "(?:as high as|(?:to )?(?:a )?height of|above|over|higher than|more t
 _HITS = f"(?:bounce|bounces|bounced|hit|hits|strike|struck|touch|touched|landed|land)(?: (?:on |off )?(?:{GROUNDS}))?"
 _RIGHT = "(?:rightwards?|right|to right|direction to right|motion to right|velocities to right|positive x direction)"
 _UPWARD = "(?:upwards?|up|upward direction|motion upwards?)"
-_EDGE = "(?:(?:next|following|new|front|first|neighbouring|adjacent|lower|that|this|leading) )?(?:edge|face)"
+_EDGE = "(?:(?:next|following|new|front|neighbouring|adjacent|lower|that|this|leading) )?(?:edge|face)"
 _LANDS = (
     f"(?:strikes?|hits?|lands?(?: on)?|touches|touch|reaches|meets|comes down(?: on)?|falls? on|comes to lie on)"
     f"(?: (?:{GROUNDS}))?"
@@ -57,6 +57,27 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "(?P<ask>(?:GREATEST|LEAST) QUANTITY (?:of|in|that|which)? ?@\\d+@(?: (?:has|reaches|attains|gets))?) (?:anywhere |at any"
     " (?:point|time|place) )?(?:on|in|during|along) (?:its |@\\d+@ 's )?(?:way|orbit|path|trajectory|whole motion|motion|flight"
     "|circuit|round)$": r"\g<ask>",
+    "\\b(?:pick|picks|gain|gains) (?:up )?speed\\b": "accelerate",
+    "^(?:at|for|with) (?:what|which) (?P<q>QUANTITY) (?:of|in) (?P<t>@\\d+@) (?P<is>is|are) (?P<s>@\\d+@) (?P<rest>\\w+)$": (
+        r"what is \g<q> of \g<t> when \g<s> \g<is> \g<rest>"
+    ),
+    "\\b(?:between|from) START (?:and|to|until) (?:moment|instant|time)(?: (?:when|at which|that|in which))? ": "until ",
+    "\\bdo (?=engines\\b)": "does ",
+    "\\b(?P<e>engine|motor)s\\b": r"\g<e>",
+    "(?P<is>^(?:by )?how (?:much|far|strongly) )(?:does|do) (?P<s>@\\d+@) (?:get|become) (?P<how>compressed|stretched)": (
+        r"\g<is>is \g<s> \g<how>"
+    ),
+    "\\b(?:turn|turns|turned) (?:back|round|around) in (?P<axis>x|y)(?:-| )direction": r"stops moving in \g<axis> direction",
+    "^(?:with|at) (?:what|which) (?:steady|constant|uniform|terminal|final) (?P<q>speed|velocity) (?P<does>does|will) (?P<s>@\\d+@)"
+    " (?:drift|move|travel|fly|go|fall|sink)(?: on)? (?:in end|finally|eventually|after long time|in long run|ultimately)$": (
+        r"what is \g<q> of \g<s> after long time"
+    ),
+    "^(?:with|at) (?:what|which) tension (?:does|do|is) (?P<s>@\\d+@) (?:hold|support|carry|pull|holding|supporting) (?:on |at )?"
+    "(?P<t>@\\d+@)": r"what is tension in \g<s>",
+    "^at (?:what|which) rate (?:does|do|is) angular (?P<q>velocity|speed) of (?P<s>@\\d+@) (?:grow|increase|rise|change|growing"
+    "|increasing|rising|changing)(?P<at> (?:at first|initially|at (?:beginning|start|outset)))?$": (
+        r"what is angular acceleration of \g<s>\g<at>"
+    ),
     # signs
     f"\\. (?:take|count|regard|consider|let|reckon) {_RIGHT} (?:as|be|to be|count as) positive$": "",
     f"\\. (?:take|count|regard|consider|let|reckon) {_UPWARD} (?:as|be|to be|count as) positive$": (
@@ -82,9 +103,11 @@ AMOUNT_TURNS: Mapping[str, str] = {
         r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
     ),
     # edges that land
-    f"\\b{_EDGE} {_LANDS}(?: for first time)?(?= ,|$)": "edge lands",
+    f"\\b(?:its |@\\d+@ 's )?(?:(?P<number>ORDINAL) )?{_EDGE} {_LANDS}(?: for first time)?(?= ,|$)": r"\g<number> edge lands",
     f"\\b(?P<s>@\\d+@) (?:first )?(?:lands|falls|comes down|drops) on (?:its )?{_EDGE}(?= ,|$)": "edge lands",
-    f"\\b(?:impact|landing) of {_EDGE}(?: (?:on|with|against) (?:{GROUNDS}))?(?= ,|$)": "edge lands",
+    f"\\b(?:impact|landing) of (?:its )?(?:(?P<number>ORDINAL) )?{_EDGE}(?: (?:on|with|against) (?:{GROUNDS}))?(?= ,|$)": (
+        r"\g<number> edge lands"
+    ),
     # collisions of all
     f"^how much (?:kinetic |mechanical )?energy {_DOES} (?:@\\d+@ )?(?:lose|lost|dissipate|dissipated)(?: (?:in all|in total"
     f"|altogether|together))? (?:when|once|after|by time|by moment|by time that|until) (?:all|every one of) (?:of )?"
