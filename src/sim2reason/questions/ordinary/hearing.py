@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import chain
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.asides import without_asides
@@ -100,7 +101,7 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
-    text = _ADJECTIVES.sub("", text)
+    text = _with_pulleys(_ADJECTIVES.sub("", text), words)
     text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
@@ -173,9 +174,11 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
     found: list[tuple[int, str, str]] = [*named_lines(words), *swinging_lines(words)]
+    kinds = [said[0].lower() for said in nouns.values() if len(said) == 2]
+    lone = frozenset(kind for kind in kinds if kinds.count(kind) == 1)
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
-        found += between(phrase)
+        found += between(phrase, lone)
         if not letter:
             others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
             names = {phrase.removeprefix("the ")} | others
@@ -205,6 +208,21 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
         found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _with_pulleys(text: str, words: Words) -> str:
+    """Return a text that calls the only movable pulley, and the only fixed one of several, as the scene's text does."""
+    mechanism, kinds = words.mechanism, dict[str, list[str]]()
+    for address, said in words.mentions.items():
+        sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]
+        if "pulley" in said and sites:
+            bodies = [body for site in sites if site.body is not None for body in chain(mechanism, site.body)]
+            moves = any(coordinate.kind == "slide" for body in bodies for coordinate in body.coordinates)
+            kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(said)
+    for kind, pulleys in kinds.items():
+        if len(pulleys) == 1 and len(kinds) > 1:
+            text = re.sub(rf"\b(?:the )?{kind} pulley\b(?! [A-Z]\b)", pulleys[0], text)
+    return text
 
 
 def _movers(words: Words) -> list[str]:

@@ -34,9 +34,6 @@ REWORDINGS: Mapping[str, str] = {
     "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
     "^(?:with|at) what rate (?=(?:do|does|is|are|will) @\\d+@ (?:accelerat|speed|los))": "with what acceleration ",
     "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
-    "(?<!^how long is @\\d@)(?<!stay)(?<!remain)(?<!set)(?<!put) (?:during|in|over|throughout)(?: its| @0@ 's|)"
-    " (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
-    "(?:motion|oscillation|flight|slide|run|journey)(?: that follows)?$": "",
     "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
     "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
         r"what is final \g<q> of \g<s>"

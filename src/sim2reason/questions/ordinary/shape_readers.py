@@ -9,10 +9,12 @@ from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
 from sim2reason.questions.ordinary.vocabulary import (
+    BESIDE,
     BORNE,
     CENTERED,
     CENTRAL,
     DOWN,
+    FARTHEST,
     FIXED_END,
     HELD,
     LIES,
@@ -58,6 +60,25 @@ def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield Main("displacement", of, other, needs=CLAUSED, ways=((of, f"{ORIGIN} {other}"),))
 
 
+SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
+
+
+def beside_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the distance of a body from an axis of coordinates on a named side, by default where it is farthest."""
+    axis, sign = SIDES[found["side"]]
+    other = "y" if axis == "x" else "x"
+    if found["axis"] != axis:
+        return
+    for of in each(heard, found["s"]):
+        origin = (of, f"{ORIGIN} {other}")
+        if found["most"]:
+            ways = (origin, (of, f"{FARTHEST}{sign}{other}"))
+            turn = When(f"velocity of {of} along {other} = 0 m/s", ways=ways)
+            yield Main("displacement", of, other, needs=FREE, when=turn)
+        else:
+            yield Main("displacement", of, other, needs=CLAUSED, ways=(origin, (of, f"{BESIDE}{sign}{other}")))
+
+
 def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the acceleration of a body relative to the body that carries it."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
@@ -74,7 +95,7 @@ def relatively(name: str) -> Reader:
         if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
             yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
             straight = ((of, ONE_LINE), (on, ONE_LINE))
-            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=straight, rank=1)
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=straight)
 
     return read
 

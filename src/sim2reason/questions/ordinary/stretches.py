@@ -235,6 +235,7 @@ STRETCHES: Mapping[str, Reader] = {
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~[of |reached by ]{s}[ ATTAINS] (?:before|until) (?:it|@\\d+@)"
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
+    "what area ~{s} and {t} sweep": _at_once("area swept"),
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,

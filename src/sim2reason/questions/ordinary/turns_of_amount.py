@@ -23,13 +23,16 @@ _LANDS = (
 )
 
 AMOUNT_TURNS: Mapping[str, str] = {
+    "(?<!^how long is @\\d@)(?<!stay)(?<!remain)(?<!set)(?<!put) (?:during|in|over|throughout)(?: its| @0@ 's|)"
+    " (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
+    "(?:motion|oscillation|flight|slide|run|journey)(?: that follows)?$": "",
     "\\blinear (?=(?:acceleration|speed|velocity|momentum)\\b)": "",
     "\\b(?:common|joint) (?P<c>cent(?:re|er) of (?:mass|gravity))": r"\g<c>",
     "\\bcompressed (?:the )?most\\b(?! of)": "most compressed",
     "\\bstretched (?:the )?most\\b(?! of)": "most stretched",
     f" ?,? (?:expressed |measured )?in {_UNITS}(?= {_MOMENT}\\b)": "",
     "^by how many (?:j|joules) (?=has|does|is|will|did)": "by how much ",
-    " ?,? in end ,? (?=when|after|once)": " ",
+    " ?,? in end(?: ,)? (?=when|after|once)": " ",
     "^(?P<ask>ASK|what) (?P<q>LEAST) length [that ]~(?P<s>@\\d+@) (?:has|have|reaches|attains|gets|takes)$": (
         r"what is shortest length of \g<s>"
     ),
@@ -78,6 +81,14 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "|increasing|rising|changing)(?P<at> (?:at first|initially|at (?:beginning|start|outset)))?$": (
         r"what is angular acceleration of \g<s>\g<at>"
     ),
+    "^(?P<ask>through what angle (?:does|will) @\\d+@) (?:swing|move|turn) (?:out )?(?:to|toward|towards) (?:one |left |right )?side\\b": (
+        r"\g<ask> turn"
+    ),
+    "(?: ,)? (?:while|as long as) hand (?:keeps(?: on)?|goes on|continues|is)(?: to)? (?:pulling|pull)$": "",
+    "\\bonce (?P<s>@\\d+@) (?:rolls|is rolling)(?: purely)?$": r"once \g<s> rolls without slipping",
+    "\\bfirst two (?=landing|bounce|impact|collision)": "first and second ",
+    "^(?:what|how large an|how great an|which) area (?:does|will|is) line (?:from|between|joining|connecting) (?P<s>@\\d+@)"
+    " (?:to|and|with) (?P<t>@\\d+@) (?:sweep|sweeps|swept)(?: out| over)?(?= |$)": r"what area does \g<s> and \g<t> sweep",
     # signs
     f"\\. (?:take|count|regard|consider|let|reckon) {_RIGHT} (?:as|be|to be|count as) positive$": "",
     f"\\. (?:take|count|regard|consider|let|reckon) {_UPWARD} (?:as|be|to be|count as) positive$": (
@@ -87,7 +98,7 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "\\b(?P<p>period|frequency|angular frequency) (?:with|at|of|in) which (?P<s>@\\d+@) (?:oscillates?|vibrates?|swings?|moves?"
     "|turns?|revolves?|goes round|go round)(?: to and fro| back and forth)?": r"\g<p> of \g<s>",
     # parts of a string
-    "(?P<t>\\b(?:tension|force) (?:of|in) @\\d+@) ,? (?:(?:that|which) is )?(?:just |directly |right )?(?:above|over|below"
+    "(?P<t>\\b(?:tension|force) (?:of|in) @\\d+@)(?: ,)? (?:(?:that|which) is )?(?:just |directly |right )?(?:above|over|below"
     "|beside|next to) @\\d+@(?=$| ,| when| while| at| just| after)": r"\g<t>",
     # numbers of bounces
     f"^(?:after )?how (?:many times|often) (?:{_DOES} )?(?P<s>@\\d+@) (?:have (?:to )?)?(?:{_HITS}) (?:until|till|before|so that)"
@@ -96,6 +107,10 @@ AMOUNT_TURNS: Mapping[str, str] = {
     ),
     f"^after how many (?:bounces|landings|impacts|hits|rebounds) {_DOES} (?P<s>@\\d+@) (?:no longer|not|never) {_RISE}"
     f"(?: up)?(?: (?:again|any more))? {_AS_HIGH} (?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?(?: any more| again)?$": (
+        r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
+    ),
+    f"^after how many (?:bounces|landings|impacts|hits|rebounds) {_DOES} (?P<s>@\\d+@) (?:always |finally )?(?:stay|remain)"
+    f" (?:below|under|lower than) (?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?$": (
         r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
     ),
     f"^(?:after )?how many (?:bounces|landings|impacts|hits|rebounds) (?:{_DOES} (?:it )?(?:take|need|there)|are there|are"

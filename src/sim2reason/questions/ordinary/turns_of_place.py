@@ -25,7 +25,7 @@ PLACE_TURNS: Mapping[str, str] = {
     f"\\b(?:{_PASS}|{_GO} (?:past|by|over|through|across)) {_MARK} (?P<n>#\\d+#) (?:away )?(?:from|of) {HOME}": (
         r"move \g<n>"
     ),
-    f"(?P<way>\\bon (?:its |@\\d+@ 's )?way down) ,? (?:and )?before (?:it|@\\d+@) (?:(?:has|have) )?(?:first )?(?:hit|hits"
+    f"(?P<way>\\bon (?:its |@\\d+@ 's )?way down)(?: ,)? (?:and )?before (?:it|@\\d+@) (?:(?:has|have) )?(?:first )?(?:hit|hits"
     f"|touched|touches|reached|reaches|struck|strikes|lands|landed(?: on)?)(?: (?:{GROUNDS}))?": r"\g<way>",
     "\\bon (?:its |@\\d+@ 's )?(?:way|path|journey) back (?P<way>up|down)\\b": r"on its way \g<way>",
     "\\bon (?:its |@\\d+@ 's )?first way (?P<way>up|down)\\b": r"on its way \g<way>",
@@ -49,6 +49,9 @@ PLACE_TURNS: Mapping[str, str] = {
     "^what is (?P<most>GREATEST) distance (?:of (?P<s>@\\d+@) )?(?P<side>above|below|to left of|to right of) (?P<axis>x|y)"
     "(?:-| )axis(?: (?:that )?(?P<t>@\\d+@) (?:gets|reaches|has|attains))?$": (
         r"how far at most \g<side> of \g<axis> axis is \g<s>\g<t>"
+    ),
+    "^how far (?:to )?(?P<side>above|below|left|right)(?: of)? (?P<axis>x|y)(?:-| )axis (?:is|was) (?P<s>@\\d+@)": (
+        r"how far \g<side> of \g<axis> axis is \g<s>"
     ),
     # ahead of where it was thrown
     f"^(?P<ask>how far|at what distance) (?:forward|ahead|in front) (?:of|from) {_THROWN} (?=(?:does|will) )": (

@@ -108,6 +108,7 @@ BORNE = "borne by "  # by what carries it, or by the pulley over which its strin
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
 LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
+BESIDE, FARTHEST = "beside ", "farthest beside "  # an axis of coordinates, on the side with a sign
 UNDER = "under "  # what carries it along a level line
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
