@@ -145,6 +145,7 @@ HEADS: Mapping[str, str] = {
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
         "{s} moves parallel to {axis} axis"
     ),
+    "(?:pass(?: through)? |go through |swing through |in |at )(?:its )?horizontal(?: position)?": "{s} horizontal",
     "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go)"
     " horizontally": ("{s} at its highest point"),
     "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one"
@@ -172,7 +173,7 @@ HEADS: Mapping[str, str] = {
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
     rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
-    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get"
+    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|pick up|move at|move with|go at|travel at|have|achieve|gain|get"
     rf" to)"
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",

@@ -84,6 +84,9 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
     "meets {t}": read.met,
     "[{s} ]sets off": place.sets_off,
+    "{s} (?:~|to )(?:gone|go|travelled|moved|been|swept) (?P<turns>half|quarter)(?:way| way| of way) (?:round|around)(?: {t})?": (
+        place.orbited
+    ),
     "{s} stays below {n}": place.stays_below,
     "{s} is under {t}": place.under,
     " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),

@@ -173,6 +173,7 @@ FRAMES: Mapping[str, Reader] = {
     "how long is {s} moving": shape.moving,
     "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
     "how much momentum does {s} exchange": change.exchanged,
+    "what is power of gravity on {s}": of_one("power of gravity"),
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

@@ -51,6 +51,13 @@ def stays_below(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
     yield When(f"{heard.subject(found['s'])} stayed below {heard.number(found['n'])}", side)
 
 
+def orbited(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has gone half way, or a quarter of the way, round the body that attracts it."""
+    del subject
+    pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
+    yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
+
+
 def under(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that swings is straight below what carries it along a level line."""
     del subject

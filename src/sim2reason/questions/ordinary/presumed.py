@@ -70,7 +70,8 @@ def two_sided(query: Query, study: Study, side: str) -> bool:
     if time is None:
         return False
     before, then = (target.value(study.trace.at(instant)) for instant in (float(np.nextafter(time, 0.0)), time))
-    return abs(before - then) > STEADY * max(abs(before), abs(then))
+    size = float(np.nanmax(np.abs(target.values(study.trace.scan)), initial=0.0))  # of what is zero there
+    return abs(before - then) > STEADY * max(abs(before), abs(then)) and abs(before - then) > EVEN * size
 
 
 def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:

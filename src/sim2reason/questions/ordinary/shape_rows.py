@@ -89,7 +89,7 @@ SHAPE_ROWS = (
     WantedRow(("angle", "(?:velocity|direction of motion|path)", ("(?:make|form|enclose)? ?(?:with|to|and|from)"
         " horizontal")),
         "what angle {s} makes with horizontal"),
-    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate|give", ("(?:to|by|through|in|against)"
+    WantedRow(("(?:mechanical |kinetic )?energy|heat", "lose|loss|dissipate|give", ("(?:to|by|through|in|against)"
         " (?:resist(?:ing"
     "|ance)? (?:medium|of medium)|resistance(?: of medium)?|resisting medium|medium|drag|air|air resistance|drag"
     " force)")),

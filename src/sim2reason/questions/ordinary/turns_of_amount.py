@@ -60,7 +60,7 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "(?P<ask>(?:GREATEST|LEAST) QUANTITY (?:of|in|that|which)? ?@\\d+@(?: (?:has|reaches|attains|gets))?) (?:anywhere |at any"
     " (?:point|time|place) )?(?:on|in|during|along) (?:its |@\\d+@ 's )?(?:way|orbit|path|trajectory|whole motion|motion|flight"
     "|circuit|round)$": r"\g<ask>",
-    "\\b(?:pick|picks|gain|gains) (?:up )?speed\\b": "accelerate",
+    "\\b(?:pick|picks|gain|gains) (?:up )?speed\\b(?! of)": "accelerate",
     "^(?:at|for|with) (?:what|which) (?P<q>QUANTITY) (?:of|in) (?P<t>@\\d+@) (?P<is>is|are) (?P<s>@\\d+@) (?P<rest>\\w+)$": (
         r"what is \g<q> of \g<t> when \g<s> \g<is> \g<rest>"
     ),
@@ -89,6 +89,29 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "\\bfirst two (?=landing|bounce|impact|collision)": "first and second ",
     "^(?:what|how large an|how great an|which) area (?:does|will|is) line (?:from|between|joining|connecting) (?P<s>@\\d+@)"
     " (?:to|and|with) (?P<t>@\\d+@) (?:sweep|sweeps|swept)(?: out| over)?(?= |$)": r"what area does \g<s> and \g<t> sweep",
+    "^how high (?P<aux>has|have|had|is) (?P<s>@\\d+@) (?:risen|raised|lifted|climbed|gone up|moved up)(?= when| after| by| at| once)": (
+        r"how far vertically above its start is \g<s>"
+    ),
+    "(?P<q>angular (?:acceleration|velocity|speed) of @\\d+@) (?:about|around|round) (?:its )?(?:own )?(?:axis|centre|center|axle)"
+    "(?: of mass)?\\b": r"\g<q>",
+    "(?P<q>(?:force of friction|friction force|frictional force)) (?:required|needed|necessary) for (?:pure )?rolling"
+    "(?: without slipping)?$": r"\g<q>",
+    "^what is (?:farthest|furthest|greatest distance) (?:that )?(?P<s>@\\d+@) ~(?:gets|goes|moves|travels|reaches|swings)(?: away)?"
+    " from (?P<t>@\\d+@|far end|HOME)": r"how far from \g<t> does \g<s> get at most",
+    "\\b(?P<take>take|need|require) (?:on|for|in) (?:its )?way (?:up|down) to (?=lowest|highest|bottom|top)": r"\g<take> to reach ",
+    "\\bradius of (?P<s>@\\d+@) 's (?:circular )?(?:path|circle|orbit|trajectory|track)\\b": r"radius of path of \g<s>",
+    "^how long is (?P<s>@\\d+@) 's (?:whole |total |entire |complete )*(?:path|track|trajectory|way) (?P<end>until|till|before) ": (
+        r"how far altogether does \g<s> move \g<end> "
+    ),
+    "^how much (?P<q>(?:kinetic |elastic )?energy) (?:remains|is left|is still there|is there still)(?= after| when| at| once)": (
+        r"what is \g<q>"
+    ),
+    "\\benergy (?:left|remaining|still stored|that remains|that is left) in (?=@)": "energy stored in ",
+    "\\b(?:total|resultant|net|overall|actual) (?=speed\\b)": "",
+    "\\bbefore any (?:of )?collisions?\\b": "before first collision",
+    "^how far (?:does|will) (?P<s>@\\d+@) (?:swing|move|oscillate|go|vibrate)(?: out)? to (?:each|either) side$": (
+        r"what is amplitude of \g<s>"
+    ),
     # signs
     f"\\. (?:take|count|regard|consider|let|reckon) {_RIGHT} (?:as|be|to be|count as) positive$": "",
     f"\\. (?:take|count|regard|consider|let|reckon) {_UPWARD} (?:as|be|to be|count as) positive$": (

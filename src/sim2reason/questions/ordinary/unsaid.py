@@ -39,16 +39,13 @@ def velocities_equal(told: str, words: Words) -> str:
 
 
 def line_of(said: str, words: Words) -> str:
-    """Return the phrase for the only swinging line, for the phrase for the body at its end; else the same phrase."""
+    """Return the phrase for the only swinging line, for that of the body at its end or of its rod; else the same."""
     lines = words.called(SwingingLines())
     if said in lines.values() or len(lines) != 1:
         return said
-    together = any(
-        phrase == said and address.rpartition(".")[0] == name.rpartition(".")[0]
-        for address, phrase in words.mentions.items()
-        for name in lines
-    )  # the rod of a pendulum, by which the text calls its line
-    if said not in words.called(Bodies()).values() and not together:
+    (name,) = lines
+    of_line = f"{name.rpartition('.')[0]}."  # the pendulum, or the arm, to which the line belongs
+    if not any(phrase == said and address.startswith(of_line) for address, phrase in words.mentions.items()):
         return said
     return next(iter(lines.values()))
 

@@ -32,7 +32,7 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
 ANYTHING = frozenset({"body", "object"})
 
 QUANTITIES: Mapping[str, str] = {
-    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation",
+    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation|rotational energy|energy of rotation",
     "translational kinetic energy": "translational kinetic energy",
     "kinetic energy": "kinetic energy|total kinetic energy",
     "spring energy": "elastic energy|elastic potential energy|spring energy|energy stored|energy is stored",
