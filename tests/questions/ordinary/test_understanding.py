@@ -111,7 +111,7 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
     ("name", "question", "why"),
     [
         ("deflector", "What is the drag force on the bead?", "only the net one"),
-        ("shell", "At what rate does gravity do work on the shell?", "--find"),
+        ("shell", "At what rate does gravity do work on the shell?", "it changes with time"),
         ("long_burn", "How fast is the probe 2 s after the fuel is used up?", "counted from the start"),
         ("pucks", "In which direction does puck B move off?", "ask for the components"),
         ("ramp", "What is the average speed of the block in the first 3 s?", "averages"),

@@ -111,7 +111,7 @@ def hear(sentence: str, words: Words) -> Heard:
     text = _INDIRECT.sub("", text)
     if len(subjects) == 2:  # *after B has hit it*: the other
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
-    text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
+    text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
     if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)

@@ -20,7 +20,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     LIES,
     MOTIONS,
     ON,
-    ONE_LINE,
     ORIGIN,
     RESTS,
     SIDEWAYS,
@@ -94,8 +93,6 @@ def relatively(name: str) -> Reader:
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
         if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
             yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
-            straight = ((of, ONE_LINE), (on, ONE_LINE))
-            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=straight)
 
     return read
 

@@ -71,6 +71,8 @@ QUANTITIES: Mapping[str, str] = {
     "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
     "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
     "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
+    "resisting force": "resisting force|drag|drag force|resistive force|force of resistance|resistance of medium"
+    "|force of medium|air resistance",
     "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
 }
 """Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
@@ -232,8 +234,8 @@ WAYS: Mapping[str, str] = {
     "left": "to left",
     "horizontal": "horizontal|horizontally|in horizontal direction",
     "vertical": "vertically|in vertical direction",
-    "x": "in x direction|in positive x direction|along x axis|in x-direction",
-    "y": "in y direction|in positive y direction|along y axis|in y-direction",
+    "x": "in x direction|in positive x direction|along x axis|in x-direction|along x direction|along x-direction|parallel to x axis|in direction of x axis",
+    "y": "in y direction|in positive y direction|along y axis|in y-direction|along y direction|along y-direction|parallel to y axis|in direction of y axis",
 }
 """By a way, or an axis, how people tell it."""
 
