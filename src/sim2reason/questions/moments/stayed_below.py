@@ -14,6 +14,7 @@ from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
 MOST = 200  # bounces that are looked at
@@ -25,6 +26,7 @@ class StayedBelow(DistanceThreshold):
     """The first bounce after which a body does not rise as high above the ground as a stated height."""
 
     label = "bounce to less than a height"
+    event = True
     drawn_by_recipes = False
     verb = Verb("no longer rises as high as", "no longer rise as high as")
 
@@ -38,6 +40,11 @@ class StayedBelow(DistanceThreshold):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
         return {name: said for name, said in words.called(cls.of).items() if struck(words, name) == GROUND}
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """Return none: the bounce is an event of both engines."""
+        return ()
 
     def time(self, trace: Trace) -> float | None:
         """Return when the body bounces for the first time without rising to the height afterwards, s."""

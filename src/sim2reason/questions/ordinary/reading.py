@@ -179,12 +179,14 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
     """Return whether a main clause and a moment make no question that people ask.
 
     Nobody asks for the potential energy in an impact, for an angle of deflection before the collision, or for a sum
-    from the start until some time after a later event.
+    from the start until some time after a later event. An angle *after* an event is not counted from the start.
     """
     if main.find == "potential energy":
         return side == THEN and _IMPACT.fullmatch(clause) is not None
     if main.find == DEFLECTION:
         return side in (THEN, DURING) and when.told.endswith(" before")
+    if main.find in TURNED and side == AFTER and _late(clause) and not _BEGUN.fullmatch(clause):
+        return True
     return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
