@@ -90,7 +90,8 @@ HEADS: Mapping[str, str] = {
     "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
-    "(?:(?:get|go|come|return|fall|spring) back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
+    "(?:(?:get|go|come|return|fall|spring) back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed"
+    "|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
     f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"
     "|shortest|minimum length|smallest length|shortest length": "{s} most compressed",
@@ -105,7 +106,8 @@ HEADS: Mapping[str, str] = {
     # engines
     "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"
     " up| off)?"
-    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:(?:engine|motor) )?run out of fuel|(?:engine|motor|burn|thrust) "
+    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:(?:engine|motor) )?run out of fuel|(?:engine"
+    "|motor|burn|thrust) "
     "(?:itself )?(?:stop|cut out|cut off|shut down|shut off|burn out|end|finish|switch off|turn off|run out|quit|cease"
     "|go out|off)(?: (?:burn|fire|work|run))?|burnout|burn-out|(?:engine )?(?:cutoff|cut-off|shutdown|shut-down)"
     "|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
@@ -173,7 +175,8 @@ HEADS: Mapping[str, str] = {
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
     rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
-    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|pick up|move at|move with|go at|travel at|have|achieve|gain|get"
+    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|pick up|move at|move with|go at|travel at|have"
+    rf"|achieve|gain|get"
     rf" to)"
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",

@@ -84,9 +84,8 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
     "meets {t}": read.met,
     "[{s} ]sets off": place.sets_off,
-    "{s} (?:~|to )(?:gone|go|travelled|moved|been|swept) (?P<turns>half|quarter)(?:way| way| of way) (?:round|around)(?: {t})?": (
-        place.orbited
-    ),
+    "{s} (?:~|to )(?:gone|go|travelled|moved|been|swept) (?P<turns>half|quarter)(?:way| way| of way) (?:round"
+    "|around)(?: {t})?": (place.orbited),
     "{s} stays below {n}": place.stays_below,
     "{s} is under {t}": place.under,
     " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),
@@ -122,7 +121,8 @@ CLAUSES: Mapping[str, Reader] = {
     "|spent|gone)["
     " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
-    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|starting|original|first|largest|highest)"
+    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|starting|original|first"
+    r"|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,

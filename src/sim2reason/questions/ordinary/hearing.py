@@ -51,7 +51,8 @@ _OWN = re.compile(
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
-    r"|(?:is |lies |passes |swings |moves )?(?:directly |vertically |straight |exactly )*(?:below|beneath|under|underneath)"
+    r"|(?:is |lies |passes |swings |moves )?(?:directly |vertically |straight |exactly )*(?:below|beneath|under"
+    r"|underneath)"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
@@ -65,7 +66,10 @@ _PARTICIPLES = re.compile(
 )
 _HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
 _WHOLES = {"one": 1, "a": 1, "two": 2, "three": 3, "four": 4, "five": 5}
-_AND_HALF = re.compile(rf"\b(?P<n>{'|'.join(_WHOLES)})(?: (?P<u>second|metre|meter|year))? and a half(?: (?P<v>seconds|metres|meters|years))?\b")
+_AND_HALF = re.compile(
+    rf"\b(?P<n>{'|'.join(_WHOLES)})(?: (?P<u>second|metre|meter|year))? and a half(?: (?P<v>seconds|metres|meters"
+    rf"|years))?\b"
+)
 _CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
 _WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm)|swinging (?:body|part|thing))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")

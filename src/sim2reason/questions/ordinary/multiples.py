@@ -56,7 +56,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time so late that the answer no longer changes: a medium resists, or it is an extreme."""
+    """Return a question about a time so late that the answer, an extreme or one in a medium, no longer changes."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
     if asked.find == "time" or not (resisted or asked.find.startswith(("greatest", "least"))):
         raise TextError("when", "nothing settles down here", "name a moment")

@@ -42,7 +42,8 @@ REWORDINGS: Mapping[str, str] = {
     "(?<= )next (?=cross)": "",
     "^(?P<when>when (?:do|does|will|is) @\\d+@) next ": r"\g<when> ",
     "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
-    "\\b(?:leave|leaves|rebound from|bounce off|come off|rebound|rebounds|fly off)(?: SURFACE)? (?:just |immediately )?after (?:its |their"
+    "\\b(?:leave|leaves|rebound from|bounce off|come off|rebound|rebounds|fly off)(?: SURFACE)? (?:just "
+    "|immediately )?after (?:its |their"
     " )?(?P<number>ORDINAL) "
     "(?:bounce|impact|landing|rebound)": r"move just after \g<number> bounce",
     "(?P<s>@0@) (?P<verb>hit|hits|strike|strikes|touch|touches|meet|meets|reach|reaches|land on|lands on) @0@": (

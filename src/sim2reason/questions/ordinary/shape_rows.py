@@ -49,7 +49,8 @@ SHAPE_ROWS = (
         " {line} axis"),
     WantedRow((_FAST, "relative to|with respect to|as seen from|over|past", "?move|slide|go|travel|roll|drift|slip"),
         "what is speed of {s} relative to {t}", 2),
-    WantedRow(("acceleration|how (?:fast|quickly) accelerate|(?:with|at) what acceleration", ("relative to|with respect to|as"
+    WantedRow(("acceleration|how (?:fast|quickly) accelerate|(?:with|at) what acceleration", ("relative to|with"
+    " respect to|as"
         " seen"
     " from|over|along"), "?move|slide|go|travel|fall|rise", "?<(?:down|up)>"),
         "what is acceleration of {s} relative to {t}", 2),

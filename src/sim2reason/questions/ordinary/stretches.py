@@ -231,7 +231,8 @@ STRETCHES: Mapping[str, Reader] = {
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets) above SURFACE": _highest,
     "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
-    "(?:to )?(?:how high|what height) above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets) (?:before|until) (?:it|@\\d+@)"
+    "(?:to )?(?:how high|what height) above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets) (?:before|until)"
+    " (?:it|@\\d+@)"
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~[of |reached by ]{s}[ ATTAINS] (?:before|until) (?:it|@\\d+@)"
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
@@ -265,7 +266,9 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK angular frequency of {s}[ 's ITS_MOTION]": _period("angular frequency"),
     "ASK angular frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("angular frequency"),
     "(?:with|at) what angular frequency ~{s} OSCILLATES": _period("angular frequency"),
-    "(?:TIME|how long) ~[for ]{s} [to |has |have ](?:completed|made|COMPLETES) (?:one|full|one full) ROUND": _period("period"),
+    "(?:TIME|how long) ~[for ]{s} [to |has |have ](?:completed|made|COMPLETES) (?:one|full|one full) ROUND": _period(
+        "period"
+    ),
     "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
     "|complete one round|go once around|go around once)": _period("period"),
     "how many (?:revolutions|oscillations|swings) per second ~{s} (?:make|complete)": _period("frequency"),

@@ -32,7 +32,8 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
 ANYTHING = frozenset({"body", "object"})
 
 QUANTITIES: Mapping[str, str] = {
-    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation|rotational energy|energy of rotation",
+    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation|rotational energy|energy of"
+    " rotation",
     "translational kinetic energy": "translational kinetic energy",
     "kinetic energy": "kinetic energy|total kinetic energy",
     "spring energy": "elastic energy|elastic potential energy|spring energy|energy stored|energy is stored",
@@ -234,8 +235,10 @@ WAYS: Mapping[str, str] = {
     "left": "to left",
     "horizontal": "horizontal|horizontally|in horizontal direction",
     "vertical": "vertically|in vertical direction",
-    "x": "in x direction|in positive x direction|along x axis|in x-direction|along x direction|along x-direction|parallel to x axis|in direction of x axis",
-    "y": "in y direction|in positive y direction|along y axis|in y-direction|along y direction|along y-direction|parallel to y axis|in direction of y axis",
+    "x": "in x direction|in positive x direction|along x axis|in x-direction|along x direction|along x-direction"
+    "|parallel to x axis|in direction of x axis",
+    "y": "in y direction|in positive y direction|along y axis|in y-direction|along y direction|along y-direction"
+    "|parallel to y axis|in direction of y axis",
 }
 """By a way, or an axis, how people tell it."""
 

@@ -25,7 +25,9 @@ _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, 
 _BESIDE = re.compile(r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b")
 _LASTING = re.compile(r"[^,]*\b(?:roll|slip|slid|skid|together|bounced off|collided|collision|been hit|been struck)")
 """What is so from the moment on that a clause with *once* names."""
-_ENDED = re.compile(r" @\d+@ (?:has|have) (?:finally come to (?:rest|stop|standstill)|come to (?:rest|stop|standstill) for good)\b")
+_ENDED = re.compile(
+    r" @\d+@ (?:has|have) (?:finally come to (?:rest|stop|standstill)|come to (?:rest|stop|standstill) for good)\b"
+)
 _GOING_ON = re.compile(r" (?:@\d+@|they|both) (?:is|are) (?:still )?(?:sliding|moving|slipping|in motion)$")
 _LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
 
