@@ -24,4 +24,4 @@ class GreatestRodPull(Extreme):
     quantity = RodPull
     impulsive = True
     drawn_by_recipes = False
-    phrase = "the greatest magnitude of the force in the rod that holds {body}"
+    phrase = "the greatest magnitude of the force in {rod}"

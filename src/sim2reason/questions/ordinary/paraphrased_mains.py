@@ -15,7 +15,7 @@ _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
-_ABOVE_GROUND = re.compile(rf"\babove (?:{GROUNDS})")
+_MATTERS = re.compile(rf"\babove (?:{GROUNDS})|\bby how much\b")  # no height above the start, and no value
 _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
@@ -103,10 +103,8 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
     groups = dict[str, str]()
     rest = _without_parts(row, text, groups)
-    if rest is None:
+    if rest is None or _MATTERS.search(rest) is not None:
         return
-    if _ABOVE_GROUND.search(rest) is not None or re.search(r"\bby how much\b", rest) is not None:
-        return  # a height above the start is another one, and a change is no value
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))
