@@ -3,6 +3,9 @@
 from sim2reason.quantities.inclination import Deflection
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.simulation.trace import Trace
+
+UPRIGHT = 1e-3  # degrees: a line that comes closer to the vertical passes it
 
 
 @functional
@@ -24,3 +27,8 @@ class LeastDeflection(Extreme):
     sign = -1.0
     drawn_by_recipes = False
     phrase = "the least angle that {line} makes with the downward vertical"
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """Return the least angle, in degrees; None if the line passes the vertical."""
+        found = Extreme.value(self, trace, name, end)
+        return found if found is not None and found > UPRIGHT else None
