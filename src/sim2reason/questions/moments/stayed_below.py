@@ -12,11 +12,13 @@ from sim2reason.questions.moments.bounced import GROUND, Bounced, struck
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
+from sim2reason.questions.spoken import spoken
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
+LOW, HIGH = 1.1, 1.6  # times the height of the top after the first bounce
 MOST = 200  # bounces that are looked at
 
 
@@ -32,9 +34,16 @@ class StayedBelow(DistanceThreshold):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return none: only people ask about it."""
-        del study, words, rng
-        return ()
+        """Return one for each body, with a height that it no longer reaches after one of its bounces."""
+        drawn = ((name, cls.drawn(name, study.trace, rng)) for name in cls.candidates(words))
+        moments = [cls(name, height) for name, height in drawn if height is not None]
+        return [moment for moment in moments if study.time(moment) is not None]
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """Return more than the height of the top after the first bounce; None if there is no such top."""
+        top = TopAfterBounce(name).time(trace)
+        return spoken(rng.uniform(LOW, HIGH) * float(Height.evaluate(trace.at(top), name)[0])) if top else None
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
