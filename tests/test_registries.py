@@ -173,7 +173,15 @@ def varied() -> list[tuple[Study, Words]]:
     carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
     own = [
         load(SCENES / f"{name}.yaml")
-        for name in ("trolley_bob", "cyclotron", "heavy_launch", "tow", "smooth_box", "tumbling_prism")
+        for name in (
+            "trolley_bob",
+            "cyclotron",
+            "heavy_launch",
+            "tow",
+            "smooth_box",
+            "tumbling_prism",
+            "spiralling_bead",
+        )
     ]
     made = ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes(), *own
     return [*map(told, made), *told_motions()]
