@@ -52,7 +52,7 @@ class StayedBelow(DistanceThreshold):
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Return none: the bounce is an event of both engines."""
+        """Return none: the bounce is an event, and nothing certifies the height of the top that decides which one."""
         return ()
 
     def time(self, trace: Trace) -> float | None:
