@@ -171,7 +171,18 @@ SCENES = Path(__file__).parent / "data" / "ordinary_scenes"
 def varied() -> list[tuple[Study, Words]]:
     """Motions in which all that is registered can be asked."""
     carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
-    own = [load(SCENES / f"{name}.yaml") for name in ("trolley_bob", "cyclotron", "heavy_launch", "tow", "smooth_box")]
+    own = [
+        load(SCENES / f"{name}.yaml")
+        for name in (
+            "trolley_bob",
+            "cyclotron",
+            "heavy_launch",
+            "tow",
+            "smooth_box",
+            "tumbling_prism",
+            "spiralling_bead",
+        )
+    ]
     made = ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes(), *own
     return [*map(told, made), *told_motions()]
 

@@ -50,6 +50,13 @@ SWUNG = 2.0 * G * 0.24 / (0.4 * 0.18**2 + 0.24**2)
 SOLID, HOLE = 3.8 * 0.19**2 / (0.19**2 - 0.12**2), 3.8 * 0.12**2 / (0.19**2 - 0.12**2)
 BORED = 0.5 * SOLID * 0.19**2 - HOLE * (0.5 * 0.12**2 + 0.041**2)
 
+FACE = radians(36.0)  # of a decagonal prism, as seen from its axis
+CENTRAL = 0.1**2 * (2.0 + cos(FACE)) / 6.0
+EDGE = CENTRAL + 0.1**2
+"""The moment of inertia about an edge, per mass, of a decagonal prism with its edges 0.10 m from its axis, m²."""
+TUMBLED = sqrt(5.3**2 + 2.0 * G * 0.2 * sin(FACE / 2.0) * sin(radians(12.0)) / EDGE)
+"""The angular velocity with which its next edge lands on a slope of 12°, in rad/s, from 5.3 rad/s on a face."""
+
 
 def second_time(height: float) -> float:
     """Return when a ball that is thrown at 4.5 m/s, 69° upwards, is at a height above its start on its way down."""
@@ -68,6 +75,15 @@ def second_time(height: float) -> float:
         ("slow_launch", "fuel left", "the probe", "10 s", 971.0 - 172.0 - 190.0),
         ("rolled_up", "revolutions made", "the sphere", "0.01 s", ROLLED),
         ("slow_launch", "fuel burnt", "the probe", "10 s", 190.0),
+        ("tumbling_prism", "angular velocity", "the prism", "edge landed before", TUMBLED),
+        (
+            "tumbling_prism",
+            "angular velocity",
+            "the prism",
+            "edge landed",
+            TUMBLED * (CENTRAL + 0.1**2 * cos(FACE)) / EDGE,
+        ),
+        ("arm_on_pulled_trolley", "least deflection", "the arm", "at 5 s", 23.6149679),
         ("trolley_rod", "rod pull", "the rod", "the ball lowest point", 34.1123634987),
         (
             "hemisphere_arm",

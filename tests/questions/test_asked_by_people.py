@@ -1,7 +1,7 @@
 """Questions that people ask and recipes do not: power, relative velocity, curvature, returns, later events."""
 
 from collections.abc import Callable
-from math import log, pi, radians, sin, sqrt
+from math import exp, log, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -41,6 +41,20 @@ scene:
   entities:
   - {name: s, type: Projectile, parameters: {ball: {mass: 0.5}, height: 2.0, speed: 3.0, angle: 0.0, restitution: 0.5}}
 """
+CHARGED = """
+scene:
+  entities:
+  - {name: s, type: EmEntity, parameters: {magnetic: {kind: uniform_magnetic, strength: 0.5, way: positive z},
+      electric: {kind: uniform_electric, strength: 3.0, way: positive x},
+      particle: {mass: 100.0, charge: 400.0, sign: positive}, start: {kind: launched, speed: 2.0, angle: 0.0}}}
+"""
+DRAGGED = """
+scene:
+  entities:
+  - {name: s, type: EmEntity, parameters: {medium: {kind: linear_drag, coefficient: 0.75},
+      magnetic: {kind: uniform_magnetic, strength: 1.2, way: positive z},
+      particle: {mass: 1.5, charge: 2.7, sign: negative}, start: {kind: launched, speed: 2.0, angle: 0.0}}}
+"""
 LANDS = sqrt(4.0 * G)  # the speed at which the ball meets the ground, m/s
 TAKES = LANDS / G
 
@@ -72,6 +86,11 @@ def scene(text: str) -> Callable[[], Scene]:
         (scene(BALL), {"find": "radius of curvature", "when": "at start"}, 9.0 / G),
         (scene(BALL), {"find": "time", "when": "top after bounce"}, TAKES + 0.5 * LANDS / G),
         (scene(BALL), {"find": "height above the ground", "when": "second top after bounce"}, 2.0 * 0.5**4),
+        (scene(BALL), {"find": "number of bounces", "when": "stayed below 0.2 m"}, 2.0),
+        (scene(BALL), {"find": "time", "when": "stayed below 0.2 m"}, TAKES * 2.0),
+        (scene(CHARGED), {"find": "electric force", "when": "at start"}, 1200.0),
+        (scene(CHARGED), {"find": "magnetic force", "when": "at start"}, 400.0),
+        (scene(DRAGGED), {"find": "resisting force", "when": "at 3 s"}, 1.5 * exp(-1.5 * 3.0 / 3.0)),
         (lambda: ramp(angle=20.0, speed=3.0), {"find": "time", "when": "returned"}, 6.0 / (G * sin(radians(20.0)))),
     ],
 )
@@ -100,7 +119,8 @@ def test_recipes_ask_none_of_it() -> None:
     spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
     assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}
     assert pick(spared, np.random.default_rng(0)) is None
-    people = {"fastest", "lifted_off", "returned", "top_after_bounce"}
+    people = {"fastest", "lifted_off", "returned", "top_after_bounce", "edge_landed", "stayed_below"}
     assert {name for name, cls in MOMENTS.items() if not cls.drawn_by_recipes} == people
     undrawn = {name for name, held in FUNCTIONALS.items() if not held.drawn_by_recipes}
-    assert undrawn == {"amplitude", "greatest spring force"}
+    least = {"least deflection", "greatest rod pull", "greatest angular acceleration"}
+    assert undrawn == {"amplitude", "greatest spring force", *least}

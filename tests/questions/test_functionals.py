@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from math import acos, atan, ceil, cos, cosh, degrees, exp, floor, pi, radians, sin, sinh, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -44,6 +45,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.recurrence import first_return
+from sim2reason.scene_files import load
 from sim2reason.simulation.certify import certify
 
 G = 9.8
@@ -61,6 +63,12 @@ Made = Callable[[], tuple[Study, Words]]
 def told(scene: Scene) -> Made:
     """A scene as a motion with its words."""
     return lambda: (motion_of(scene).study, words_of(describe(scene)))
+
+
+def stored(name: str, until: float) -> Made:
+    """A stored scene as a motion up to a time, s, with its words."""
+    scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / f"{name}.yaml")
+    return lambda: (motion_of(scene, until).study, words_of(describe(scene)))
 
 
 def dashpot() -> motions.Motion:
@@ -208,6 +216,27 @@ EXTREMES: Sequence[Case] = (
     Case(cradle().told, "greatest normal force", "hill.block", WholeMotion(), 0.4 * G * OVER),
     Case(lambda: cradle(0.0, 2.0).told(), "least normal force", "hill.block", WholeMotion(), 0.4 * (G - 0.5 * 2.0**2)),
     Case(motions.string_pendulum(6.0).told, "least tension", "swing.hanger", WholeMotion(), 0.5 * G),  # mg(k − 5)
+    Case(
+        stored("arm_on_pulled_trolley", 0.75),
+        "least deflection",
+        "rigid_pendulum.arm",
+        AtTime(0.7),
+        2.0 * degrees(atan(66.0 / (9.0 * G))) - 50.0,  # as far beyond the equilibrium under a steady acceleration
+    ),
+    Case(
+        stored("far_swung_trolley", 2.0),
+        "greatest rod pull",
+        "light_rod_pendulum.bob",
+        AtTime(1.0),
+        1.6 * G * (1.0 + 2.0 * (1.0 - cos(radians(68.0))) * (1.0 + 1.6 / 1.5)),  # at the bottom, m(g + w²/ℓ)
+    ),
+    Case(
+        stored("nudged_rod", 3.0),
+        "greatest angular acceleration",
+        "pendulum.hanger",
+        AtTime(1.0),
+        G / 2.0 * sin(acos(1.0 - 1.1**2 / (4.0 * G))),
+    ),
     Case(motions.string_pendulum(1.5).told, "greatest deflection", "swing.hanger", WholeMotion(), degrees(acos(0.25))),
 )
 SUMS: Sequence[Case] = (

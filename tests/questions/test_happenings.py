@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from math import acos, acosh, asin, cos, pi, radians, sin, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from sim2reason.dsl.mechanism import Z
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
+from sim2reason.questions.following import motion_of
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.began_to_slip import BeganToSlip
@@ -22,6 +24,7 @@ from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.closest import Closest
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.edge_landed import EdgeLanded
 from sim2reason.questions.moments.entered_region import EnteredRegion
 from sim2reason.questions.moments.farthest import Farthest
 from sim2reason.questions.moments.fastest import Fastest
@@ -39,6 +42,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.returned import Returned
+from sim2reason.questions.moments.stayed_below import StayedBelow
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
@@ -47,6 +51,7 @@ from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.questions.moments.went_taut import WentTaut
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scene_files import load
 from sim2reason.simulation.certify import Certificate, certify
 from sim2reason.simulation.engines.exact import simulate as exact
 from sim2reason.simulation.scenes import simulate
@@ -101,6 +106,23 @@ def kepler(anomaly: float, eccentricity: float = 0.5) -> float:
     return (anomaly - eccentricity * sin(anomaly)) / (2.0 * pi)
 
 
+def prism() -> motions.Motion:
+    """A decagonal prism with its edges 0.10 m from its axis, which tips over on a slope of 12° at 5.3 rad/s."""
+    scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "tumbling_prism.yaml")
+    return motions.Motion(motion_of(scene).study.mechanism, {"roller.prism": "the prism"}, 0.3)
+
+
+def tumbled() -> float:
+    """When the axis has turned from 6° before the vertical through an edge to 30° beyond it: by its energy."""
+    inertia = 0.1**2 * (1.0 + (2.0 + cos(radians(36.0))) / 6.0)
+    began = radians(-6.0)
+
+    def slowness(turned: np.ndarray) -> np.ndarray:
+        return 1.0 / np.sqrt(5.3**2 + 2.0 * G * 0.1 / inertia * (cos(began) - np.cos(began + turned)))
+
+    return integral(slowness, radians(36.0))
+
+
 TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.string_pendulum, WentSlack("swing.hanger"), struck(SLACK)),
     (motions.string_pendulum, WentTaut("swing.hanger", after=True), struck(SLACK) + FLIGHT),
@@ -132,6 +154,8 @@ TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.spring_block, Returned("bench.block"), 2.0 * pi / OMEGA),
     (motions.thrown_ball, TopAfterBounce("field.ball"), (RISE + 1.8 * FALL) / G),
     (motions.thrown_ball, TopAfterBounce("field.ball", 2), (RISE + FALL + (1.6 + 0.64) * FALL) / G),
+    (motions.thrown_ball, StayedBelow("field.ball", 0.8), (RISE + FALL + 1.6 * FALL) / G),  # tops at 0.98 m, 0.63 m
+    (prism, EdgeLanded("roller.prism"), tumbled()),
     (motions.thrown_ball, Bounced("field.ball", after=True), (RISE + FALL) / G),
     (motions.thrown_ball, Bounced("field.ball", 3, after=False), (RISE + FALL + 2.0 * FALL * 0.8 * 1.8) / G),
     (lambda: motions.thrown_ball(None), Landed("field.ball"), (RISE + FALL) / G),

@@ -1,6 +1,6 @@
 """The greatest force in a light rod."""
 
-from sim2reason.quantities.rods import RodForce
+from sim2reason.quantities.rods import RodForce, RodPull
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 
@@ -14,3 +14,14 @@ class GreatestRodForce(Extreme):
     impulsive = True
     phrase = "the greatest magnitude of the force in {rod}"
     weight = 5.0
+
+
+@functional
+class GreatestRodPull(Extreme):
+    """The greatest size of the force in a light rod on a moving axle; never drawn by recipes."""
+
+    name = "greatest rod pull"
+    quantity = RodPull
+    impulsive = True
+    drawn_by_recipes = False
+    phrase = "the greatest magnitude of the force in {rod}"

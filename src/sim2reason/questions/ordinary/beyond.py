@@ -8,11 +8,11 @@ BEYOND: Mapping[str, str] = {
     r"radius of (?:the |its )?(?:circle|circular|orbit|path|curvature|motion|trajectory)|amplitude": "the size of a "
     "path is a quantity here only in a magnetic field: ask for the greatest displacement, or for a distance",
     r"magnetic force|electric force|gravitational force|weight of|centripetal force|drag force": "of the forces "
-    "that lie in no string, rod, spring or contact only the net one is a quantity here",
+    "that lie in no string, rod, spring or contact only the net one, and those of fields and of a medium, are here",
     r"average|mean (?:speed|velocity|force|power)": "averages are no quantities here: ask for what the motion adds up "
     "to, and for the time",
-    r"\bpower\b|at what rate does .*(?:work|energy)": "of powers only that of a hand is asked in sentences: ask for "
-    "others in parts, such as --find 'power of gravity'",
+    r"\bpower\b|at what rate does .*(?:work|energy)": "of powers only those of a hand "
+    "and of gravity are asked in sentences: ask for others in parts, such as --find 'power of gravity'",
     r"(?:what|which|find the|the) direction|angle (?:above|below|to|with) the horizontal": "of directions only the "
     "angle of a projectile's velocity with the horizontal is a quantity here: ask for the components",
     r"\d\s?(?:s|seconds?|yr|years?) (?:after|before) (?!t\b|the start|release|launch)|\d\s?s later|next \d|last "

@@ -175,7 +175,7 @@ def after_bounce(question: str, clause: str, side: str, heard: Heard) -> Iterato
 def changed(main: Main, when: When, side: str) -> When | None:
     """Return the moment, less an earlier one, of a gain, a loss or a change: over an event, or else since the start."""
     told = when.told.removesuffix(" before")
-    jumps = told.endswith(("bounced", "collided")) and side in (THEN, DURING)
+    jumps = told.endswith(("bounced", "collided", "edge landed")) and side in (THEN, DURING)
     if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):
         return When(told, AFTER, when.ways, when.rank) if jumps and main.find == COLLISION else None
     if main.find == COLLISION:

@@ -90,7 +90,8 @@ HEADS: Mapping[str, str] = {
     "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
-    "(?:natural|unstretched|relaxed|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
+    "(?:(?:get|go|come|return|fall|spring) back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed"
+    "|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
     f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"
     "|shortest|minimum length|smallest length|shortest length": "{s} most compressed",
@@ -105,10 +106,11 @@ HEADS: Mapping[str, str] = {
     # engines
     "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"
     " up| off)?"
-    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:engine|motor|burn|thrust) "
+    "|exhaust|consume|spend|gone|finish|end|empty|use|give out)|(?:(?:engine|motor) )?run out of fuel|(?:engine"
+    "|motor|burn|thrust) "
     "(?:itself )?(?:stop|cut out|cut off|shut down|shut off|burn out|end|finish|switch off|turn off|run out|quit|cease"
     "|go out|off)(?: (?:burn|fire|work|run))?|burnout|burn-out|(?:engine )?(?:cutoff|cut-off|shutdown|shut-down)"
-    "|run out of fuel|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
+    "|out of fuel|(?:use|burn|consume|spend|exhaust)(?: up)? (?:all )?(?:of )?(?:its )?fuel|burn out"
     "|end of (?:the )?burn|(?:fuel )?tank (?:empty|run dry)|no fuel (?:left|leave|remain)": "burnout",
     # slipping
     "(?:(?:start|begin) (?:to )?)?(?:pure(?:ly)? )?(?:roll|rolling)(?: purely)?(?: without (?:slip|slide"
@@ -136,7 +138,7 @@ HEADS: Mapping[str, str] = {
     r"(?:face|side)(?: of @\d+@)?": "{s} moves {n} relative to carrier",
     rf"{_ROLL} {_DISTANCE}": "{s} rolls {n}{way}",
     rf"{_TURN} (?:through |by )?(?:(?:an )?angle of )?(?P<n>{N})": "{s} turns through {n}",
-    rf"(?P<n>{N})(?: away)? from {HOME}": "{s} moves {n}{way}",
+    rf"(?P<n>{N})(?: away)? (?:from|of) {HOME}": "{s} moves {n}{way}",
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
     "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
     " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",
@@ -145,6 +147,7 @@ HEADS: Mapping[str, str] = {
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (
         "{s} moves parallel to {axis} axis"
     ),
+    "(?:pass(?: through)? |go through |swing through |in |at )(?:its )?horizontal(?: position)?": "{s} horizontal",
     "(?:velocity|direction of motion|path|flight)(?: of @\\d+@)?(?: be)? horizontal|(?:move|fly|travel|go)"
     " horizontally": ("{s} at its highest point"),
     "(?:(?:complete|make|finish|perform|do|turn|go|turn through|spin|roll)(?: through)? )?(?:its )?(?:(?:first|one"
@@ -172,7 +175,8 @@ HEADS: Mapping[str, str] = {
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
     rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
-    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|move at|move with|go at|travel at|have|achieve|gain|get"
+    rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|pick up|move at|move with|go at|travel at|have"
+    rf"|achieve|gain|get"
     rf" to)"
     rf"(?: speed of| velocity of)? (?P<m>{N})": "{s} reaches speed of {n}",
     rf"(?:{_MOVE}|{FALL}|{RISE}|{_ROLL}|accelerate|burn|in motion|under way) (?:for|during) (?P<n>{N})": "t = {n}",

@@ -84,6 +84,11 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
     "meets {t}": read.met,
     "[{s} ]sets off": place.sets_off,
+    "{s} (?:~|to )(?:gone|go|travelled|moved|been|swept) (?P<turns>half|quarter)(?:way| way| of way) (?:round"
+    "|around)(?: {t})?": (place.orbited),
+    "{s} stays below {n}": place.stays_below,
+    "{s} is under {t}": place.under,
+    " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),
     "[{s} ]at height of {n}": place.at_height,
     "[{s} ]moves {n} vertically {way=WAY}": place.vertically,
     "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,
@@ -116,11 +121,12 @@ CLAUSES: Mapping[str, Reader] = {
     "|spent|gone)["
     " up]": place.share_burnt,
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
-    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|original|first|largest|highest)"
+    r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|starting|original|first"
+    r"|largest|highest)"
     "[ value| one| speed| velocity])": place.fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
     "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
-    "(?P<q>speed) of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to"
+    "{q=QUANTITY} of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to"
     " (?P<times>half|third|quarter|tenth) (?:of )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)"
     "(?: value| one| speed)?)": place.fraction,
     "[{s} ]finally stops": place.for_good,
@@ -141,7 +147,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.simply("stopped"),
     "[{s} ]~[first ]LANDS[ FIRST_TIME]": read.landed,
     "[{s} ]~LANDS for {number=ORDINAL} time": read.landed,
-    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": read.jump("bounced"),
+    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": read.jump("bounced", "edge landed"),
     "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": read.jump("bounced"),
     "[{s} ]~BOUNCES for {number=ORDINAL} time": read.jump("bounced"),
     "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": read.jump("collided"),

@@ -8,7 +8,7 @@ FORCE = (
     " )*force"
     "|(?:total |resultant |net |whole )*(?:force|pull|load|reaction)"
 )
-_ACT = "exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
+_ACT = "load|exert|act|pull|push|press|apply|carry|bear|hold|support|take|withstand|sustain|hang"
 _HOLDER = "axle|bear(?:ing)?|bracket|mount|mounting|support|suspension|hinge|pivot|(?:fixed )?axis"
 _HOOK = (
     "(?:fixed )?(?:hook|ceiling|beam)|(?:its )?(?:point of suspension|suspension point|fixed point|suspension"
@@ -30,7 +30,7 @@ FORCE_ROWS = (
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?on|by|from|of", "?have|in total|in all|altogether"),
         "what force bears axle {s} {t}", 2),
     WantedRow((FORCE, _HOLDER, f"?{_ACT}", "?on|by|from|of", "?have"), "what force bears axle {s}"),
-    WantedRow((FORCE, f"?{_ACT}", _HOOK, _ON, _ON), "what force on hook {s}"),
+    WantedRow((FORCE, "?string|rope|cord|cable|thread", f"?{_ACT}", _HOOK, _ON, _ON), "what force on hook {s}"),
     WantedRow(("how much", "pull|tug", "?on|at"), "what force does {s} exert on {t}", 2),
     WantedRow((FORCE, "support|carry|hold|bear", f"(?P<face>{GROUNDS})"), "what normal force of ground on {s}"),
     WantedRow((FORCE, "<up>", "exert|push|press|act|apply", f"(?P<face>{GROUNDS})", "?on", "?total|whole"),

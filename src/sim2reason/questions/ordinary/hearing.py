@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities import QUANTITIES as REGISTERED
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import chain
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.asides import without_asides
@@ -50,6 +51,8 @@ _OWN = re.compile(
 )
 _HIT_IT = re.compile(
     r"(@\d+@ (?:has |have )?(?:hits?|struck|strikes?|meets?|met|touche[sd]|collide[sd]? with"
+    r"|(?:is |lies |passes |swings |moves )?(?:directly |vertically |straight |exactly )*(?:below|beneath|under"
+    r"|underneath)"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
@@ -62,8 +65,13 @@ _PARTICIPLES = re.compile(
     r"|launched|orbiting|turning|stationary) (?=@\d+@)"
 )
 _HALF = re.compile(r"\b(first|a) half (second|metre|meter|minute|year)\b")
+_WHOLES = {"one": 1, "a": 1, "two": 2, "three": 3, "four": 4, "five": 5}
+_AND_HALF = re.compile(
+    rf"\b(?P<n>{'|'.join(_WHOLES)})(?: (?P<u>second|metre|meter|year))? and a half(?: (?P<v>seconds|metres|meters"
+    rf"|years))?\b"
+)
 _CENTER_ALONE = re.compile(r"\b(?:its )?(?:centre|center)(?: of mass| of gravity)?\b(?! of)")
-_WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm))"
+_WHOLE = "(?:system|assembly|arrangement|set-?up|whole (?:thing|arm)|swinging (?:body|part|thing))"
 _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
@@ -88,7 +96,7 @@ def hear(sentence: str, words: Words) -> Heard:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
         return Heard("", (), ())
-    sentence = _HALF.sub(r"\1 0.5 \2", sentence)
+    sentence = _HALF.sub(r"\1 0.5 \2", _AND_HALF.sub(_and_half, sentence))
     text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
 
@@ -97,7 +105,7 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
-    text = _ADJECTIVES.sub("", text)
+    text = _with_pulleys(_ADJECTIVES.sub("", text), words)
     text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
@@ -107,7 +115,7 @@ def hear(sentence: str, words: Words) -> Heard:
     text = _INDIRECT.sub("", text)
     if len(subjects) == 2:  # *after B has hit it*: the other
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
-    text = _ARTICLES.sub("", text.lower().replace("'s", " 's").replace(",", " , "))
+    text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
     if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
         text = _CENTER.sub(r"\1", text)
@@ -122,6 +130,12 @@ def hear(sentence: str, words: Words) -> Heard:
     text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
     text = without_asides(text)
     return Heard(reworded(text), tuple(subjects), numbers)
+
+
+def _and_half(found: re.Match[str]) -> str:
+    """Return *one and a half seconds* in digits; unchanged without a unit."""
+    unit = found["v"] or found["u"]
+    return f"{_WHOLES[found['n']]}.5 {unit}" if unit else found[0]
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
@@ -164,9 +178,11 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
     found: list[tuple[int, str, str]] = [*named_lines(words), *swinging_lines(words)]
+    kinds = [said[0].lower() for said in nouns.values() if len(said) == 2]
+    lone = frozenset(kind for kind in kinds if kinds.count(kind) == 1)
     for phrase, said in nouns.items():
         noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
-        found += between(phrase)
+        found += between(phrase, lone)
         if not letter:
             others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
             names = {phrase.removeprefix("the ")} | others
@@ -196,6 +212,21 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
         found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
     return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+
+
+def _with_pulleys(text: str, words: Words) -> str:
+    """Return a text that calls the only movable pulley, and the only fixed one of several, as the scene's text does."""
+    mechanism, kinds = words.mechanism, dict[str, list[str]]()
+    for address, said in words.mentions.items():
+        sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]
+        if "pulley" in said and sites:
+            bodies = [body for site in sites if site.body is not None for body in chain(mechanism, site.body)]
+            moves = any(coordinate.kind == "slide" for body in bodies for coordinate in body.coordinates)
+            kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(said)
+    for kind, pulleys in kinds.items():
+        if len(pulleys) == 1 and len(kinds) > 1:
+            text = re.sub(rf"\b(?:the )?{kind} pulley\b(?! [A-Z]\b)", pulleys[0], text)
+    return text
 
 
 def _movers(words: Words) -> list[str]:

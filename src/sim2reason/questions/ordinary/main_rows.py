@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 S = r"@\d+@"
-_FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink)", "(?:rise|climb|ascend)", "roll"
+_FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
 _GO = (
     "(?:move|slide|travel|go|cover|fly|recoil|advance|get|come|traverse|run|reach|ride|drift|carry|drag|pull"
@@ -63,7 +63,7 @@ ROWS = (
         "what is moment of inertia of {s} about axle"),
     WantedRow((f"{_FAST}|speed|velocity", "relative to|with respect to|over|as seen from", f"?{MOTION}"),
         "how fast does {s} move{way} relative to {t}", 2),
-    WantedRow((f"{_FAR}|by how much", "relative to|with respect to|along|over|on|across", "?top of|surface of",
+    WantedRow((f"{_FAR}|(?:by )?how much", "relative to|with respect to|along|over|on|across", "?top of|surface of",
          f"{MOTION}|slip|skid"),
         "how far does {s} move relative to {t}", 2),
     WantedRow(("{quantity}", "{size}", f"?{MOTION}"), "what is {size} {quantity} of {s}"),
@@ -98,7 +98,7 @@ ROWS = (
     WantedRow(("(?:by )?how much", f"{_FALL}|{_RISE}|move|shift|advance|slide|recoil"), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAST}|speed", "relative to (?:each other|one another)", f"?{MOTION}"),
         "how fast do {s} and {t} move relative to each other", 2),
-    WantedRow((f"{_FAST}|speed", "apart|together|(?:toward|towards|away from|from) (?:each other|one another)",
+    WantedRow((f"{_FAST}|speed", "apart|together|(?:(?:toward|towards|away from|from) )?(?:each other|one another)",
          f"?{MOTION}|approach|recede|separate"), "how fast do {s} and {t} near or part", 2),
     WantedRow((_FAR, MOTION), "how far does {s} {verb}{way}"),
     WantedRow((f"{_FAR}|path", MOTION, _IN_ALL), "how far altogether does {s} move{way}"),
@@ -199,15 +199,21 @@ ROWS = (
         "what angle {s} is deflected through"),
     WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "left|leave|remain|remaining|unburnt"),
         "how much left fuel {s}"),
-    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up"),
+    WantedRow(("how (?:much|many kg)|mass|what mass|amount", "fuel", "burn|use|consume|spend", "?up",
+         "?(?:by )?engine"),
         "how much burnt fuel {s}"),
     WantedRow(("angle", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what angle does {s} make with vertical"),
     WantedRow(("angle", "{greatest}", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical"),
         "what is greatest angle of {s} with vertical"),
+    WantedRow(("angle", "{least}|nearest|closest", "(?:make|form|with|between|and|to|from)*", "(?:downward )?vertical",
+        "?reach|attain|make|come|get|swing"), "what is least angle of {s} with vertical"),
     WantedRow(("(?:at )?(?:what|which) angle|how steep|how steeply", ("?(?:with|to|from|and|against) (?:the"
-    " )?(?:horizontal|ground)")),
+    " )?(?:horizontal|ground)"), f"?{MOTION}|fly"),
         "what angle {s} hits at"),
+    WantedRow(("power|rate", "(?:of |by )?(?:gravity|weight|gravitational force|its weight)",
+         "?deliver|supply|do work|provide|develop|expend|work|transfer", "?energy|to|on"), "what is power of"
+         " gravity on {s}"),
     WantedRow(("power|rate", "hand", "deliver|supply|do work|provide|develop|expend|work|transfer", "?energy"),
         "what is power of hand"),
     WantedRow(("angle", "{greatest}", "reach|attain|make|swing|get|deflect|turn to|rise to|deviate"),
@@ -232,7 +238,8 @@ ROWS = (
     WantedRow(("how many times|how often", "(?:turn|rotate|revolve|spin)(?! (?:back|round|around))"),
         "how many turns does {s} make"),
     WantedRow(("frequency", f"?{'{motion}'}"), "what is frequency of {s}"),
-    WantedRow(("how many times|how often", "bounce|rebound|hit|strike|land"), "how many times does {s} bounce"),
+    WantedRow(("how many times|how often", f"bounce|rebound|hit|strike|land|(?:touch|meet|reach) (?:{GROUNDS})"),
+        "how many times does {s} bounce"),
     WantedRow(("how many (?:collision|impact)s?|number of (?:collision|impact)s?",
          "between|among|of|do|have with each other",
          "?there|take place|happen|occur|undergo|have|suffer", f"?{_IN_ALL}"), "how many collisions between {s}"),

@@ -131,7 +131,7 @@ FRAMES: Mapping[str, Reader] = {
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
     "ASK energy stored in {s}": change.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
-    "how much {q=QUANTITY} ~{s} (?P<verb>gain|lose|change)": change.changed,
+    "how much {q=QUANTITY} ~[{s} ](?P<verb>gain|lose|change)": change.changed,
     "how far (?P<side>up|down) is {s}": read.far_off,
     "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
     "what force acts on {s}": read.of_fields,
@@ -163,6 +163,7 @@ FRAMES: Mapping[str, Reader] = {
     "what is inertia of {s} about its axis": shape.own_axis,
     "what is centre of mass offset of {s}": of_one("centre of mass offset"),
     "how far is {s} from (?P<axis>x|y) axis": shape.from_axis,
+    "how far (?P<most>at most )?(?P<side>above|below|left|right) of (?P<axis>x|y) axis is {s}": shape.beside_axis,
     "what is speed of {s} relative to {t}": shape.relatively("speed"),
     "what is acceleration of {s} relative to {t}": shape.acceleration_on,
     "how far does {s} move along {t}": shape.far_on,
@@ -172,6 +173,7 @@ FRAMES: Mapping[str, Reader] = {
     "how long is {s} moving": shape.moving,
     "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
     "how much momentum does {s} exchange": change.exchanged,
+    "what is power of gravity on {s}": of_one("power of gravity"),
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

@@ -11,6 +11,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
     DIES_AWAY,
+    GROUNDS,
     ON,
     ORIGIN,
     QUANTITIES,
@@ -24,6 +25,7 @@ from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE
 LINES = "horizontal", "vertical", "x", "y"
 LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")
 UP_WAY, DOWN_WAY = "up", "down"
+_SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
@@ -124,6 +126,7 @@ def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     if side != AFTER and number in ("", "first"):
         yield When(f"{who} landed", BEFORE)
     yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
+    yield from jump("edge landed")(found, heard, subject, side)
 
 
 def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
@@ -156,7 +159,8 @@ def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
     else:
         yield When(f"{who} moved {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
-        for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY)):
+        along = _SLOPING.search(found[0]) is not None  # then it is no height
+        for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY) and not along):
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
 
 

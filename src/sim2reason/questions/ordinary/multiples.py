@@ -5,8 +5,12 @@ from dataclasses import replace
 
 from sim2reason.dsl.fields import Resistance
 from sim2reason.errors import TextError
-from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.posing import posed
+from sim2reason.questions.query import Query
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
 
@@ -20,6 +24,7 @@ SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # what grea
 LONG, PAST = "after a long time", " after "
 LATE = re.compile(rf"(?P<late>[\d.e-]+) (?P<unit>\S+){PAST}")
 _LATER = re.compile(rf"{LATE.pattern}(?P<event>.*collided)")
+APART = 0.3  # relative: extremes that differ by more are not of one motion that goes on and on
 DOUBLINGS, SETTLED = 10, 1e-7  # of the time that is long enough, and what changes by less, relative, changes no more
 
 
@@ -51,22 +56,43 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time so late that the answer no longer changes, as a medium resists the motion."""
+    """Return a question about a time so late that the answer, an extreme or one in a medium, no longer changes."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
-    if asked.find == "time" or not resisted:
+    if asked.find == "time" or not (resisted or asked.find.startswith(("greatest", "least"))):
         raise TextError("when", "nothing settles down here", "name a moment")
     until, unit, before = motion.study.scene.horizon, words.mechanism.units.time, list[float]()
     for _ in range(DOUBLINGS):
         told = replace(asked, when=f"at {until:.15g} {unit}")
-        answer = posed(told, motion, words).followed(motion).answer
+        question = posed(told, motion, words)
+        followed = question.followed(motion)
+        answer = followed.answer
         if answer is None:
             break
         before.append(answer)
         size = SETTLED * max(map(abs, before))
-        if len(before) > 2 and all(abs(each - answer) <= size for each in before[-3:]):
+        same = len(before) > 2 and all(abs(each - answer) <= size for each in before[-3:])
+        if same and (resisted or _nothing_greater(question.query, followed)):
             return told
         until *= 2.0
     raise TextError("when", "it never settles down", "name a moment")
+
+
+def _nothing_greater(query: Query, followed: Followed) -> bool:
+    """Return whether an extreme is reached again and again, or else never again by far.
+
+    Where many periods mix, the extremes of the second half of the motion come near to those of the first half, and
+    greater ones may follow at any time.
+    """
+    trace, answer = followed.study.trace, followed.answer
+    extreme = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
+    if not isinstance(extreme, Extreme) or not isinstance(query, StretchQuery) or answer is None:
+        return False
+    end = trace.stable_until
+    late = extreme.between(trace, query.name, 0.5 * end, end)
+    if late is None:
+        return False
+    again, size = abs(late - answer) <= SETTLED * abs(answer), max(abs(late), abs(answer))
+    return again or abs(late - answer) > APART * size
 
 
 def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:

@@ -64,13 +64,16 @@ def group(noun: str) -> frozenset[str]:
     return next((nouns for nouns in NOUNS if noun in nouns), frozenset[str]())
 
 
-def between(phrase: str) -> Iterable[Ranked]:
-    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order."""
+def between(phrase: str, lone: frozenset[str] = frozenset()) -> Iterable[Ranked]:
+    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order.
+
+    A thing whose noun is one of the `lone` ones may be called by the noun without its letter.
+    """
     parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
     if parts is None:
         return
     nouns = alike(parts[1])
-    ends = [_end(parts[2]), _end(parts[3])]
+    ends = [_end(parts[2], lone), _end(parts[3], lone)]
     kinds = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
     if len(kinds) == 1:
         both = rf"(?:the )?(?:two )?(?:{alike(*kinds, *ANYTHING)})e?s"
@@ -203,10 +206,14 @@ def _tilt(line: NamedLine, words: Words) -> float | None:
     return abs(path.ways[0][2]) if path is not None and path.straight else None
 
 
-def _end(said: str) -> str:
-    """Return a pattern for an end of a line: a letter with or without a noun, a pulley with or without its axle."""
+def _end(said: str, lone: frozenset[str] = frozenset()) -> str:
+    """Return a pattern for an end of a line: a letter with or without a noun, a pulley with or without its axle.
+
+    A `lone` noun may stand without its letter.
+    """
     bare = said.removeprefix("the ").removeprefix("axle of ")
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
-        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:{alike(noun, *ANYTHING)})(?:e?s)? )?{letter}"
+        alone = f"|{noun}(?! {letter})" if noun in lone else ""
+        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{alike(noun, *ANYTHING)})(?:e?s)? )?{letter}{alone})"
     return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"

@@ -20,7 +20,7 @@ WAY = re.compile(
 PLACES = re.compile(
     rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
     r"|(?:(?:left|leave|right|sloping|incline|slant|its) )+face|(?:(?:uniform |electric |magnetic )*field|straight"
-    r" line|air|vertical guide|guide|track|its path|path|its"
+    r" line|air|vertical guide|guide|track|its path|path|its (?:plane|slope|side|track)|its"
     r" (?:flight|motion|swing|orbit|arc|trajectory"
     r"|journey|way|climb|rise|fall|descent|ascent)))"
     r"|(?<![\w@])'s (?:(?:circular|elliptical) )?(?:orbit|path|trajectory|motion|flight|swing)"

@@ -15,6 +15,7 @@ _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
+_MATTERS = re.compile(rf"\babove (?:{GROUNDS})|\bby how much\b")  # no height above the start, and no value
 _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
@@ -102,7 +103,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
     groups = dict[str, str]()
     rest = _without_parts(row, text, groups)
-    if rest is None:
+    if rest is None or _MATTERS.search(rest) is not None:
         return
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))

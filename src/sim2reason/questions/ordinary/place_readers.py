@@ -25,6 +25,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SETS_OFF,
     STANDS,
     STRETCHED,
+    UNDER,
     UNMOVED,
     meant,
 )
@@ -42,6 +43,26 @@ def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     """Yield the start, presuming that a body starts to move at once; before it, of what does not depend on motion."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
+
+
+def stays_below(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the bounce after which a body no longer rises to a given height above the ground."""
+    del subject
+    yield When(f"{heard.subject(found['s'])} stayed below {heard.number(found['n'])}", side)
+
+
+def orbited(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body has gone half way, or a quarter of the way, round the body that attracts it."""
+    del subject
+    pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
+    yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
+
+
+def under(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body that swings is straight below what carries it along a level line."""
+    del subject
+    who = heard.subject(found["s"])
+    yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
 
 
 def at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -148,7 +148,7 @@ def _hung(told: str, words: Words) -> Iterator[str]:
 
 def _met(told: str, words: Words) -> str:
     """Return a moment with two bodies, or one of them, replaced by the name of the pair; any other moment unchanged."""
-    found = re.match(r"(?:(.+?) & )?(.+?) (collided.*|closest|farthest)", told)
+    found = re.match(r"(?:(.+?) & )?(.+?) (collided.*|closest|farthest|orbited.*)", told)
     if found is None or (found[1] is None and found[3].startswith("collided")):
         return told
     named = {said for said in found.groups()[:2] if said}

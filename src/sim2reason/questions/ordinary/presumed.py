@@ -9,6 +9,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.afterwards import goes_then
 from sim2reason.questions.ordinary.hearing import ALL
@@ -24,6 +25,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ROUND,
     SOLE,
     THEN_GOES,
+    UNDER,
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query
@@ -68,7 +70,8 @@ def two_sided(query: Query, study: Study, side: str) -> bool:
     if time is None:
         return False
     before, then = (target.value(study.trace.at(instant)) for instant in (float(np.nextafter(time, 0.0)), time))
-    return abs(before - then) > STEADY * max(abs(before), abs(then))
+    size = float(np.nanmax(np.abs(target.values(study.trace.scan)), initial=0.0))  # of what is zero there
+    return abs(before - then) > STEADY * max(abs(before), abs(then)) and abs(before - then) > EVEN * size
 
 
 def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:
@@ -96,7 +99,7 @@ def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -
             elif way.startswith(THEN_GOES):
                 goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
-            elif way == ALL or way.startswith((HELD, ROUND, BORNE)):
+            elif way == ALL or way.startswith((HELD, ROUND, BORNE, UNDER)):
                 yield _beside(who, way, words)
             else:
                 told, holds = PRESUMED[way]
@@ -118,6 +121,10 @@ def _beside(who: str, way: str, words: Words) -> str:
         return "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
     if way.startswith(BORNE):
         return "" if borne(who, way.removeprefix(BORNE), words) else f"{way.removeprefix(BORNE)} does not carry {who}"
+    if way.startswith(UNDER):
+        carrier = way.removeprefix(UNDER)
+        level = borne(who, carrier, words) and not center_path(words.mechanism, named(carrier, words)).rises
+        return "" if level else f"{who} does not swing below {carrier}"
     center = named(way.removeprefix(ROUND), words)
     pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
     return "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"

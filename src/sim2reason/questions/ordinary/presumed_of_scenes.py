@@ -17,9 +17,11 @@ from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Cas
 from sim2reason.questions.ordinary.unsaid import fixed_end
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
+    BESIDE,
     CENTERED,
     CENTRAL,
     DIES_AWAY,
+    FARTHEST,
     FIXED_END,
     FREE_AXLE,
     GOES_DOWN,
@@ -202,6 +204,22 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
     return test
 
 
+def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]:
+    """Return a test of whether a coordinate has a sign at the instant asked about, and is never farther out."""
+
+    def test(case: Case) -> bool:
+        name, trace = named(case.who, case.words), case.followed.study.trace
+        senses = Bodies().senses(case.words.mechanism, name) if name else ()
+        way = next((sign * np.array(sense.vector) for sense in senses if sense.axis == axis), None)
+        if way is None:
+            return False
+        here = float(Displacement.evaluate(trace.at(case.then), name)[0] @ way)
+        most = float((Displacement.evaluate(trace.scan, name) @ way).max())
+        return here > 0.0 and (not farthest or most <= here * (1.0 + STEADY))
+
+    return test
+
+
 PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     **OTHERS,
     LIGHT: ("{who} has a weight of its own", _light),
@@ -220,6 +238,15 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     MUTUAL: ("there are walls, too", _mutual),
     **{
         f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))
+        for axis in "xy"
+        for sign in "+-"
+    },
+    **{
+        f"{kind}{sign}{axis}": (
+            "{who} is not on that side, or gets farther out later",
+            _beside(axis, float(f"{sign}1"), farthest=kind == FARTHEST),
+        )
+        for kind in (BESIDE, FARTHEST)
         for axis in "xy"
         for sign in "+-"
     },

@@ -176,9 +176,12 @@ def _rolling(case: Case) -> bool:
 
 
 def _rests(case: Case) -> bool:
-    """Return whether all bodies are at rest for good by the end of the motion."""
+    """Return whether all bodies are at rest for good from the instant asked about on."""
     trace = case.followed.study.trace
-    return trace.stable_until > LATER * case.then and ends_at_rest(trace)
+    speeds = np.abs(trace.scan.v).max(axis=1, initial=0.0)
+    late = speeds[trace.scan.times > case.then * (1.0 + EVEN)]
+    still = float(late.max(initial=0.0)) <= STEADY * float(speeds.max(initial=0.0))
+    return trace.stable_until > LATER * case.then and still and ends_at_rest(trace)
 
 
 def _lasts(case: Case) -> bool:

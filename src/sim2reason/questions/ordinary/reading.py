@@ -35,7 +35,7 @@ _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (
 _GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
 _LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
-    "(?:[{s} |system |everything |whole system ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
+    "(?:[{s} |system |everything |whole system |they |both ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"
     " ALONG_IT| on {t}| on it]|[its ]way (?P<on>up|down))"
 )
 _ON_ITS_WAY = pattern(
@@ -179,12 +179,14 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
     """Return whether a main clause and a moment make no question that people ask.
 
     Nobody asks for the potential energy in an impact, for an angle of deflection before the collision, or for a sum
-    from the start until some time after a later event.
+    from the start until some time after a later event. An angle *after* an event is not counted from the start.
     """
     if main.find == "potential energy":
         return side == THEN and _IMPACT.fullmatch(clause) is not None
     if main.find == DEFLECTION:
         return side in (THEN, DURING) and when.told.endswith(" before")
+    if main.find in TURNED and side == AFTER and _late(clause) and not _BEGUN.fullmatch(clause):
+        return True
     return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
@@ -208,15 +210,17 @@ def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Re
 def _whole(main: Main) -> Iterator[Reading]:
     """Yield readings of a distance asked for without a moment: up to the landing, the bounce or the body's stop."""
     way = next((way for _, way in main.ways if way in ("up", "down")), "")
-    for rank, when in enumerate(("landed", "bounced", "stopped")):
+    for rank, when in enumerate(("landed", "bounced", "halted", "stopped")):
         told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
         yield _with(replace(main, rank=main.rank + rank), told)
 
 
 def _to_its_end(main: Main) -> Iterator[Reading]:
-    """Yield readings of an extreme or a sum of a motion that does not repeat itself: until all is at rest for good."""
+    """Yield readings of an extreme or a sum of a motion that does not repeat itself: up to where nothing new comes."""
     if not main.find.startswith(("greatest", "least", "energy")):
         return
+    if not main.find.startswith("energy"):
+        yield _with(replace(main, rank=main.rank + 1), When(LONG, AFTER))
     for rank, when in enumerate((f"{main.of} halted", f"{main.of} stopped", "halted", "stopped", "landed"), start=2):
         ways = () if "stopped" not in when else ((main.of, RESTS),)
         yield _with(replace(main, rank=main.rank + rank), When(when.strip(), AFTER, ways))

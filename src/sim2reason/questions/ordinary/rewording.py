@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 
+from sim2reason.questions.ordinary.turns_of_amount import AMOUNT_TURNS
 from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
 from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
+from sim2reason.questions.ordinary.turns_of_place import PLACE_TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
 
 REWORDINGS: Mapping[str, str] = {
@@ -32,9 +34,6 @@ REWORDINGS: Mapping[str, str] = {
     "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
     "^(?:with|at) what rate (?=(?:do|does|is|are|will) @\\d+@ (?:accelerat|speed|los))": "with what acceleration ",
     "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
-    "(?<!^how long is @\\d@)(?<!stay)(?<!remain)(?<!set)(?<!put) (?:during|in|over|throughout)(?: its| @0@ 's|)"
-    " (?:(?:subsequent|whole|entire|ensuing|resulting) )?"
-    "(?:motion|oscillation|flight|slide|run|journey)(?: that follows)?$": "",
     "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
     "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
         r"what is final \g<q> of \g<s>"
@@ -43,7 +42,8 @@ REWORDINGS: Mapping[str, str] = {
     "(?<= )next (?=cross)": "",
     "^(?P<when>when (?:do|does|will|is) @\\d+@) next ": r"\g<when> ",
     "(?<= )(?P<n>#\\d+#) (?:later|afterwards|after that|on)$": r"\g<n> after start",
-    "\\b(?:leave|leaves|rebound from|bounce off|come off) SURFACE (?:just |immediately )?after (?:its |their"
+    "\\b(?:leave|leaves|rebound from|bounce off|come off|rebound|rebounds|fly off)(?: SURFACE)? (?:just "
+    "|immediately )?after (?:its |their"
     " )?(?P<number>ORDINAL) "
     "(?:bounce|impact|landing|rebound)": r"move just after \g<number> bounce",
     "(?P<s>@0@) (?P<verb>hit|hits|strike|strikes|touch|touches|meet|meets|reach|reaches|land on|lands on) @0@": (
@@ -64,6 +64,6 @@ REWORDINGS: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in {**MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
+    for told, plain in {**AMOUNT_TURNS, **PLACE_TURNS, **MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

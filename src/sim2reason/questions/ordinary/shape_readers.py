@@ -9,10 +9,12 @@ from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.unsaid import AMPLITUDE
 from sim2reason.questions.ordinary.vocabulary import (
+    BESIDE,
     BORNE,
     CENTERED,
     CENTRAL,
     DOWN,
+    FARTHEST,
     FIXED_END,
     HELD,
     LIES,
@@ -55,6 +57,25 @@ def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     other = "y" if found["axis"] == "x" else "x"
     for of in each(heard, found["s"]):
         yield Main("displacement", of, other, needs=CLAUSED, ways=((of, f"{ORIGIN} {other}"),))
+
+
+SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
+
+
+def beside_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the distance of a body from an axis of coordinates on a named side, by default where it is farthest."""
+    axis, sign = SIDES[found["side"]]
+    other = "y" if axis == "x" else "x"
+    if found["axis"] != axis:
+        return
+    for of in each(heard, found["s"]):
+        origin = (of, f"{ORIGIN} {other}")
+        if found["most"]:
+            ways = (origin, (of, f"{FARTHEST}{sign}{other}"))
+            turn = When(f"velocity of {of} along {other} = 0 m/s", ways=ways)
+            yield Main("displacement", of, other, needs=FREE, when=turn)
+        else:
+            yield Main("displacement", of, other, needs=CLAUSED, ways=(origin, (of, f"{BESIDE}{sign}{other}")))
 
 
 def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -49,7 +49,8 @@ SHAPE_ROWS = (
         " {line} axis"),
     WantedRow((_FAST, "relative to|with respect to|as seen from|over|past", "?move|slide|go|travel|roll|drift|slip"),
         "what is speed of {s} relative to {t}", 2),
-    WantedRow(("acceleration|how quickly accelerate|(?:with|at) what acceleration", ("relative to|with respect to|as"
+    WantedRow(("acceleration|how (?:fast|quickly) accelerate|(?:with|at) what acceleration", ("relative to|with"
+    " respect to|as"
         " seen"
     " from|over|along"), "?move|slide|go|travel|fall|rise", "?<(?:down|up)>"),
         "what is acceleration of {s} relative to {t}", 2),
@@ -89,7 +90,7 @@ SHAPE_ROWS = (
     WantedRow(("angle", "(?:velocity|direction of motion|path)", ("(?:make|form|enclose)? ?(?:with|to|and|from)"
         " horizontal")),
         "what angle {s} makes with horizontal"),
-    WantedRow(("(?:mechanical |kinetic )?energy", "lose|loss|dissipate|give", ("(?:to|by|through|in|against)"
+    WantedRow(("(?:mechanical |kinetic )?energy|heat", "lose|loss|dissipate|give", ("(?:to|by|through|in|against)"
         " (?:resist(?:ing"
     "|ance)? (?:medium|of medium)|resistance(?: of medium)?|resisting medium|medium|drag|air|air resistance|drag"
     " force)")),

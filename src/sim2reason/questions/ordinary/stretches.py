@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary import sum_readers as sums
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.readers import (
     FREE,
     STRETCH,
@@ -30,7 +29,7 @@ from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
-PULLS = "rod force", "tension", "spring force"
+PULLS = "rod force", "tension", "spring force", "rod pull"
 
 
 def _extreme(size: str) -> Reader:
@@ -39,7 +38,7 @@ def _extreme(size: str) -> Reader:
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
-        if name == "rod force":
+        if name in ("rod force", "tension"):
             yield from (
                 Main(f"{size} {force}", heard.subject(found.groupdict().get("s")), needs=STRETCH) for force in PULLS
             )
@@ -51,7 +50,6 @@ def _extreme(size: str) -> Reader:
             if name == "distance":
                 continue
             yield Main(f"{size} {name}", of, needs=STRETCH)
-            yield Main(f"{size} {name}", of, needs=FREE, when=When(LONG, AFTER), rank=1)
             if turn := sums.EXTREMES.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
@@ -85,6 +83,12 @@ def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
+
+
+def _before_landing(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the greatest height of a body above the ground before it lands, presuming that it rises first."""
+    for main in _highest(found, heard):
+        yield replace(main, ways=((main.of, "up"),))
 
 
 def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
@@ -183,6 +187,9 @@ STRETCHES: Mapping[str, Reader] = {
     "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
+    "(?:ASK|what) work done on {s} by (?:field|electric field|electric force)": of_one(
+        "work of an electric field", needs=STRETCH
+    ),
     "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
@@ -214,6 +221,9 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH
     ),
+    "(?:ASK|what) LEAST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
+        "least deflection", needs=STRETCH
+    ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
     "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
     "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
@@ -221,6 +231,12 @@ STRETCHES: Mapping[str, Reader] = {
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets) above SURFACE": _highest,
     "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets)": _gets,
+    "(?:to )?(?:how high|what height) above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets) (?:before|until)"
+    " (?:it|@\\d+@)"
+    " [first ]LANDS[ FIRST_TIME]": _before_landing,
+    "(?:ASK|what) GREATEST height above SURFACE [that ]~[of |reached by ]{s}[ ATTAINS] (?:before|until) (?:it|@\\d+@)"
+    " [first ]LANDS[ FIRST_TIME]": _before_landing,
+    "what area ~{s} and {t} sweep": _at_once("area swept"),
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
@@ -250,7 +266,9 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK angular frequency of {s}[ 's ITS_MOTION]": _period("angular frequency"),
     "ASK angular frequency[ of [its ]ITS_MOTION[ of {s}]]": _period("angular frequency"),
     "(?:with|at) what angular frequency ~{s} OSCILLATES": _period("angular frequency"),
-    "(?:TIME|how long ~) [for ]{s} [to ](?:COMPLETES) (?:one|full|one full) ROUND": _period("period"),
+    "(?:TIME|how long) ~[for ]{s} [to |has |have ](?:completed|made|COMPLETES) (?:one|full|one full) ROUND": _period(
+        "period"
+    ),
     "how long ~{s} (?:take|need) to (?:go round once|make one revolution|complete one revolution|complete one orbit"
     "|complete one round|go once around|go around once)": _period("period"),
     "how many (?:revolutions|oscillations|swings) per second ~{s} (?:make|complete)": _period("frequency"),

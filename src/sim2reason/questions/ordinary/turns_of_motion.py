@@ -118,7 +118,8 @@ MOTION_TURNS: Mapping[str, str] = {
     f" (?:this|that|its|@0@ 's) (?:{_STEADY} )?(?P<q>speed|velocity)$": r"what is \g<q> of \g<s> after long time",
     f"\\b{_STEADY} (?P<q>speed|velocity) (?P<does>does|will) {_S} (?:finally|eventually|ultimately|at last|in end)"
     " (?:HAVE|move at|travel at|approach|settle to|settle down to)$": (r"\g<q> \g<does> \g<s> have after long time"),
-    f"^(?P<ask>ASK|to what|what) (?:{_STEADY} )?(?P<q>speed|velocity) {_DOES} {_S} (?:tend to|settle down to|approach"
+    f"^(?P<ask>ASK|to what|what) (?:{_STEADY} )?(?P<q>speed|velocity) {_DOES} {_S} (?:finally |eventually "
+    f"|ultimately )?(?:tend to|settle down to|approach"
     "|tend|settle down|settle)(?: (?:finally|eventually|in end|after long time))?$": (
         r"what is \g<q> of \g<s> after long time"
     ),

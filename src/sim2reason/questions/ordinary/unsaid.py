@@ -14,7 +14,7 @@ AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
 ENERGIES = "kinetic energy", "rotational kinetic energy"
 ORBITAL = "eccentricity", "semi-major axis"
-DEFLECTIONS = "deflection", "greatest deflection"
+DEFLECTIONS = "deflection", "greatest deflection", "least deflection"
 SHARED = "acceleration", "speed", "velocity"  # of all bodies of a system that is connected, if they have the same
 
 
@@ -39,9 +39,13 @@ def velocities_equal(told: str, words: Words) -> str:
 
 
 def line_of(said: str, words: Words) -> str:
-    """Return the phrase for the only swinging line, for the phrase for the body at its end; else the same phrase."""
+    """Return the phrase for the only swinging line, for that of the body at its end or of its rod; else the same."""
     lines = words.called(SwingingLines())
-    if said in lines.values() or len(lines) != 1 or said not in words.called(Bodies()).values():
+    if said in lines.values() or len(lines) != 1:
+        return said
+    (name,) = lines
+    of_line = f"{name.rpartition('.')[0]}."  # the pendulum, or the arm, to which the line belongs
+    if not any(phrase == said and address.startswith(of_line) for address, phrase in words.mentions.items()):
         return said
     return next(iter(lines.values()))
 

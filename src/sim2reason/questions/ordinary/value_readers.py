@@ -71,7 +71,7 @@ def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield from named(name, of, along, ways)
 
 
-FIELDS = "magnetic force", "electric force", "gravitational force"  # net forces, where nothing else acts
+FIELDS = ("gravitational force",)  # a net force, where nothing else acts
 AXES = ("horizontal", "vertical", "x", "y")
 
 

@@ -32,7 +32,8 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
 ANYTHING = frozenset({"body", "object"})
 
 QUANTITIES: Mapping[str, str] = {
-    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation",
+    "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation|rotational energy|energy of"
+    " rotation",
     "translational kinetic energy": "translational kinetic energy",
     "kinetic energy": "kinetic energy|total kinetic energy",
     "spring energy": "elastic energy|elastic potential energy|spring energy|energy stored|energy is stored",
@@ -71,6 +72,8 @@ QUANTITIES: Mapping[str, str] = {
     "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
     "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
     "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
+    "resisting force": "resisting force|drag|drag force|resistive force|force of resistance|resistance of medium"
+    "|force of medium|air resistance",
     "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
 }
 """Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
@@ -108,6 +111,8 @@ BORNE = "borne by "  # by what carries it, or by the pulley over which its strin
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
 LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
+BESIDE, FARTHEST = "beside ", "farthest beside "  # an axis of coordinates, on the side with a sign
+UNDER = "under "  # what carries it along a level line
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
@@ -230,8 +235,10 @@ WAYS: Mapping[str, str] = {
     "left": "to left",
     "horizontal": "horizontal|horizontally|in horizontal direction",
     "vertical": "vertically|in vertical direction",
-    "x": "in x direction|in positive x direction|along x axis|in x-direction",
-    "y": "in y direction|in positive y direction|along y axis|in y-direction",
+    "x": "in x direction|in positive x direction|along x axis|in x-direction|along x direction|along x-direction"
+    "|parallel to x axis|in direction of x axis",
+    "y": "in y direction|in positive y direction|along y axis|in y-direction|along y direction|along y-direction"
+    "|parallel to y axis|in direction of y axis",
 }
 """By a way, or an axis, how people tell it."""
 

@@ -25,6 +25,10 @@ _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, 
 _BESIDE = re.compile(r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b")
 _LASTING = re.compile(r"[^,]*\b(?:roll|slip|slid|skid|together|bounced off|collided|collision|been hit|been struck)")
 """What is so from the moment on that a clause with *once* names."""
+_ENDED = re.compile(
+    r" @\d+@ (?:has|have) (?:finally come to (?:rest|stop|standstill)|come to (?:rest|stop|standstill) for good)\b"
+)
+_GOING_ON = re.compile(r" (?:@\d+@|they|both) (?:is|are) (?:still )?(?:sliding|moving|slipping|in motion)$")
 _LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
 
 
@@ -58,6 +62,8 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
         if _BESIDE.match(text, found.end()):
             continue  # *sliding over the box 2 s after release*: no time of the box
         side = AFTER if found[0] == "once" and _LASTING.match(text, found.end()) else CONNECTORS[found[0]]
+        side = AFTER if found[0] in ("when", "once") and _ENDED.match(text, found.end()) else side
+        side = DURING if found[0] == "once" and _GOING_ON.match(text, found.end()) else side
         if found.start() > 0:
             yield text[: found.start()].strip().rstrip(" ,"), text[found.end() :].strip(), side
         elif " , " in text:

@@ -97,7 +97,13 @@ class Extreme(Functional):
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """The greatest value, wherever in the stretch it is."""
+        return self.between(trace, name, 0.0, end)
+
+    def between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
+        """Return the greatest value from one time to another, s, wherever it is; None if it is not always known."""
         times, heights = self._sampled(trace, name, end)
+        within = times >= began
+        times, heights = times[within], heights[within]
         if not np.isfinite(heights).all():
             return None
         apart = np.append(np.diff(times) > TWIN * end, True)
