@@ -50,10 +50,29 @@ class SceneAfterRemoval(Scene):
         state = trace.at(self.after)
         there = displaced(whole, state.q[0].tolist(), state.v[0].tolist())
         return replace(
-            there,
-            lines=tuple(line for line in there.lines if line.whole not in self.removed),
+            _without_lines(there, frozenset(self.removed)),
             forces=tuple(_later(force, self.after) for force in there.forces if force.name not in self.removed),
         )
+
+
+def _without_lines(mechanism: Mechanism, removed: frozenset[str]) -> Mechanism:
+    """Return a mechanism without some lines, by `whole`, and without the massless parts that these alone loaded.
+
+    A light movable pulley whose load is cut off stays behind, with its string without tension.
+    """
+    gone = [line for line in mechanism.lines if line.whole in removed]
+    at = {site.name: site.body for site in mechanism.site.values()}
+    light = {body.name for body in mechanism.bodies if not body.mass and body.coordinates}
+    light -= {body.parent for body in mechanism.bodies}
+    idle, slack = set[str](), set(removed)
+    for name in light & {at[site] for line in gone for site in line.through}:
+        others = {line.whole for line in mechanism.lines if name in {at[site] for site in line.through}} - removed
+        if len(others) == 1:
+            idle.add(name)
+            slack |= others
+    bodies = tuple(replace(body, coordinates=()) if body.name in idle else body for body in mechanism.bodies)
+    lines = tuple(line for line in mechanism.lines if line.whole not in slack)
+    return replace(mechanism, bodies=bodies, lines=lines)
 
 
 def _refuse_memory(mechanism: Mechanism) -> None:

@@ -1,18 +1,164 @@
-"""Questions about a motion during which something is cut or let go, so that a second motion begins."""
+"""Questions about what follows when a string is cut, a hand lets go or a field is switched off during the motion."""
 
 import re
+from collections.abc import Iterator
+from dataclasses import replace
+from math import isclose
+from typing import NamedTuple
 
-_WHAT = r"(?:@\d+@|string|rope|cord|thread|rod|spring|hand|pull|force|engine|field)"
-_ENDS = (
-    r"(?:(?:is|were|was) (?:cut|released|removed|taken away|switched off|detached|let go)|breaks?|broke|snaps?|snapped"
-    r"|lets? go(?: of @\d+@| of string)?|stops? (?:pulling|pushing|acting|burning)|stopped (?:pulling|acting))"
+from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.meaning import Reader, Understood
+from sim2reason.questions.ordinary.whatif.removed_things import named_things, time_of
+from sim2reason.questions.posing import VALUE
+from sim2reason.questions.variation import SceneChange, words_in
+from sim2reason.questions.words import Words
+
+SAME = 1e-6  # relative: answers that differ by less are one
+SHARES = 0.31, 0.47, 0.83  # of the horizon, at which something is removed if the sentence does not say when
+_IF = r"(?:(?:suppose|if|imagine|assume|when|supposing|assuming)(?: that)? )?"
+_LINE = r"(?:string|rope|cord|thread|rod|spring)"
+_FIELD = r"(?:electric|magnetic) field"
+_BE = r"(?:is|was|were|be|gets|has been|had been)"
+_GONE = (
+    rf"(?P<what>(?:@\d+@ 's )?{_LINE}|@\d+@|{_FIELD}) (?:now |suddenly )*"
+    rf"(?:{_BE} (?:now |suddenly |then )*(?:cut(?: through)?|severed|removed|taken away|switched off|turned off|broken"
+    r"|burnt through|detached|released)|breaks|broke|snaps|snapped|tears|tore|gives way|gave way|broken)"
+    rf"|(?P<hand>hand) (?:suddenly )?(?:lets go|let go|releases|released)(?: of)?(?: (?:@\d+@|it|{_LINE}|its end))?"
+    r"|(?P<rests>hand) (?:suddenly )?(?:stops|stopped|ceases|ceased) (?:pulling|to pull)(?: on (?:@\d+@|it|string))?"
 )
-_LATER = r"(?:#\d+# (?:after|later)|after #\d+#|when @\d+@ has \w+ #\d+#|at t = #\d+#)"
-_BOTH = re.compile(
-    rf"^(?:(?:suppose|if|imagine|assume|when)(?: that)? )?{_WHAT} {_ENDS} {_LATER}(?: [a-z ]+)?(?:\.| ,) .+"
+_BEGUN = r"(?:release|start|(?:@\d+@|it|they|system|everything) (?:is|are|was|were|has been|starts?|started) ?(?:released)?)"
+_WHEN = (
+    rf"(?: (?P<n>#\d+#) (?:after {_BEGUN}|later)| (?:after|at t =|at time) (?P<m>#\d+#)(?: of motion)?"
+    r"| (?P<while>(?:while|as|during) (?:@\d+@|it|they|blocks|its|motion)(?: ?(?:is|are|was|were) (?:still )?"
+    r"(?:moving|in motion)| motion)?)"
+    r"| (?:just )?(?:when|as|once|after|as soon as|(?:at|from) (?:very )?(?:moment|instant) (?:when|at which|that))"
+    r" (?P<clause>[^.]+?))"
 )
+_AT = r"(?:(?:after|at t =|at time) (?P<before>#\d+#),? ?,? )?"
+_FIRST = re.compile(rf"^{_IF}{_AT}(?:{_GONE})(?P<told>{_WHEN})?(?:\.| ,) (?P<question>.+)")
+_LAST = re.compile(rf"^(?P<question>.+?)(?: ,)? (?:if|after|when|once) (?:{_GONE})(?P<told>{_WHEN})?$")
+_NOT = re.compile(
+    r"^if (?P<rests>hand) (?:did|does) not pull(?: (?:at all|on @\d+@|on it|on string))* , (?P<question>.+)"
+)
+_THEN = re.compile(
+    r"(?: ,)? ?\b(?:then|still|afterwards|thereafter|from (?:then|there) on|from (?:that|this) (?:moment|instant|time)"
+    rf"(?: on)?|after (?:that|this)|after (?:@\d+@|string|hand|it) (?:breaks|snaps|is cut|lets go|has (?:broken|snapped"
+    r"|been cut|let go)|broke|snapped)|after (?:break|cut|cutting))\b(?: ,)?"
+)
+_FARTHER = {
+    r"^how much (?:farther|further)\b": "how far",
+    r"^how (?:much|many metres) higher (?=(?:does|will|would|do) @\d+@ )": "how far up ",
+    r"^how (?:much|many seconds) longer\b": "how long",
+    r"\b(?:further|additional|extra) (?=distance|time|height)": "",
+}
+_OF_OLD = re.compile(
+    r"\b(?:start|starting|initial|initially|release|released|beginning|altogether|total|first|second|original|t =)\b"
+)
+_FIXED = re.compile(r"^(?:with what|what is|at what|how fast|find|determine|calculate) ")
+_UP = re.compile(r"^how far up  (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b")
+
+
+class RemovedThings(NamedTuple):
+    """What a sentence supposes to be removed during the motion: names, times to try, s, and the question that is left.
+
+    If the sentence does not say when, there are several times, for which the answers must agree.
+    """
+
+    names: tuple[str, ...]
+    times: tuple[float, ...]
+    question: str
+
+
+def after_removal_of_things(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the meaning of a sentence such as *the string is cut after 2 s; how much farther does A slide*.
+
+    None if the sentence is not understood so.
+    """
+    for removed in _removed(heard, motion, words, reader):
+        told = replace(heard, text=removed.question)
+        found = [_after(removed.names, time, told, motion, words, reader) for time in removed.times]
+        answers = [each.followed.answer for each in found if each is not None]
+        alike = len(answers) == len(found) and all(
+            a is not None and isclose(a, answers[0] or 0.0, rel_tol=SAME) for a in answers
+        )
+        if alike or (len(found) == 1 and found[0] is not None):
+            return found[0]
+    return None
+
+
+def _after(
+    names: tuple[str, ...], time: float, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
+    """Return the meaning of a question about what follows when things are removed at a time, s."""
+    varied = SceneChange(removed=names, after=time)
+    try:
+        scene = varied.applied(motion.study.scene)
+        there = motion_of(scene)
+    except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
+        raise TextError("question", f"nothing follows: {error}", "let it happen at another moment") from None
+    found = reader.read(heard, there, words_in(scene, words))
+    if found is None or found.posed.unknown is not None:
+        return None
+    structured = replace(found.asked, change=varied.told, compare=VALUE)
+    return Understood(structured, replace(found.posed, varied=varied), found.followed)
+
+
+def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Iterator[RemovedThings]:
+    """Yield each way to read a sentence as one about what follows a removal."""
+    for told in (_FIRST, _LAST, _NOT):
+        found = told.match(heard.text)
+        if found is None:
+            continue
+        groups = found.groupdict()
+        names = named_things(groups.get("what") or groups.get("hand") or groups.get("rests") or "", heard, words)
+        if not names:
+            continue
+        if told is _NOT:
+            yield RemovedThings(names, (0.0,), _plainly(groups["question"]))
+            continue
+        question = _of_what_follows(groups["question"])
+        times = _times(groups, heard, motion, words, reader) if question else ()
+        if question and times:
+            yield RemovedThings(names, times, question)
+
+
+def _times(
+    groups: dict[str, str | None], heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+) -> tuple[float, ...]:
+    """Return the time that a sentence states, s, or some times if it states none; no time if it is not understood."""
+    stated = groups.get("n") or groups.get("m") or groups.get("before") or ""
+    clause = groups.get("clause") or ""
+    if sum(map(bool, (stated, clause, groups.get("while")))) > 1:
+        return ()
+    if stated or clause:
+        time = time_of(stated, clause, heard, motion, words, reader)
+        return (time,) if time is not None else ()
+    return tuple(share * motion.study.scene.horizon for share in SHARES)
+
+
+def _of_what_follows(question: str) -> str:
+    """Return a question such as *how much farther does A then slide* without what says that it is about what follows.
+
+    It is empty if the question may be about the motion from the start on: a distance or a time without such a word.
+    """
+    plain = _THEN.sub(" ", question)
+    for told, said in _FARTHER.items():
+        plain = re.sub(told, said, plain)
+    follows = plain != question or (_FIXED.match(question) is not None and "#" not in question)
+    if not follows or _OF_OLD.search(plain):
+        return ""
+    return _plainly(_UP.sub(r"how far \g<do> \g<s> rise", plain))
+
+
+def _plainly(question: str) -> str:
+    """Return a question in the indicative."""
+    said = re.sub(r"^(?P<a>what|which|how large|how great) would (?P<x>.+?) be$", r"what is \g<x>", question)
+    said = re.sub(r"\b(?:would|will)\b", "does", said)
+    return " ".join(re.sub(r"\bit\b(?= (?:stop|come|turn))", "it", said).split()).strip(" ,")
 
 
 def goes_on_otherwise(text: str) -> bool:
-    """Return whether a sentence begins like *suppose the string is cut after 2 s*."""
-    return _BOTH.match(text) is not None
+    """Return whether a sentence supposes that something is removed in the course of the motion."""
+    return _FIRST.match(text) is not None
