@@ -16,6 +16,8 @@ from sim2reason.registry import nearest
 
 START = "at start"
 EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
+REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|when|after) )?(?P<when>.+))?$")
+"""A change that removes something at some moment of the motion: a string that is cut, a field that is switched off."""
 LONGEST = 200  # characters of a part
 _NUMBER = re.compile(rf"([+-]?(?:{DIGITS}\.?(?:{DIGITS})?|\.{DIGITS})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
@@ -65,7 +67,8 @@ class StructuredQuestion:
     def told(self) -> str:
         """Return the parts of the question as one text, for use where no sentence is available."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
-        parts |= {"change": self.change, "compare": self.compare or ("ratio" if self.change else "")}
+        compare = self.compare or ("ratio" if self.change and REMOVAL.search(self.change) is None else "")
+        parts |= {"change": self.change, "compare": compare}
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 

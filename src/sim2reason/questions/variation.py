@@ -8,7 +8,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.questions.derived_numbers import derived_numbers, number_at, with_numbers
 from sim2reason.questions.removal import after_removal, removable
-from sim2reason.questions.structured import measured, resolved
+from sim2reason.questions.structured import REMOVAL, measured, resolved
 from sim2reason.questions.words import Words
 
 MOST = 6  # changes in one question
@@ -17,7 +17,6 @@ REMOVED = "removed"  # what ceases to act at some moment of the motion: a string
 _PARTED = re.compile(r",\s+")
 _CHANGE = re.compile(r"(?P<number>.+?)\s*(?P<sign>[=×*])\s*(?P<value>.+)")
 _FIXED = re.compile(rf"(?P<body>.+?) {FIXED}")
-_REMOVED = re.compile(rf"(?P<what>.+?) (?:{REMOVED}|cut|switched off)(?: (?:(?:at|when|after) )?(?P<when>.+))?")
 _TIME = re.compile(r"(?:t = )?[\d.]\S* \S+|(?:t = )?[\d.]\S*")
 
 
@@ -61,7 +60,7 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
         raise TextError("change", f"there are {len(parts)} changes", f"give at most {MOST}")
     values, fixed, units, removed = dict[str, float](), list[str](), units_of(scene), dict[str, str]()
     for part in parts:
-        gone = _REMOVED.fullmatch(part)
+        gone = REMOVAL.fullmatch(part)
         if gone is not None and _CHANGE.fullmatch(gone["what"]) is None:
             removed[resolved("change", gone["what"], removable(words))] = gone["when"] or ""
             continue
@@ -96,7 +95,7 @@ def _removing(
 
 def is_removal(said: str) -> bool:
     """Return whether one of the changes that a structured question names is the removal of something."""
-    return any(map(_REMOVED.fullmatch, _PARTED.split(said)))
+    return any(map(REMOVAL.fullmatch, _PARTED.split(said)))
 
 
 def _body(said: str, scene: Scene, words: Words) -> str:

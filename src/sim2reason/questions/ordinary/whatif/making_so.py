@@ -18,9 +18,9 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
     by_outcome,
     moves_nevertheless,
     on_the_other_side,
-    slips_nevertheless,
 )
 from sim2reason.questions.ordinary.whatif.plainer import plainer
+from sim2reason.questions.ordinary.whatif.special_outcomes import slips_nevertheless
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured

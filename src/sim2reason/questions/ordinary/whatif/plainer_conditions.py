@@ -5,6 +5,8 @@ from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
 
+from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
+
 _S = r"@\d+@"
 _LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow)"
 _LIFTING = "(?:pulling|hauling|dragging|drawing|lifting|bringing|moving|raising|hoisting|towing)"
@@ -105,6 +107,6 @@ def plainer_condition(said: str) -> str:
         "",
         said,
     )
-    for told, plain in CONDITIONS.items():
+    for told, plain in (*TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
         said = compiled(told).sub(plain, said)
     return said

@@ -1,0 +1,97 @@
+"""Further turns of phrase in questions for a number of the scene, in plainer words that `frames` has."""
+
+from collections.abc import Mapping
+
+from sim2reason.questions.ordinary.vocabulary import GROUNDS
+
+_S = r"@\d+@"
+_AUX = "(?:would|must|should|could|will|does|can|has|might|may|did)"
+_HAVE = "(?:have to |need to |has to |needs to )?"
+_BE = "(?:be needed|be required|be|needed|required|necessary|have to be|need to be|has to be)"
+_NEXT = "(?=for |so that |so as |so |if |to |in order |before |that )"
+_ROUND = r"(?=.*\b(?:round|over top|past top|full circle|complete circle|vertical circle|over highest point)\b)"
+_SENT = "(?:launched|started|thrown|set moving|set off|projected|set in motion|released)"
+_BOUNCE = "(?:bounces?|lands?|rebounds?|hits?(?: ground)?|strikes?(?: ground)?|impacts?|landings?)"
+_LOADED = "(?:loaded onto|loaded on|added to|put on|put onto|placed on|placed onto|attached to|fixed to|piled on)"
+TURNS: Mapping[str, str] = {
+    r"^how [a-z]+ would [^,]+ (?:have to )?be , that is ,? (?=(?:with |for |at )?what )": "",
+    rf"\b(?P<b>at (?:very )?least|at most) (?P<be>{_BE}) {_NEXT}": r"\g<be> \g<b> ",
+    rf"\b(?P<v>have to (?:begin|start|be [a-z]+|pull|move|go)) at very least {_NEXT}": r"\g<v> at least ",
+    rf"\bwould (?P<s>{_S}) have (?P<v>needed|required)\b": r"would \g<s> \g<v>",
+    r"\bso as not to ": "to not ",
+    r"\bso as (?=to )": "",
+    rf"\bwhat speed relative to {_S} (?=would |must |should |does |is )": "what speed ",
+    rf"\b(?P<how>how [a-z]+|what (?:[a-z]+ )+?)(?P<a>{_AUX}) (?P<n>[^,]+?) (?P<be>have to be|be) if (?:(?:same|its"
+    rf" same) [a-z ]+?|it|{_S}) were to ": r"\g<how>\g<a> \g<n> \g<be> to ",
+    rf"\bwhat (?P<x>(?:[a-z]+ )*?)height above (?:{GROUNDS}|it|level ground) (?={_AUX} )": r"what \g<x>height ",
+    rf"\bwhat (?:fraction|share|part|percentage) of (?:its )?(?:vertical |normal )?(?:speed|velocity) (?P<a>{_AUX})"
+    rf" (?P<s>{_S}) {_HAVE}(?:keep|retain|be left with|rebound with)(?P<b> at (?:least|most))?"
+    rf"(?: (?:when|each time|whenever|as) (?:it|{_S}) {_BOUNCE}"
+    rf"| (?:at|in|on|after) (?:its |each |every |first )?{_BOUNCE}| in bouncing)?(?= )": (
+        r"what coefficient of restitution \g<a> \g<s> need\g<b>"
+    ),
+    rf"\b(?P<l>{_SENT}) (?:(?:downwards?|upwards?|up) )?along (?:its|@\d+@ 's) (?:arc|path|circle) ?,? ?{_ROUND}": (
+        r"\g<l> "
+    ),
+    rf"\bwhat (?:additional |extra |further )?mass (?P<a>{_AUX}) {_HAVE}be {_LOADED} (?P<s>{_S}) ": (
+        r"by how much \g<a> mass of \g<s> be greater "
+    ),
+    rf"\b(?:rate of burning|rate of consumption of) (?:its )?(?:fuel|propellant)\b": "burn rate",
+    r"\b(?P<n>fuel consumption|consumption of fuel|fuel consumed|fuel burnt) per second\b": "burn rate",
+    rf"\bpull (?:from|by|exerted by) hand\b": "pull",
+    rf"\bwhich hand (?:could|would|can|must|should|has to|would have to|might) (?:just )?(?:have to )?(?:pull"
+    rf" (?:so as )?(?:to|for) )?(?=(?:keep|hold|prevent|stop|pull|draw|make|let|move|{_S}) )": "which ",
+    rf" with (?:speed|velocity) (?:{_S}|it) (?:has|had)(?: (?:at start|now|initially|already|at first))?(?= |$)": "",
+    rf"\bhow (?P<how>hard|strongly) (?P<a>{_AUX}) hand (?:have to )?pull ,? ?(?:if|in case) ": (
+        r"how \g<how> \g<a> hand have to pull for "
+    ),
+}
+"""By the pattern of a part of a question without articles, plainer words with the same meaning."""
+_TO = "(?:to )?"
+_MEAN = "(?:go|move|travel|fly|run|circle|be carried)"
+_ONCE = "(?:once|when|after|where|as soon as)"
+_STOPPED = (
+    rf"(?: {_ONCE} (?:it|{_S}) (?:has )?(?:stopped|stops|come to rest|comes to rest|come to stop)(?: moving| sliding)?"
+    r"| after (?:it has )?(?:stopping|stopped|coming to rest|having stopped|having come to rest))"
+)
+_AFTER_IT = (
+    r"(?: ,)? (?:after|by|in|following) (?:its |their |this |first |head-on )?(?:impact|collision|blow|meeting)(?: with"
+    rf" {_S}| between {_S}| of {_S})?"
+)
+_STANDING = "(?:standing still|at rest|stationary|still|motionless|standing|without motion)"
+HALTS = "be halted by collision"
+TURNS_OF_CONDITIONS: Mapping[str, str] = {
+    rf"^(?P<s>{_S}) {_TO}(?:be )?(?:left |remain |stay |come to be |be brought )?{_STANDING}{_AFTER_IT}$": (
+        rf"\g<s> {HALTS}"
+    ),
+    rf"^(?P<s>{_S}) {_TO}(?:come to rest|stop|come to stop|be stopped|be brought to rest|stop dead)(?: dead)?"
+    rf"{_AFTER_IT}$": rf"\g<s> {HALTS}",
+    rf"^(?:collision|impact|meeting)(?: of {_S}| with {_S})? {_TO}(?:leave|leaves|bring|brings|stop|stops)"
+    rf" (?P<s>{_S})(?: {_STANDING}| to rest| dead)?$": rf"\g<s> {HALTS}",
+    rf"(?P<n>#\d+#) ahead\b": r"\g<n> away",
+    r"\bland for first time (?=#)": "land ",
+    rf"^(?:{_S} )?{_TO}compress (?P<t>{_S}) (?:by )?(?:at most )?(?:by )?(?P<n>#\d+#)(?: at most| at maximum)?$": (
+        r"greatest compression of \g<t> be \g<n>"
+    ),
+    r"^(?P<x>(?:@\d+@ )?(?:to )?(?:rise|climb|jump|bounce|come up|get)(?: up| back)* (?:to )?(?:only )?"
+    r"(?:height of )?#\d+#) again$": r"\g<x> after first bounce",
+    rf"^(?P<s>system|everything|all|they|it|{_S}) ?,? once (?:moving|sliding|started|in motion|it moves|they move)"
+    rf"(?P<way> up| down)?(?: (?:{GROUNDS}))? ?,? (?:to )?(?:keep|keep on moving at|move on at|go on at|continue at)"
+    r" (?:constant|steady|its|same)(?: constant)? (?:velocity|speed)(?: constant)?$": (
+        r"\g<s> move\g<way> with constant speed"
+    ),
+    rf"^(?P<s>{_S}) {_TO}(?P<v>stay|remain|lie)(?: at rest| still| put)?(?: there)?{_STOPPED}$": (
+        r"\g<s> stay at rest where it stop"
+    ),
+    rf"^(?P<s>{_S}) {_TO}{_MEAN}(?: (?:round|around|in|on|along|over))* (?:circle|circular path|path|circular orbit"
+    rf"|orbit) of radius (?:of )?(?P<n>#\d+#)$": r"radius of path be \g<n>",
+    rf"^(?P<s>{_S}) {_TO}(?:move|slide|go|accelerate|start|travel)(?: off)? (?P<way>up|down)(?:wards)?"
+    rf"(?: (?P<on>{GROUNDS}))? (?:with|at) (?:acceleration of )?(?P<n>#\d+#)$": r"\g<s> accelerate \g<way> at \g<n>",
+    rf"^(?P<s>system|everything|all|they|it|{_S}) {_TO}(?P<v>move|go|slide) (?P<how>(?:with|at) constant (?:velocity"
+    rf"|speed)) (?P<way>up|down)(?:wards)?(?: (?:{GROUNDS}))?$": r"\g<s> \g<v> \g<way> \g<how>",
+    rf"^(?P<s>{_S}) {_TO}(?:rise|climb)(?: exactly| just)? (?P<n>#\d+#) (?P<way>along|up) (?P<on>{GROUNDS})$": (
+        r"\g<s> move \g<n> up \g<on>"
+    ),
+    rf"^(?P<s>{_S}) {_TO}(?:swing|go|get) right over (?P<t>top|highest point)$": r"\g<s> go over \g<t>",
+}
+"""By the pattern of a part of a condition without articles, plainer words with the same meaning."""
