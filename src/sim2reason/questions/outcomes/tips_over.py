@@ -37,6 +37,13 @@ class TipsOver(Swinging):
         place = began.vector(began.frames.site(foot.site).place)[0]
         return float(np.dot(foot.normal, place)) - foot.height > STANDS
 
+    def excess(self, trace: Trace) -> float:
+        """Return the square of the least rate of turning until the first edge lands, rad²/s²."""
+        landed = next((event.time for event in trace.events if event.kind == "land"), float(trace.state.times[-1]))
+        hinges = [n for n, c in enumerate(trace.mechanism.coordinates) if c.kind == "hinge" and c.body == self.name]
+        scan = trace.until(float(np.nextafter(landed, 0.0))).scan
+        return float(np.square(scan.v[:, hinges].sum(axis=1)).min())
+
     def does(self, words: Words) -> tuple[str, ...]:
         """Return the clause *the prism tips over*."""
         return (f"{self.subject(words)} tips over its edge",)

@@ -18,7 +18,7 @@ _ON = rf"(?: (?:on|along|over) (?:(?:this |its )?(?:{GROUNDS})|{_S}|top of {_S})
 _AT_REST = "(?:at rest|in equilibrium|in balance|motionless|stationary|balance[d]?|put|still|where (?:it|they|{S}))"
 _SLIPPING = "(?:slip|skid)(?:ping)?"
 PHRASES: Mapping[str, str] = {
-    r"be halt by collision": HALTED,
+    r"(?:be )?halt by collision": HALTED,
     rf"(?:be )?(?:at some time |ever |at last |finally |in end |eventually )*(?:stop|cease|end) {_SLIPPING}"
     rf"(?: (?:ever|at some time|some time|sooner or later|in end|eventually))?"
     rf"|(?:begin|start|come) to roll (?:purely|without {_SLIPPING})(?: (?:ever|at some time|in end|eventually))?"
@@ -60,7 +60,7 @@ PHRASES: Mapping[str, str] = {
     rf"(?:(?:over|past|through|reach|beyond|to|at least) (?:top|highest point|vertical)(?: of (?:circle|path|its"
     rf" path))?"
     rf"|(?:all way |right )?(?:round |around )?(?:in |through )?(?:(?:full|complete|whole|one|vertical) )+{_ROUND}"
-    r"|(?:all way|right) (?:round|around)(?: circle)?|loop (?:loop|round)|full circle)": ROUND,
+    r"|(?:all way|right) (?:round|around)(?: (?:in |along )?(?:(?:full|complete|vertical|whole) )*circle)?|loop (?:loop|round)|full circle)": ROUND,
     r"(?:stay|remain|keep|be) (?:always )?taut|not (?:go|become|get) slack|never (?:go|become|get) slack": TAUT,
     r"(?:go|become|get) slack": SLACK,
     rf"(?:escape|break free|get away|leave|fly away|break away|depart)(?: from(?: (?:{_S}|its gravity|gravity))?|"

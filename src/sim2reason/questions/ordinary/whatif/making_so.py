@@ -1,5 +1,6 @@
 """Understanding of questions for a number that brings something about: *what mass must B have for A to slip*."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import isclose, isfinite
@@ -9,11 +10,11 @@ from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, motion_of
 from sim2reason.questions.inversion import values_giving
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
-from sim2reason.questions.ordinary.whatif.numbers import paths_of
+from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
     by_outcome,
     moves_nevertheless,
@@ -22,6 +23,7 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
 from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.special_outcomes import slips_nevertheless
 from sim2reason.questions.ordinary.whatif.understanding import of_all
+from sim2reason.questions.ordinary.whatif.weights import with_weights
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE
@@ -33,6 +35,7 @@ SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
 OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
 MOST = 4  # readings of a result whose numbers are looked for
+_FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
@@ -41,6 +44,9 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
     """
+    if _FROM_BOTTOM.search(heard.text) and not is_zero("swing angle", motion.study.scene):
+        return None
+    heard = with_weights(heard, motion.study.scene, words)
     text = plainer(heard.text)
     told = replace(heard, text=text)
     found: list[Understood] = []
@@ -168,7 +174,8 @@ def _askable(
         if MINUS not in plain.asked.when:
             yield plain.asked, plain.posed.unit(words)
         return
-    seen = dict.fromkeys(reading.asked for reading in reader.readings(heard, motion, words))
+    found = [*reader.readings(heard, motion, words), *reader.readings(_of_first(heard), motion, words)]
+    seen = dict.fromkeys(reading.asked for reading in found)
     for asked in list(seen)[:MOST]:
         try:
             question = posed(asked, motion, words)
@@ -176,6 +183,12 @@ def _askable(
             continue
         if question.unknown is None and question.less is None:
             yield asked, question.unit(words)
+
+
+def _of_first(heard: Heard) -> Heard:
+    """Return a question about the first of several bodies in place of all, for which the same is checked later."""
+    first = (said.removeprefix(f"{ALL} ").partition(" & ")[0] for said in heard.subjects)
+    return replace(heard, subjects=tuple(first))
 
 
 def _leads(

@@ -18,7 +18,7 @@ from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.posing import GREATEST, VALUE
 from sim2reason.questions.structured import START, StructuredQuestion, measured
-from sim2reason.questions.targets import OWN_PATH
+from sim2reason.questions.targets import OWN_AXLE, OWN_PATH
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
@@ -47,7 +47,7 @@ def special_outcome(
     elif outcome not in (GRIPS, SPINS, HALTED) and path and words.released and _is_at(condition, motion, words):
         arms = {said: name for name, said in words.called(TurningBodies()).items()}
         if who in arms:
-            yield Reading(StructuredQuestion(path, arms[who], START, given="angular acceleration = 0 rad/s^2"))
+            yield Reading(StructuredQuestion(path, arms[who], START, OWN_AXLE, "angular acceleration = 0 rad/s^2"))
 
 
 def _is_at(condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:

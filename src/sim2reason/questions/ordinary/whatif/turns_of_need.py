@@ -9,6 +9,7 @@ _AUX = "(?:would|must|should|could|will|does|can|has|might|may|did)"
 _HAVE = "(?:have to |need to |has to |needs to )?"
 _BE = "(?:be needed|be required|be|needed|required|necessary|have to be|need to be|has to be)"
 _NEXT = "(?=for |so that |so as |so |if |to |in order |before |that )"
+_NOW = "(?:initial|starting|present|original|same|first)"
 _ROUND = r"(?=.*\b(?:round|over top|past top|full circle|complete circle|vertical circle|over highest point)\b)"
 _SENT = "(?:launched|started|thrown|set moving|set off|projected|set in motion|released)"
 _BOUNCE = "(?:bounces?|lands?|rebounds?|hits?(?: ground)?|strikes?(?: ground)?|impacts?|landings?)"
@@ -19,9 +20,17 @@ TURNS: Mapping[str, str] = {
     rf"\b(?P<v>have to (?:begin|start|be [a-z]+|pull|move|go)) at very least {_NEXT}": r"\g<v> at least ",
     rf"\bwould (?P<s>{_S}) have (?P<v>needed|required)\b": r"would \g<s> \g<v>",
     r"\bso as not to ": "to not ",
+    rf"\b(?P<l>{_SENT}|start) (?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) {_ROUND}": (
+        r"\g<l> "
+    ),
+    r"\bright over (?=top|highest point)": "over ",
+    rf"\bin circle (?:whose|with) radius (?:equal to |equals |is |of )?(?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?"
+    r"(?= |$)": "in circle",
+    rf"\bin circle at (?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?(?= |$)": "in circle",
+    r"\b(?:round|around|about) this (?=@)": "round ",
     r"\bso as (?=to )": "",
     rf"\bwhat speed relative to {_S} (?=would |must |should |does |is )": "what speed ",
-    rf"\b(?P<how>how [a-z]+|what (?:[a-z]+ )+?)(?P<a>{_AUX}) (?P<n>[^,]+?) (?P<be>have to be|be) if (?:(?:same|its"
+    rf"\b(?P<how>how [a-z]+ |what (?:[a-z]+ )+?)(?P<a>{_AUX}) (?P<n>[^,]+?) (?P<be>have to be|be) if (?:(?:same|its"
     rf" same) [a-z ]+?|it|{_S}) were to ": r"\g<how>\g<a> \g<n> \g<be> to ",
     rf"\bwhat (?P<x>(?:[a-z]+ )*?)height above (?:{GROUNDS}|it|level ground) (?={_AUX} )": r"what \g<x>height ",
     rf"\bwhat (?:fraction|share|part|percentage) of (?:its )?(?:vertical |normal )?(?:speed|velocity) (?P<a>{_AUX})"
@@ -68,6 +77,7 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"{_AFTER_IT}$": rf"\g<s> {HALTS}",
     rf"^(?:collision|impact|meeting)(?: of {_S}| with {_S})? {_TO}(?:leave|leaves|bring|brings|stop|stops)"
     rf" (?P<s>{_S})(?: {_STANDING}| to rest| dead)?$": rf"\g<s> {HALTS}",
+    r"\b(?:just |barely |only )?manages? to (?=[a-z])": "",
     rf"(?P<n>#\d+#) ahead\b": r"\g<n> away",
     r"\bland for first time (?=#)": "land ",
     rf"^(?:{_S} )?{_TO}compress (?P<t>{_S}) (?:by )?(?:at most )?(?:by )?(?P<n>#\d+#)(?: at most| at maximum)?$": (
