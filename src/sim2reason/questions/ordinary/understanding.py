@@ -16,6 +16,7 @@ from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
+from sim2reason.questions.ordinary.whatif.blows import of_blow
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
 from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
@@ -41,6 +42,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     heard = hear(sentence, words)
     found = (
         of_small_oscillations(heard, motion, words, READER)
+        or of_blow(heard, motion, words, READER)
         or understood_as_it_is(heard, motion, words)
         or in_changed_scene(heard, motion, words, READER)
         or number_making_so(heard, motion, words, READER)

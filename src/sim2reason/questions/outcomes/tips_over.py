@@ -29,9 +29,10 @@ class TipsOver(Swinging):
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the first edge to land is one that did not stand on the plane at the start."""
-        landed = next((event.subjects[0] for event in trace.events if event.kind == "land"), "")
-        if not landed:
-            return None
+        first = next((event for event in trace.events if event.kind in ("land", "leave")), None)
+        if first is None or first.kind == "leave":  # so fast that its edge leaves the plane: it does not fall back
+            return None if first is None else True
+        landed = first.subjects[0]
         foot = next(foot for foot in trace.mechanism.feet if foot.name == landed)
         began = trace.at(0.0)
         place = began.vector(began.frames.site(foot.site).place)[0]

@@ -72,7 +72,7 @@ PHRASES: Mapping[str, str] = {
     rf"(?:remain|stay|be|keep)? ?bound(?: to {_S})?|not escape(?: from {_S})?": BOUND,
     rf"(?:move|go|travel|orbit|revolve|be)?(?: {_S})? ?(?:round|around|about)? ?(?:{_S})? ?(?:in|on|along)?"
     rf" ?(?:its )?circular (?:orbit|path)"
-    rf"|orbit be circular|(?:move|go|orbit|travel)(?: (?:round|around|about))?(?: {_S})? (?:in|on|along)"
+    rf"|orbit be circular|describe circle(?: (?:about|around|round) {_S})?|(?:move|go|orbit|travel)(?: (?:round|around|about))?(?: {_S})? (?:in|on|along)"
     rf" circle(?: (?:about|around|round) {_S})?": CIRCULAR,
     rf"(?:lift off|take off|rise|leave (?:{GROUNDS})|lift|start (?:to )?rise|leave)(?: (?:from )?(?:{GROUNDS}"
     rf"|pad))?(?: (?:straight away|at once|immediately|right away"

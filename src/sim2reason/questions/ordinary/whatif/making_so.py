@@ -8,7 +8,7 @@ from math import isclose, isfinite
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
-from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, motion_of
+from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
 from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
@@ -115,10 +115,14 @@ def _by_result(
             values = [values[0 if frame.end == LEAST else -1]] if values else []
         meant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
+        if len(leading) > 1:  # strings stay taut, unless no value leaves them so
+            leading = [value for value in leading if _stays_taut(question, value, path, motion)] or leading
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
         if len(values) > 1 and leading:
+            if leading[0] not in (values[0], values[-1]):
+                continue
             end = LEAST if leading[0] == values[0] else GREATEST if leading[0] == values[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
         if leading or not values:
@@ -127,6 +131,14 @@ def _by_result(
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
     return next(iter(answered or found), None)
+
+
+def _stays_taut(question: PosedQuestion, value: float, path: str, motion: FollowedMotion) -> bool:
+    """Return whether no string goes slack before a question's answer with a value of a number."""
+    study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
+    time = study.time(question.query.moment) if question.query.moment is not None else None
+    until = study.trace.stable_until if time is None else time
+    return not any(event.kind in ("slack", "taut") and event.time <= until for event in study.trace.events)
 
 
 def _distinct(values: Sequence[float]) -> list[float]:

@@ -34,7 +34,7 @@ _CONSTANT = re.compile(
     r"|coefficient of friction|initial speed)\. "
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
     r"|(?: ,)? instead(?! of)(?: ,)?"
-    rf"|(?: ,)? (?:with )?(?:its )?(?:{_NOUNS}) (?:{_HELD} )*(?:same|unchanged)(?=$| ,)"
+    rf"|(?: ,)? (?:with )?(?:its )?(?:{_NOUNS}) (?:{_HELD} )*(?:same|unchanged)(?:$| ,)"
 )
 """Phrases that say only that everything else stays as it is, such as *at the same angle*."""
 

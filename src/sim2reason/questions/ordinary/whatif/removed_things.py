@@ -51,16 +51,16 @@ def _body(phrase: str, words: Words) -> str:
     return next((name for name, said in words.called(Bodies()).items() if said == phrase), "")
 
 
-def time_of(
-    stated: str, clause: str, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
-) -> float | None:
-    """Return the time, s, of the moment that a stated time or a clause such as *A has slid 2 m* names; or None."""
-    unit = words.units.spell("s")
-    if stated:
-        try:
-            return measured("question", heard.number(stated), unit)
-        except TextError:
-            return None
+def time_of(stated: str, heard: Heard, words: Words) -> float | None:
+    """Return the time, in the scene's unit of it, that the token of a number stands for; None if it is no time."""
+    try:
+        return measured("question", heard.number(stated), words.units.spell("s"))
+    except TextError:
+        return None
+
+
+def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> float | None:
+    """Return the time of the moment that a clause such as *A has slid 2 m* names; None if it is not understood."""
     moving = _MOVES.fullmatch(clause) or _REACHES.fullmatch(clause)
     if moving is not None:
         return _time_of_speed(moving, heard, motion, words)

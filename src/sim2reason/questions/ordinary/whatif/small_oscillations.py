@@ -62,6 +62,10 @@ PENDULUMS = (
     ),
     rf"{_ASK} length of {_SIMPLE} (?:that|which) (?:would )?(?:{_SAME}|(?:swings|has|oscillates)[a-z ]* (?:period|"
     rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}",
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it|if it"
+        rf" is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
+    ),
     rf"{_ASK} length of {_SIMPLE} (?:with|of) same (?:small )?(?:period|frequency)(?: of small oscillations)?"
     rf"(?: as (?:this |that )?@\d+@)?{_SMALLER}",
     rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",

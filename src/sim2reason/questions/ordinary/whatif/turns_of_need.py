@@ -11,14 +11,15 @@ _BE = "(?:be needed|be required|be|needed|required|necessary|have to be|need to 
 _NEXT = "(?=for |so that |so as |so |if |to |in order |before |that )"
 _NOW = "(?:initial|starting|present|original|same|first)"
 _ROUND = r"(?=.*\b(?:round|over top|past top|full circle|complete circle|vertical circle|over highest point)\b)"
-_SENT = "(?:launched|started|thrown|set moving|set off|projected|set in motion|released)"
+_CIRCLE = r"(?=.*\b(?:circle|circular)\b)"
+_SENT = "(?:sent off|launched|started|thrown|set moving|set off|projected|set in motion|released)"
 _BOUNCE = "(?:bounces?|lands?|rebounds?|hits?(?: ground)?|strikes?(?: ground)?|impacts?|landings?)"
 _LOADED = "(?:loaded onto|loaded on|added to|put on|put onto|placed on|placed onto|attached to|fixed to|piled on)"
 TURNS: Mapping[str, str] = {
     r"^how [a-z]+ would [^,]+ (?:have to )?be , that is ,? (?=(?:with |for |at )?what )": "",
     rf"\b(?P<b>at (?:very )?least|at most) (?P<be>{_BE}) {_NEXT}": r"\g<be> \g<b> ",
     rf"\b(?P<v>have to (?:begin|start|be [a-z]+|pull|move|go)) at very least {_NEXT}": r"\g<v> at least ",
-    rf"\bwould (?P<s>{_S}) have (?P<v>needed|required)\b": r"would \g<s> \g<v>",
+    rf"\bwould (?P<s>{_S}) have (?P<v>need|require)e?d\b": r"would \g<s> \g<v>",
     r"\bso as not to ": "to not ",
     rf"\b(?P<l>{_SENT}|start) (?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) {_ROUND}": (
         r"\g<l> "
@@ -28,6 +29,25 @@ TURNS: Mapping[str, str] = {
     r"(?= |$)": "in circle",
     rf"\bin circle at (?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?(?= |$)": "in circle",
     r"\b(?:round|around|about) this (?=@)": "round ",
+    rf" ,? ?(?:at right angles|perpendicular|perpendicularly) to (?:line (?:joining|from|between) @\d+@ (?:to|and|with)"
+    rf" @\d+@|radius) ,?{_CIRCLE}": "",
+    rf" at (?:@\d+@ 's |its |this |that )*{_NOW} distance(?: from @\d+@)?(?= ){_CIRCLE}": "",
+    r" (?:here|on this (?:slope|plane|incline))$": "",
+    rf"^what coefficient of friction {_AUX} (?:{GROUNDS}) (?:need|have to have|need to have)(?= )": (
+        "what coefficient of friction is needed"
+    ),
+    r"(?<=have to be) at start (?=to |for )": " ",
+    rf"\brate at which (?:engine|it|@\d+@) {_AUX} {_HAVE}(?:burn|consume|use) (?:its )?fuel (?=for |so |to |if )": (
+        "burn rate that is needed "
+    ),
+    rf"^how fast {_AUX} (?:exhaust )?gas(?:es)? {_HAVE}be(?: moving)?(?P<b> at least)? {_NEXT}": (
+        r"what exhaust speed is needed\g<b> "
+    ),
+    r"\bhow many times as strong (?=would|must|should)": "how many times as large ",
+    rf"\b(?:through|by) what angle (?P<a>{_AUX}) (?P<s>{_S}) {_HAVE}be (?:drawn|pulled|swung|moved|displaced)"
+    r" (?:aside|to (?:one )?side|out|to right|sideways)(?: before it is released| and released)?": (
+        r"from what angle \g<a> \g<s> have to be released"
+    ),
     r"\bso as (?=to )": "",
     rf"\bwhat speed relative to {_S} (?=would |must |should |does |is )": "what speed ",
     rf"\b(?P<how>how [a-z]+ |what (?:[a-z]+ )+?)(?P<a>{_AUX}) (?P<n>[^,]+?) (?P<be>have to be|be) if (?:(?:same|its"
@@ -102,6 +122,22 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"^(?P<s>{_S}) {_TO}(?:rise|climb)(?: exactly| just)? (?P<n>#\d+#) (?P<way>along|up) (?P<on>{GROUNDS})$": (
         r"\g<s> move \g<n> up \g<on>"
     ),
+    rf"^(?:bring|leave|put) (?P<s>{_S}) (?:{_STANDING}|to rest|to standstill){_AFTER_IT}$": rf"\g<s> {HALTS}",
+    rf"^(?P<s>{_S}) (?:to )?not (?:to )?(?:slide|slip|move|come|go) (?:back|down)(?: down| again)*{_STOPPED}$": (
+        r"\g<s> stay at rest where it stop"
+    ),
+    r"^(?:its |@\d+@ 's )?slipping (?:to )?(?:come to end|end|stop|cease)(?: (?:at some time|ever|some time|"
+    r"eventually|sooner or later))?$": "it stop slipping",
+    rf"^(?P<s>{_S}) {_TO}(?:end up|finish up|finally be|be in end)(?: moving| travelling| going)? (?:at|with)"
+    r"(?: speed of)? (?P<n>#\d+#)$": r"\g<s> reach final speed of \g<n>",
+    r" after first one$": " after first bounce",
+    r"\b(?:first )?(?:hits?|strikes?|reach(?:es)?) (?:level )?ground(?: for first time)? (?=#\d+# (?:away|from))": "land ",
+    r"^(?:give|gives|given) (?:oscillations?|motion|vibrations?) (?=(?:amplitude|period|frequency) of )": "give ",
+    r"^same (?:[a-z]+ ){1,3}to (?=(?:compress|stretch|squeeze) @)": "",
+    r"\bgo round its circle once in (?=#)": "go round once in ",
+    rf"^(?P<s>{_S}) {_TO}swing (?:out )?(?:up )?to (?:angle of )?(?P<n>#\d+#)$": r"\g<s> swing out to \g<n> from vertical",
+    rf"^(?:{_S}|string) (?:to )?pulls? (?P<at>at bottom |at lowest point )?(?:on {_S} )?(?P<b>at bottom |at lowest point )?"
+    r"with (?:force of )?(?P<n>#\d+#)$": r"tension \g<at>\g<b>be \g<n>",
     rf"^(?P<s>{_S}) {_TO}(?:swing|go|get) right over (?P<t>top|highest point)$": r"\g<s> go over \g<t>",
 }
 """By the pattern of a part of a condition without articles, plainer words with the same meaning."""

@@ -10,17 +10,17 @@ from sim2reason.errors import SceneError, SimulationError, TextError, Unsupporte
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.whatif.removed_things import named_things, time_of
+from sim2reason.questions.ordinary.whatif.removed_things import moment_of, named_things, time_of
 from sim2reason.questions.posing import VALUE
 from sim2reason.questions.variation import SceneChange, words_in
 from sim2reason.questions.words import Words
 
 SAME = 1e-6  # relative: answers that differ by less are one
 SHARES = 0.31, 0.47, 0.83  # of the horizon, at which something is removed if the sentence does not say when
-_IF = r"(?:(?:suppose|if|imagine|assume|when|supposing|assuming)(?: that)? )?"
+_IF = r"(?:(?:suppose|if|imagine|assume|when|after|once|as soon as|supposing|assuming)(?: that)? )?"
 _LINE = r"(?:string|rope|cord|thread|rod|spring)"
 _FIELD = r"(?:electric|magnetic) field"
-_BE = r"(?:is|was|were|be|gets|has been|had been)"
+_BE = r"(?:is|was|were|be|gets|has been|had been|has|had)"
 _GONE = (
     rf"(?P<what>(?:@\d+@ 's )?{_LINE}|@\d+@|{_FIELD}) (?:now |suddenly )*"
     rf"(?:{_BE} (?:now |suddenly |then )*(?:cut(?: through)?|severed|removed|taken away|switched off|turned off|broken"
@@ -28,19 +28,23 @@ _GONE = (
     rf"|(?P<hand>hand) (?:suddenly )?(?:lets go|let go|releases|released)(?: of)?(?: (?:@\d+@|it|{_LINE}|its end))?"
     r"|(?P<rests>hand) (?:suddenly )?(?:stops|stopped|ceases|ceased) (?:pulling|to pull)(?: on (?:@\d+@|it|string))?"
 )
-_BEGUN = r"(?:release|start|(?:@\d+@|it|they|system|everything) (?:is|are|was|were|has been|starts?|started) ?(?:released)?)"
+_BEGUN = (
+    r"(?:release|start|beginning|(?:@\d+@|it|they|system|everything) (?:is|are|was|were|has been|starts?|started)"
+    r" ?(?:released|let go|set free|let loose)?)"
+)
 _WHEN = (
     rf"(?: (?P<n>#\d+#) (?:after {_BEGUN}|later)| (?:after|at t =|at time) (?P<m>#\d+#)(?: of motion)?"
     r"| (?P<while>(?:while|as|during) (?:@\d+@|it|they|blocks|its|motion)(?: ?(?:is|are|was|were) (?:still )?"
-    r"(?:moving|in motion)| motion)?)"
+    r"(?:moving|in motion)| motion)?|at some (?:moment|time|instant|point))"
     r"| (?:just )?(?:when|as|once|after|as soon as|(?:at|from) (?:very )?(?:moment|instant) (?:when|at which|that))"
     r" (?P<clause>[^.]+?))"
 )
 _AT = r"(?:(?:after|at t =|at time) (?P<before>#\d+#),? ?,? )?"
 _FIRST = re.compile(rf"^{_IF}{_AT}(?:{_GONE})(?P<told>{_WHEN})?(?:\.| ,) (?P<question>.+)")
 _LAST = re.compile(rf"^(?P<question>.+?)(?: ,)? (?:if|after|when|once) (?:{_GONE})(?P<told>{_WHEN})?$")
+_IDLE = r"(?P<rests>hand) (?:did|does) not pull(?: (?:at all|on @\d+@|on it|on string))*"
 _NOT = re.compile(
-    r"^if (?P<rests>hand) (?:did|does) not pull(?: (?:at all|on @\d+@|on it|on string))* , (?P<question>.+)"
+    rf"^if {_IDLE} , (?P<question>.+)|^(?P<asked>.+?)(?: ,)? if {_IDLE.replace('<rests>', '<rested>')}$"
 )
 _THEN = re.compile(
     r"(?: ,)? ?\b(?:then|still|afterwards|thereafter|from (?:then|there) on|from (?:that|this) (?:moment|instant|time)"
@@ -56,8 +60,9 @@ _FARTHER = {
 _OF_OLD = re.compile(
     r"\b(?:start|starting|initial|initially|release|released|beginning|altogether|total|first|second|original|t =)\b"
 )
+_LATER = re.compile(r" (#\d+#) after start$")  # as a number of seconds *later* is heard
 _FIXED = re.compile(r"^(?:with what|what is|at what|how fast|find|determine|calculate) ")
-_UP = re.compile(r"^how far up  (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b")
+_UP = re.compile(r"^how far up (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b")
 
 
 class RemovedThings(NamedTuple):
@@ -112,14 +117,16 @@ def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader)
         if found is None:
             continue
         groups = found.groupdict()
-        names = named_things(groups.get("what") or groups.get("hand") or groups.get("rests") or "", heard, words)
+        names = named_things(groups.get("what") or groups.get("hand") or groups.get("rests") or groups.get("rested") or "", heard, words)
         if not names:
             continue
         if told is _NOT:
-            yield RemovedThings(names, (0.0,), _plainly(groups["question"]))
+            yield RemovedThings(names, (0.0,), _plainly(groups["question"] or groups["asked"]))
             continue
         question = _of_what_follows(groups["question"])
         times = _times(groups, heard, motion, words, reader) if question else ()
+        if (later := _LATER.search(question)) and not _is_later(later[1], times, heard, words):
+            question = ""
         if question and times:
             yield RemovedThings(names, times, question)
 
@@ -133,9 +140,15 @@ def _times(
     if sum(map(bool, (stated, clause, groups.get("while")))) > 1:
         return ()
     if stated or clause:
-        time = time_of(stated, clause, heard, motion, words, reader)
+        time = time_of(stated, heard, words) if stated else moment_of(clause, heard, motion, words, reader)
         return (time,) if time is not None else ()
     return tuple(share * motion.study.scene.horizon for share in SHARES)
+
+
+def _is_later(token: str, times: tuple[float, ...], heard: Heard, words: Words) -> bool:
+    """Return whether a time *after start* can only be meant as later than what is removed, since it is the shorter."""
+    time = time_of(token, heard, words)
+    return time is not None and all(time < removal for removal in times)
 
 
 def _of_what_follows(question: str) -> str:
@@ -146,8 +159,10 @@ def _of_what_follows(question: str) -> str:
     plain = _THEN.sub(" ", question)
     for told, said in _FARTHER.items():
         plain = re.sub(told, said, plain)
-    follows = plain != question or (_FIXED.match(question) is not None and "#" not in question)
-    if not follows or _OF_OLD.search(plain):
+    plain = " ".join(plain.split())
+    numbers = re.findall(r"#\d+#", _LATER.sub("", question))
+    follows = plain != question or (_FIXED.match(question) is not None and not numbers)
+    if not follows or _OF_OLD.search(_LATER.sub("", plain)):
         return ""
     return _plainly(_UP.sub(r"how far \g<do> \g<s> rise", plain))
 

@@ -91,6 +91,7 @@ def _with_only_subject(heard: Heard, words: Words) -> Heard:
     if asks is None:
         return heard
     alone = tuple(words.called(TurningBodies() if asks["turns"] else Bodies()).values())
+    alone = heard.subjects if len(heard.subjects) == 1 and heard.subjects[0] in alone else alone
     return replace(heard, text=f"{heard.text} of @0@", subjects=alone) if len(alone) == 1 else heard
 
 
