@@ -83,14 +83,17 @@ def after_removal_of_things(heard: Heard, motion: FollowedMotion, words: Words, 
     """
     for removed in _removed(heard, motion, words, reader):
         told = replace(heard, text=removed.question)
-        found = [_after(removed.names, time, told, motion, words, reader) for time in removed.times]
-        answers = [each.followed.answer for each in found if each is not None]
-        alike = len(answers) == len(found) and all(
-            a is not None and isclose(a, answers[0] or 0.0, rel_tol=SAME) for a in answers
-        )
-        if alike or (len(found) == 1 and found[0] is not None):
-            return found[0]
+        first = _after(removed.names, removed.times[0], told, motion, words, reader)
+        if first is None or (first.followed.answer is None and len(removed.times) > 1):
+            continue
+        others = (_after(removed.names, time, told, motion, words, reader) for time in removed.times[1:])
+        if all(each is not None and _agree(each.followed.answer, first.followed.answer) for each in others):
+            return first
     return None
+
+
+def _agree(one: float | None, other: float | None) -> bool:
+    return one is not None and other is not None and isclose(one, other, rel_tol=SAME)
 
 
 def _after(
