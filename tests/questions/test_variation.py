@@ -94,7 +94,7 @@ def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
     """The error names the place and the remedy."""
     motion, words = scene("doubled_load")
     with pytest.raises(TextError, match=told):
-        variation(change, motion.study.scene, words, lambda when, other: 0.0)
+        variation(change, motion.study.scene, words, lambda _when, _other: 0.0)
 
 
 def test_a_change_to_no_scene_has_a_reason() -> None:

@@ -41,7 +41,8 @@ A question has **parts**: what to `find`, `of` what, and `when`.
   `removed when` a moment comes, asks about the motion from then on without a string, a spring, a rod, a hand or a
   field, all of which may also be said to be `cut` or `switched off`: times and distances count from then on.
 - `compare`: what a `change` tells: the `ratio` to what is found without it, the `difference` from that, or the `value`
-  itself, as always after a removal. A number found by `given` is a `value` by default, and may be compared with the one of the scene, too.
+  itself, as always after a removal. A number found by `given` is a `value` by default, and may be compared with the one
+  of the scene, too.
 
 A **sentence** is one writing of the same. Besides those of the tables, ordinary English is read: *How far does the
 block slide before it stops?* A sentence with a word that is not understood, or with two readings whose answers differ,

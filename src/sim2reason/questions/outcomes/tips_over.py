@@ -24,7 +24,7 @@ class TipsOver(Swinging):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that stand on edges and are set moving, by name."""
         mechanism = words.mechanism
-        standing = {mechanism.site[foot.site].body for foot in mechanism.feet} if not words.released else set()
+        standing = {mechanism.site[foot.site].body for foot in mechanism.feet if not words.released}
         return {name: said for name, said in words.called(cls.of).items() if name in standing}
 
     def happens(self, trace: Trace) -> bool | None:

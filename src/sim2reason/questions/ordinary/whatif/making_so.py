@@ -16,6 +16,7 @@ from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, con
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
+    CIRCULAR_SPEED,
     by_outcome,
     moves_nevertheless,
     on_the_other_side,
@@ -53,7 +54,7 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     for frame in framed(text, told):
         for condition in conditions(frame.condition, frame.subject, told):
             meant = _meant(frame, condition, told, motion, words, reader)
-            if meant is not None:
+            if meant is not None and not (meant.asked.find == CIRCULAR_SPEED and "direction" in heard.text):
                 found.append(_checked(frame, meant, motion))
         if found:
             break
@@ -110,19 +111,14 @@ def _by_result(
         unknown = question.unknown
         if unknown is None or not _ever(question, motion):
             continue
-        values = _distinct(values_giving(question.query, question.given, unknown, motion.study))
-        if frame.end:
-            values = [values[0 if frame.end == LEAST else -1]] if values else []
+        values = _of_end(frame.end, _distinct(values_giving(question.query, question.given, unknown, motion.study)))
         meant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
-        if len(leading) > 1:  # strings stay taut, unless no value leaves them so
-            leading = [value for value in leading if _stays_taut(question, value, path, motion)] or leading
+        leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
         if len(values) > 1 and leading:
-            if leading[0] not in (values[0], values[-1]):
-                continue
             end = LEAST if leading[0] == values[0] else GREATEST if leading[0] == values[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
         if leading or not values:
@@ -133,12 +129,21 @@ def _by_result(
     return next(iter(answered or found), None)
 
 
-def _stays_taut(question: PosedQuestion, value: float, path: str, motion: FollowedMotion) -> bool:
-    """Return whether no string goes slack before a question's answer with a value of a number."""
-    study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
-    time = study.time(question.query.moment) if question.query.moment is not None else None
-    until = study.trace.stable_until if time is None else time
-    return not any(event.kind in ("slack", "taut") and event.time <= until for event in study.trace.events)
+def _of_end(end: str, values: list[float]) -> list[float]:
+    """Return the least or the greatest of some values in order, if the end is stated; else all."""
+    return values if not end else values[:1] if end == LEAST else values[-1:]
+
+
+def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, motion: FollowedMotion) -> list[float]:
+    """Return those of several values of a number with which no string is slack before a question's answer, if any."""
+
+    def stays_taut(value: float) -> bool:
+        study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
+        time = study.time(question.query.moment) if question.query.moment is not None else None
+        until = study.trace.stable_until if time is None else time
+        return not any(event.kind in ("slack", "taut") and event.time <= until for event in study.trace.events)
+
+    return [value for value in values if stays_taut(value)] or values if len(values) > 1 else values
 
 
 def _distinct(values: Sequence[float]) -> list[float]:

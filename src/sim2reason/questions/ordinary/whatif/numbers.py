@@ -61,7 +61,8 @@ NUMBERS: Mapping[str, NumberKind] = {
     "burn rate": NumberKind(
         "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate"
         "|rate of (?:fuel consumption"
-        "|burning(?: of fuel| (?:its )?fuel)?|combustion|fuel burn)|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
+        "|burning(?: of fuel| (?:its )?fuel)?|combustion|fuel burn)"
+        "|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
         "|(?:it|@\\d+@|engine) burns (?:its )?fuel)|fuel consumption",
         ("rate",),
         ("kg/s",),

@@ -1,7 +1,6 @@
 """Questions for the number with which something comes about, such as that a block slips or that a planet escapes."""
 
 from collections.abc import Iterator, Sequence
-from math import inf
 
 import numpy as np
 
@@ -11,7 +10,6 @@ from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.meaning import Understood
@@ -46,7 +44,6 @@ from sim2reason.questions.ordinary.whatif.special_outcomes import friction_neede
 from sim2reason.questions.outcomes.rises import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
 from sim2reason.questions.structured import START, StructuredQuestion
-from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
 CIRCULAR_SPEED = "circular speed"
@@ -80,30 +77,43 @@ def by_outcome(
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
-    if outcome == SLIDES and friction:
-        outcome = HOLDS if words.released else STAYS
-    if outcome == RESTS and (friction or (frame.end and rubs(words))):
-        outcome = HOLDS
+    outcome = _without_slipping(outcome, words, friction=friction, end=frame.end)
     if friction and outcome in (HOLDS, STAYS):
         of = who or next(iter(frame.number.owners), "")
-        if frame.end != GREATEST:
-            yield from friction_needed(path, of, motion, words, stopped=outcome == STAYS)
+        stopped = outcome == STAYS
+        yield from friction_needed(path, of, motion, words, stopped=stopped) if frame.end != GREATEST else ()
     elif path and outcome in (CLIMBS, DESCENDS) and rubs(words):
-        if _as_rough_at_rest(words):  # what just begins to climb then goes on without acceleration
-            row = ("rises", True) if outcome == CLIMBS else ("sinks", True)
-            for body in (who,) if who else _inclined(words):
-                yield from _thresholds(frame, condition, (row,), path, body)
+        yield from _steadily(frame, condition, path, who, words)
     elif outcome in (GRIPS, SPINS, HALTED, TILTED):
         yield from special_outcome(frame, condition, path, who, motion, words)
     elif path and outcome in (RESTS, CLIMBS, DESCENDS):
         yield from _balanced(path, who, words)
-    elif outcome == CIRCULAR and frame.number.kind == "speed" and frame.compare == VALUE and not frame.end:
-        yield from (Reading(StructuredQuestion(CIRCULAR_SPEED, pair, START)) for pair in _orbits(who, words))
-    elif path and outcome in (ESCAPES, BOUND, CIRCULAR):
+    elif outcome in (ESCAPES, BOUND, CIRCULAR):
         for pair in _orbits(who, words):
-            yield from _orbiting(outcome, path, pair, motion, words)
+            if outcome == CIRCULAR and frame.number.kind == "speed" and frame.compare == VALUE and not frame.end:
+                yield Reading(StructuredQuestion(CIRCULAR_SPEED, pair, START))
+            elif path:
+                yield from _orbiting(outcome, path, pair, motion, words)
     elif path and outcome in THRESHOLDS:
         yield from _thresholds(frame, condition, THRESHOLDS[outcome], path, who)
+
+
+def _without_slipping(outcome: str, words: Words, *, friction: bool, end: str) -> str:
+    """Return the outcome that *not slide down* or *stay at rest* means where friction decides about it."""
+    if outcome == SLIDES and friction:
+        return HOLDS if words.released else STAYS
+    return HOLDS if outcome == RESTS and (friction or (end and rubs(words))) else outcome
+
+
+def _steadily(frame: WantedFrame, condition: StatedCondition, path: str, who: str, words: Words) -> Iterator[Reading]:
+    """Yield the questions for the number with which a body just begins to move up or down a rough slope.
+
+    What just begins to climb then goes on without acceleration, if kinetic friction is as great as static friction.
+    """
+    row = ("rises", True) if condition.outcome == CLIMBS else ("sinks", True)
+    if _as_rough_at_rest(words):
+        for body in (who,) if who else _inclined(words):
+            yield from _thresholds(frame, condition, (row,), path, body)
 
 
 def _thresholds(

@@ -17,7 +17,8 @@ from sim2reason.questions.words import Words
 _STRINGS = frozenset({"string", "rope", "cord", "thread"})
 _MOVES = re.compile(
     r"(?P<s>@\d+@) (?:is|are|was|were|has been) (?:just )?(?P<verb>moving|sliding|rising|falling|going up|going down"
-    r"|climbing|sinking)(?P<way> up(?:wards)?(?: \w+)?| down(?:wards)?(?: \w+)?)? (?:at|with)(?: speed of)? (?P<n>#\d+#)"
+    r"|climbing|sinking)(?P<way> up(?:wards)?(?: \w+)?| down(?:wards)?(?: \w+)?)? (?:at|with)"
+    r"(?: speed of)? (?P<n>#\d+#)"
 )
 _REACHES = re.compile(r"(?P<s>@\d+@) (?:reaches|has reached|attains|has) (?:speed of )?(?P<n>#\d+#)")
 _UP = re.compile(r"rising|up|climbing")
@@ -68,9 +69,7 @@ def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, r
     return found.followed.answer if found is not None and found.asked.find == "time" else None
 
 
-def _time_of_speed(
-    moving: re.Match[str], heard: Heard, motion: FollowedMotion, words: Words
-) -> float | None:
+def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, words: Words) -> float | None:
     """Return the first time at which a body has a stated speed, s; None if it does not then move as is said."""
     phrase = heard.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
     body = _body(phrase, words)

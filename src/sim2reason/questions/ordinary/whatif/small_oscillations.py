@@ -57,17 +57,21 @@ _SAME = (
 _SMALLER = rf"(?:(?: ,)? (?:when|if|for|in case of|provided) (?:its |their |both )?(?:swings|{_SMALL})(?: are small)?)?"
 PENDULUMS = (
     (
-        rf"{_LONG} (?:would|must|should|does) {_SIMPLE} (?:have to |need to )?be (?:to|in order to|so that it|if it is to|"
-        rf"for it to) {_SAME}{_SMALLER}"
+        rf"{_LONG} (?:would|must|should|does) {_SIMPLE} (?:have to |need to )?be (?:to|in order to|so that it"
+        rf"|if it is to|for it to) {_SAME}{_SMALLER}"
     ),
-    rf"{_ASK} length of {_SIMPLE} (?:that|which) (?:would )?(?:{_SAME}|(?:swings|has|oscillates)[a-z ]* (?:period|"
-    rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}",
     (
-        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it|if it"
-        rf" is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
+        rf"{_ASK} length of {_SIMPLE} (?:that|which) (?:would )?(?:{_SAME}|(?:swings|has|oscillates)[a-z ]* (?:period|"
+        rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}"
     ),
-    rf"{_ASK} length of {_SIMPLE} (?:with|of) same (?:small )?(?:period|frequency)(?: of small oscillations)?"
-    rf"(?: as (?:this |that )?@\d+@)?{_SMALLER}",
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it"
+        rf"|if it is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
+    ),
+    (
+        rf"{_ASK} length of {_SIMPLE} (?:with|of) same (?:small )?(?:period|frequency)(?: of small oscillations)?"
+        rf"(?: as (?:this |that )?@\d+@)?{_SMALLER}"
+    ),
     rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",
 )
 """Patterns of questions for the length of the simple pendulum whose small swings have the same period."""

@@ -25,8 +25,8 @@ TURNS: Mapping[str, str] = {
         r"\g<l> "
     ),
     r"\bright over (?=top|highest point)": "over ",
-    rf"\bin circle (?:whose|with) radius (?:equal to |equals |is |of )?(?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?"
-    r"(?= |$)": "in circle",
+    rf"\bin circle (?:whose|with) radius (?:equal to |equals |is |of )?(?:@\d+@ 's |its )?{_NOW} distance"
+    r"(?: from @\d+@)?(?= |$)": "in circle",
     rf"\bin circle at (?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?(?= |$)": "in circle",
     r"\b(?:round|around|about) this (?=@)": "round ",
     rf" ,? ?(?:at right angles|perpendicular|perpendicularly) to (?:line (?:joining|from|between) @\d+@ (?:to|and|with)"
@@ -65,9 +65,9 @@ TURNS: Mapping[str, str] = {
     rf"\bwhat (?:additional |extra |further )?mass (?P<a>{_AUX}) {_HAVE}be {_LOADED} (?P<s>{_S}) ": (
         r"by how much \g<a> mass of \g<s> be greater "
     ),
-    rf"\b(?:rate of burning|rate of consumption of) (?:its )?(?:fuel|propellant)\b": "burn rate",
+    r"\b(?:rate of burning|rate of consumption of) (?:its )?(?:fuel|propellant)\b": "burn rate",
     r"\b(?P<n>fuel consumption|consumption of fuel|fuel consumed|fuel burnt) per second\b": "burn rate",
-    rf"\bpull (?:from|by|exerted by) hand\b": "pull",
+    r"\bpull (?:from|by|exerted by) hand\b": "pull",
     rf"\bwhich hand (?:could|would|can|must|should|has to|would have to|might) (?:just )?(?:have to )?(?:pull"
     rf" (?:so as )?(?:to|for) )?(?=(?:keep|hold|prevent|stop|pull|draw|make|let|move|{_S}) )": "which ",
     rf" with (?:speed|velocity) (?:{_S}|it) (?:has|had)(?: (?:at start|now|initially|already|at first))?(?= |$)": "",
@@ -98,7 +98,7 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"^(?:collision|impact|meeting)(?: of {_S}| with {_S})? {_TO}(?:leave|leaves|bring|brings|stop|stops)"
     rf" (?P<s>{_S})(?: {_STANDING}| to rest| dead)?$": rf"\g<s> {HALTS}",
     r"\b(?:just |barely |only )?manages? to (?=[a-z])": "",
-    rf"(?P<n>#\d+#) ahead\b": r"\g<n> away",
+    r"(?P<n>#\d+#) ahead\b": r"\g<n> away",
     r"\bland for first time (?=#)": "land ",
     rf"^(?:{_S} )?{_TO}compress (?P<t>{_S}) (?:by )?(?:at most )?(?:by )?(?P<n>#\d+#)(?: at most| at maximum)?$": (
         r"greatest compression of \g<t> be \g<n>"
@@ -131,13 +131,16 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"^(?P<s>{_S}) {_TO}(?:end up|finish up|finally be|be in end)(?: moving| travelling| going)? (?:at|with)"
     r"(?: speed of)? (?P<n>#\d+#)$": r"\g<s> reach final speed of \g<n>",
     r" after first one$": " after first bounce",
-    r"\b(?:first )?(?:hits?|strikes?|reach(?:es)?) (?:level )?ground(?: for first time)? (?=#\d+# (?:away|from))": "land ",
+    r"\b(?:first )?(?:hits?|strikes?|reach(?:es)?) (?:level )?ground(?: for first time)?"
+    r" (?=#\d+# (?:away|from))": "land ",
     r"^(?:give|gives|given) (?:oscillations?|motion|vibrations?) (?=(?:amplitude|period|frequency) of )": "give ",
     r"^same (?:[a-z]+ ){1,3}to (?=(?:compress|stretch|squeeze) @)": "",
     r"\bgo round its circle once in (?=#)": "go round once in ",
-    rf"^(?P<s>{_S}) {_TO}swing (?:out )?(?:up )?to (?:angle of )?(?P<n>#\d+#)$": r"\g<s> swing out to \g<n> from vertical",
-    rf"^(?:{_S}|string) (?:to )?pulls? (?P<at>at bottom |at lowest point )?(?:on {_S} )?(?P<b>at bottom |at lowest point )?"
-    r"with (?:force of )?(?P<n>#\d+#)$": r"tension \g<at>\g<b>be \g<n>",
+    rf"^(?P<s>{_S}) {_TO}swing (?:out )?(?:up )?to (?:angle of )?(?P<n>#\d+#)$": (
+        r"\g<s> swing out to \g<n> from vertical"
+    ),
+    rf"^(?:{_S}|string) (?:to )?pulls? (?P<at>at bottom |at lowest point )?(?:on {_S} )?"
+    r"(?P<b>at bottom |at lowest point )?with (?:force of )?(?P<n>#\d+#)$": r"tension \g<at>\g<b>be \g<n>",
     rf"^(?P<s>{_S}) {_TO}(?:swing|go|get) right over (?P<t>top|highest point)$": r"\g<s> go over \g<t>",
 }
 """By the pattern of a part of a condition without articles, plainer words with the same meaning."""

@@ -43,12 +43,10 @@ _AT = r"(?:(?:after|at t =|at time) (?P<before>#\d+#),? ?,? )?"
 _FIRST = re.compile(rf"^{_IF}{_AT}(?:{_GONE})(?P<told>{_WHEN})?(?:\.| ,) (?P<question>.+)")
 _LAST = re.compile(rf"^(?P<question>.+?)(?: ,)? (?:if|after|when|once) (?:{_GONE})(?P<told>{_WHEN})?$")
 _IDLE = r"(?P<rests>hand) (?:did|does) not pull(?: (?:at all|on @\d+@|on it|on string))*"
-_NOT = re.compile(
-    rf"^if {_IDLE} , (?P<question>.+)|^(?P<asked>.+?)(?: ,)? if {_IDLE.replace('<rests>', '<rested>')}$"
-)
+_NOT = re.compile(rf"^if {_IDLE} , (?P<question>.+)|^(?P<asked>.+?)(?: ,)? if {_IDLE.replace('<rests>', '<rested>')}$")
 _THEN = re.compile(
     r"(?: ,)? ?\b(?:then|still|afterwards|thereafter|from (?:then|there) on|from (?:that|this) (?:moment|instant|time)"
-    rf"(?: on)?|after (?:that|this)|after (?:@\d+@|string|hand|it) (?:breaks|snaps|is cut|lets go|has (?:broken|snapped"
+    r"(?: on)?|after (?:that|this)|after (?:@\d+@|string|hand|it) (?:breaks|snaps|is cut|lets go|has (?:broken|snapped"
     r"|been cut|let go)|broke|snapped)|after (?:break|cut|cutting))\b(?: ,)?"
 )
 _FARTHER = {
@@ -120,7 +118,8 @@ def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader)
         if found is None:
             continue
         groups = found.groupdict()
-        names = named_things(groups.get("what") or groups.get("hand") or groups.get("rests") or groups.get("rested") or "", heard, words)
+        what = next((said for name in ("what", "hand", "rests", "rested") if (said := groups.get(name))), "")
+        names = named_things(what, heard, words)
         if not names:
             continue
         if told is _NOT:

@@ -13,8 +13,8 @@ from sim2reason.questions.words import Words
 
 _MULTIPLE = f"(?P<mult>{'|'.join(MULTIPLES)}|#\\d+# times)"
 _WEIGHT = re.compile(
-    rf"\b(?P<be>be|is|become|reach|equal|with) (?:just |exactly |only |equal to )*(?:{_MULTIPLE} )?(?:(?P<own>@\d+@ 's|its|ball 's)"
-    r" (?:own )?weight|weight of (?P<of>@\d+@|ball))\b"
+    rf"\b(?P<be>be|is|become|reach|equal|with) (?:just |exactly |only |equal to )*(?:{_MULTIPLE} )?"
+    r"(?:(?P<own>@\d+@ 's|its|ball 's) (?:own )?weight|weight of (?P<of>@\d+@|ball))\b"
 )
 _CHANGES = re.compile(r"\b(?:mass|heavy|heavier|g|gravity)\b")
 
