@@ -65,6 +65,11 @@ PENDULUMS = (
         rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}"
     ),
     (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? for its (?:period|frequency) to"
+        r" (?:equal|be equal to|be same as) (?:that|period) of (?:small (?:swings|oscillations) of )?(?:this )?@\d+@"
+    ),
+    rf"(?:how long is|{_ASK} length of) {_SIMPLE} with same (?:period|frequency)(?: of small (?:oscillations|swings))?",
+    (
         rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it"
         rf"|if it is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
     ),

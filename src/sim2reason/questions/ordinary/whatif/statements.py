@@ -143,6 +143,10 @@ LENGTHS = (
         ),
         "how high does {s} rise{rest}",
     ),
+    (
+        rf"(?P<s>{_S}) (?:come to rest|stop|halt|come to stop|come to halt) (?:after|within) {_N}",
+        "how far does {s} move before {s} stops",
+    ),
     (rf"(?P<s>{_S}) go down {_ABOUT}{_N}", "how far down does {s} go"),
     (
         rf"(?P<s>{_S}) (?:get|go|move|come)s? (?:no (?:farther|further) than|at most) {_N}(?P<rest> .+)?",

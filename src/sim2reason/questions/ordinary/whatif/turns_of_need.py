@@ -25,6 +25,17 @@ TURNS: Mapping[str, str] = {
         r"\g<l> "
     ),
     r"\bright over (?=top|highest point)": "over ",
+    rf"^for (?P<s>{_S}|system|everything) (?:ever |just )?to (?P<c>[^,]+) , (?P<rest>(?:with|at|from|under|what|which"
+    r"|how|by) .+)$": r"\g<rest> for \g<s> to \g<c>",
+    rf"\bfrom (?:which|what) angle (?P<a>{_AUX}) (?:one|we|you) {_HAVE}(?:let (?P<s>{_S}) go"
+    rf"|release (?P<t>{_S}))(?= )": (r"from what angle \g<a> \g<s>\g<t> have to be released"),
+    rf"^how small (?:could|can|may) (?P<n>[^,]+?) be without (?P<s>{_S}) (?P<v>\w+ing)\b": (
+        r"what is least \g<n> for which \g<s> not \g<v>"
+    ),
+    r"\bhave to (?:grow|rise|increase|go up) (?=for |to |so )": "have to be increased ",
+    rf"\bmake (?:it|{_S}) over (?=top|highest point)": "go over ",
+    r"\bsent up (?=to |for |so )": "sent off ",
+    r"(?<=have to be) at beginning (?=to |for )": " ",
     rf"\bin circle (?:whose|with) radius (?:equal to |equals |is |of )?(?:@\d+@ 's |its )?{_NOW} distance"
     r"(?: from @\d+@)?(?= |$)": "in circle",
     rf"\bin circle at (?:@\d+@ 's |its )?{_NOW} distance(?: from @\d+@)?(?= |$)": "in circle",
@@ -77,7 +88,7 @@ TURNS: Mapping[str, str] = {
 }
 """By the pattern of a part of a question without articles, plainer words with the same meaning."""
 _TO = "(?:to )?"
-_MEAN = "(?:go|move|travel|fly|run|circle|be carried)"
+_MEAN = "(?:describe|go|move|travel|fly|run|circle|be carried)"
 _ONCE = "(?:once|when|after|where|as soon as)"
 _STOPPED = (
     rf"(?: {_ONCE} (?:it|{_S}) (?:has )?(?:stopped|stops|come to rest|comes to rest|come to stop)(?: moving| sliding)?"
@@ -113,7 +124,7 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"^(?P<s>{_S}) {_TO}(?P<v>stay|remain|lie)(?: at rest| still| put)?(?: there)?{_STOPPED}$": (
         r"\g<s> stay at rest where it stop"
     ),
-    rf"^(?P<s>{_S}) {_TO}{_MEAN}(?: (?:round|around|in|on|along|over))* (?:circle|circular path|path|circular orbit"
+    rf"^(?:{_S} )?{_TO}{_MEAN}(?: (?:round|around|in|on|along|over))* (?:circle|circular path|path|circular orbit"
     rf"|orbit) of radius (?:of )?(?P<n>#\d+#)$": r"radius of path be \g<n>",
     rf"^(?P<s>{_S}) {_TO}(?:move|slide|go|accelerate|start|travel)(?: off)? (?P<way>up|down)(?:wards)?"
     rf"(?: (?P<on>{GROUNDS}))? (?:with|at) (?:acceleration of )?(?P<n>#\d+#)$": r"\g<s> accelerate \g<way> at \g<n>",
@@ -131,6 +142,19 @@ TURNS_OF_CONDITIONS: Mapping[str, str] = {
     rf"^(?P<s>{_S}) {_TO}(?:end up|finish up|finally be|be in end)(?: moving| travelling| going)? (?:at|with)"
     r"(?: speed of)? (?P<n>#\d+#)$": r"\g<s> reach final speed of \g<n>",
     r" after first one$": " after first bounce",
+    rf"^{_S} tension (?=at |in )": "tension ",
+    rf"^(?:get|lift|raise|bring) (?P<s>{_S}) off (?:{GROUNDS})(?P<rest>.*)$": r"\g<s> lift off\g<rest>",
+    r"\b(?:come|get|go|jump) (?:back )?up (?:again )?to (?=#)": "rise to ",
+    rf"(?<=#) (?:before|until) (?:it|{_S}) (?:first )?lands$": "",
+    rf"^limit (?P<q>compression|extension|stretch|length) of (?P<t>{_S}) to (?:at most )?(?P<n>#\d+#)$": (
+        r"greatest \g<q> of \g<t> be \g<n>"
+    ),
+    r" before turning back$": " before it turns back",
+    rf"^(?P<s>{_S}) {_TO}(?:need|take)s? (?P<n>#\d+#) for (?:one|each|every|full|one full) (?:revolution|turn|round"
+    r"|circle)$": r"period be \g<n>",
+    rf"^keep (?P<s>{_S}) at (?:its|{_S} 's) initial (?P<a>angle|inclination)": r"\g<s> keep its initial \g<a>",
+    rf"^(?:its|{_S} 's) (?:orbit|path) {_TO}be circle(?: through (?:its |@\d+@ 's )?(?:initial|starting) (?:position"
+    r"|point))?$": "orbit be circular",
     r"\b(?:first )?(?:hits?|strikes?|reach(?:es)?) (?:level )?ground(?: for first time)?"
     r" (?=#\d+# (?:away|from))": "land ",
     r"^(?:give|gives|given) (?:oscillations?|motion|vibrations?) (?=(?:amplitude|period|frequency) of )": "give ",

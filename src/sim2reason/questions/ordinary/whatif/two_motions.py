@@ -39,11 +39,14 @@ _WHEN = (
     r"| (?:just )?(?:when|as|once|after|as soon as|(?:at|from) (?:very )?(?:moment|instant) (?:when|at which|that))"
     r" (?P<clause>[^.]+?))"
 )
-_AT = r"(?:(?:after|at t =|at time) (?P<before>#\d+#),? ?,? )?"
+_AT = rf"(?:(?:after|at t =|at time) (?P<before>#\d+#) ?,? |(?P<early>#\d+#) after {_BEGUN} ?,? )?"
 _FIRST = re.compile(rf"^{_IF}{_AT}(?:{_GONE})(?P<told>{_WHEN})?(?:\.| ,) (?P<question>.+)")
 _LAST = re.compile(rf"^(?P<question>.+?)(?: ,)? (?:if|after|when|once) (?:{_GONE})(?P<told>{_WHEN})?$")
 _IDLE = r"(?P<rests>hand) (?:did|does) not pull(?: (?:at all|on @\d+@|on it|on string))*"
-_NOT = re.compile(rf"^if {_IDLE} , (?P<question>.+)|^(?P<asked>.+?)(?: ,)? if {_IDLE.replace('<rests>', '<rested>')}$")
+_NOT = re.compile(
+    rf"^if {_IDLE} , (?P<question>.+)|^(?P<asked>.+?)(?: ,)? if {_IDLE.replace('<rests>', '<rested>')}$"
+    r"|^without (?:pull of )?(?P<no>hand) , (?P<left>.+)"
+)
 _THEN = re.compile(
     r"(?: ,)? ?\b(?:then|still|afterwards|thereafter|from (?:then|there) on|from (?:that|this) (?:moment|instant|time)"
     r"(?: on)?|after (?:that|this)|after (?:@\d+@|string|hand|it) (?:breaks|snaps|is cut|lets go|has (?:broken|snapped"
@@ -53,13 +56,15 @@ _FARTHER = {
     r"^how much (?:farther|further)\b": "how far",
     r"^how (?:much|many metres) higher (?=(?:does|will|would|do) @\d+@ )": "how far up ",
     r"^how (?:much|many seconds) longer\b": "how long",
+    r"^how long (?P<do>does|will|would|do) (?P<s>@\d+@) (?:go on|keep|keep on|continue) (?:sliding|moving|rising"
+    r"|to slide|to move|to rise)(?: up(?:wards)?)?(?: \w+)?$": r"how long \g<do> \g<s> take to come to rest",
     r"\b(?:further|additional|extra) (?=distance|time|height)": "",
 }
 _OF_OLD = re.compile(
     r"\b(?:start|starting|initial|initially|release|released|beginning|altogether|total|first|second|original|t =)\b"
 )
 _LATER = re.compile(r" (#\d+#) after start$")  # as a number of seconds *later* is heard
-_FIXED = re.compile(r"^(?:with what|what is|at what|how fast|find|determine|calculate) ")
+_FIXED = re.compile(r"^(?:with what|what is|what would|at what|how fast|find|determine|calculate) ")
 _UP = re.compile(r"^how far up (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b")
 
 
@@ -118,12 +123,12 @@ def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader)
         if found is None:
             continue
         groups = found.groupdict()
-        what = next((said for name in ("what", "hand", "rests", "rested") if (said := groups.get(name))), "")
+        what = next((said for name in ("what", "hand", "rests", "rested", "no") if (said := groups.get(name))), "")
         names = named_things(what, heard, words)
         if not names:
             continue
         if told is _NOT:
-            yield RemovedThings(names, (0.0,), _plainly(groups["question"] or groups["asked"]))
+            yield RemovedThings(names, (0.0,), _plainly(groups["question"] or groups["asked"] or groups["left"]))
             continue
         question = _of_what_follows(groups["question"])
         times = _times(groups, heard, motion, words, reader) if question else ()
@@ -137,7 +142,7 @@ def _times(
     groups: dict[str, str | None], heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> tuple[float, ...]:
     """Return the time that a sentence states, s, or some times if it states none; no time if it is not understood."""
-    stated = groups.get("n") or groups.get("m") or groups.get("before") or ""
+    stated = groups.get("n") or groups.get("m") or groups.get("before") or groups.get("early") or ""
     clause = groups.get("clause") or ""
     if sum(map(bool, (stated, clause, groups.get("while")))) > 1:
         return ()
@@ -172,6 +177,8 @@ def _of_what_follows(question: str) -> str:
 def _plainly(question: str) -> str:
     """Return a question in the indicative."""
     said = re.sub(r"^(?P<a>what|which|how large|how great) would (?P<x>.+?) be$", r"what is \g<x>", question)
+    said = re.sub(r"^what would be (?=period|radius|speed|acceleration|frequency)", "what is ", said)
+    said = re.sub(r"(?<=@) 's circular motion$", "", said)
     said = re.sub(r"\b(?:would|will)\b", "does", said)
     return " ".join(re.sub(r"\bit\b(?= (?:stop|come|turn))", "it", said).split()).strip(" ,")
 
