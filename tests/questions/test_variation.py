@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.dsl.fields import Magnetic
 from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
 from sim2reason.questions.following import FollowedMotion, motion_of
@@ -239,7 +240,8 @@ def test_a_hand_lets_go_and_a_field_is_switched_off() -> None:
     asked = StructuredQuestion("period", change="the electric field switched off at 0.3 s")
     read = load(SCENES / "crossed_fields.yaml").mechanism
     field = next(force for force in read.forces if force.name.endswith("magnetic"))
-    strength = abs(field.law.profile.value)  # type: ignore[attr-defined]
+    assert isinstance(field.law, Magnetic)
+    strength = abs(field.law.profile.value)
     assert found("crossed_fields", asked) == pytest.approx(2.0 * pi * read.body[field.body].mass / strength, rel=1e-6)
 
 
