@@ -13,7 +13,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.outcomes import OUTCOMES
 
 PAGE = Path(__file__).parents[2] / "docs" / "questions.md"
-RARE = {"least normal force", "left face", "lifted off", "circles", "lifts off"}
+RARE = {"least normal force", "left face", "lifted off", "circles", "lifts off", "sinks", "tips over"}
 """What no scene of the page has an example of."""
 
 

@@ -2,16 +2,18 @@
 
 from dataclasses import replace
 from functools import cache
-from math import cos, pi, radians, sin, sqrt
+from math import cos, hypot, pi, radians, sin, sqrt
 from pathlib import Path
 
 import pytest
 
+from sim2reason.dsl.fields import Magnetic
 from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.removal import removable
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.variation import variation
 from sim2reason.questions.words import Words
@@ -93,7 +95,7 @@ def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
     """The error names the place and the remedy."""
     motion, words = scene("doubled_load")
     with pytest.raises(TextError, match=told):
-        variation(change, motion.study.scene, words)
+        variation(change, motion.study.scene, words, lambda _when, _other: 0.0)
 
 
 def test_a_change_to_no_scene_has_a_reason() -> None:
@@ -163,3 +165,116 @@ def test_the_coefficient_of_friction_that_rolling_needs_is_a_quantity() -> None:
     """A disc needs a third of the tangent of the slope's angle."""
     got = found("climbing_disc", StructuredQuestion("coefficient of friction needed", "roller.body", "at start"))
     assert got == pytest.approx(sin(radians(31.0)) / cos(radians(31.0)) / 3.0, rel=1e-9)
+
+
+HUNG, CUT = "hung_load", "tendon_1 removed"
+MASS = "hanging_mass.system.blocks.0.mass"
+
+
+def hung(load: float, block: float, angle: float, friction: float) -> tuple[float, float]:
+    """Return the acceleration of a block on a rough slope with a hanging load, and its deceleration without it."""
+    back = G * (sin(radians(angle)) + friction * cos(radians(angle)))
+    return (load * G - block * back) / (load + block), back
+
+
+def held(name: str, *paths: str) -> list[float]:
+    """Return numbers of a scene."""
+    read = load(SCENES / f"{name}.yaml")
+    return [float(read.value(path)) for path in paths]
+
+
+def pair() -> tuple[float, float]:
+    """Return the two accelerations of the scene with a load that draws a block up a rough slope."""
+    plane = "two_side_mass_plane.plane"
+    return hung(*held(HUNG, LOAD, BLOCK, f"{plane}.angle", f"{plane}.friction"))
+
+
+@pytest.mark.parametrize("change", [f"{CUT} at 0.5 s", "the string cut at 0.5 s", f"{CUT} when block A moved SPAN m"])
+def test_a_motion_goes_on_after_a_string_is_cut(change: str) -> None:
+    """The block slides on as far as its speed at the cut takes it, and for as long; the load falls freely."""
+    up, back = pair()
+    change = change.replace("SPAN", f"{0.5 * up * 0.5**2:.12g}")
+    speed = up * 0.5
+    wanted = {
+        ("displacement", "block A", "stopped"): speed**2 / (2.0 * back),
+        ("time", "", "block A stopped"): speed / back,
+        ("velocity", "block B", "at 0.2 s"): -(speed + G * 0.2),
+    }
+    for (find, of, when), value in wanted.items():
+        along = "up" if find == "velocity" else ""
+        asked = StructuredQuestion(find, of, when, along, change=change)
+        assert found(HUNG, asked) == pytest.approx(value, rel=1e-8)
+        assert "ratio" not in asked.told
+
+
+def test_other_numbers_may_change_too() -> None:
+    """With twice the load, the block is faster when the string is cut."""
+    plane = "two_side_mass_plane.plane"
+    mass, *others = held(HUNG, LOAD, BLOCK, f"{plane}.angle", f"{plane}.friction")
+    up, back = hung(2.0 * mass, *others)
+    asked = StructuredQuestion("displacement", "block A", "stopped", change=f"{LOAD} × 2, {CUT} at 0.5 s")
+    assert found(HUNG, asked) == pytest.approx((up * 0.5) ** 2 / (2.0 * back), rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("change", "compare", "told"),
+    [
+        (f"{CUT} at 0.5 s", "ratio", "not compared"),
+        ("the pulley removed at 0.5 s", "", "there is no 'the pulley'"),
+        (f"{CUT} at 5 kg", "", "not measured in s"),
+        (f"{CUT} when block A landed", "", "nothing of that kind"),
+    ],
+)
+def test_a_removal_without_a_meaning_is_refused(change: str, compare: str, told: str) -> None:
+    """The error says what is not compared, not there, or no moment."""
+    asked = StructuredQuestion("displacement", "block A", "stopped", change=change, compare=compare)
+    with pytest.raises(TextError, match=told):
+        question(HUNG, asked)
+
+
+def test_a_hand_lets_go_and_a_field_is_switched_off() -> None:
+    """A block slides on up its slope without the hand; a bead goes round without the electric field."""
+    scene_of = {"hand_drawn_block": "the hand", "crossed_fields": "the electric field"}
+    for name, what in scene_of.items():
+        assert what in removable(scene(name)[1]).values()
+    asked = StructuredQuestion("period", change="the electric field switched off at 0.3 s")
+    read = load(SCENES / "crossed_fields.yaml").mechanism
+    field = next(force for force in read.forces if force.name.endswith("magnetic"))
+    assert isinstance(field.law, Magnetic)
+    strength = abs(field.law.profile.value)
+    assert found("crossed_fields", asked) == pytest.approx(2.0 * pi * read.body[field.body].mass / strength, rel=1e-6)
+
+
+def test_a_light_pulley_stays_behind_without_its_load() -> None:
+    """A block whose string to a light movable pulley is cut is in free flight."""
+    asked = StructuredQuestion("acceleration", "block A", "at 0.01 s", "up", change="CUT removed at 0.2 s")
+    for name in ("hung_pulley", "lifted_pulley", "under_pulley", "hand_on_pulley", "lifting_pulley"):
+        cords = [line.whole for line in load(SCENES / f"{name}.yaml").mechanism.lines if line.whole.endswith("cord")]
+        if cords:
+            told = replace(asked, change=asked.change.replace("CUT", cords[0]))
+            assert found(name, told) == pytest.approx(-G, rel=1e-9)
+            return
+    pytest.fail("there is no such scene")
+
+
+def test_the_speed_of_a_circular_orbit_is_a_quantity() -> None:
+    """A planet goes round in a circle with the root of G M / r, whichever way it moves."""
+    asked = StructuredQuestion("circular speed", "system.planets.0 & system.star", "at start")
+    assert found("escaping_planet", asked) == pytest.approx(sqrt(4.0 * pi**2 * 1.9 / hypot(1.10, 0.14)), rel=1e-9)
+
+
+def test_the_length_of_the_equivalent_pendulum_is_found() -> None:
+    """A rod swings about its axle as a simple pendulum whose length is its moment of inertia divided by m d."""
+    pieces = "arm.pieces.0"
+    length, distance = held("long_rod", f"{pieces}.body.length", f"{pieces}.distance")
+    asked = StructuredQuestion("equivalent pendulum length", when="equilibrium")
+    assert found("long_rod", asked) == pytest.approx((length**2 / 12.0 + distance**2) / distance, rel=1e-6)
+
+
+def test_a_body_without_named_directions_may_be_asked_about_along_its_path() -> None:
+    """The load with which a box is not accelerated is found by a change of sign."""
+    asked = StructuredQuestion(MASS, "the box", "at start", "its path", "acceleration = 0 m/s^2")
+    mass = found("hauled_box", asked)
+    change = f"{MASS} = {mass:.15g} kg"
+    at = StructuredQuestion("acceleration", "the box", "at start", change=change)
+    assert found("hauled_box", replace(at, compare="value")) == pytest.approx(0.0, abs=1e-7)

@@ -53,7 +53,10 @@ Example:
 @click.option("--along", help="Which component: an axis, or what is positive.", metavar="AXIS", default="")
 @click.option("--given", help="Find a number of the scene that makes QUANTITY = VALUE.", metavar="EQUATION", default="")
 @click.option(
-    "--change", help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed.", metavar="CHANGE", default=""
+    "--change",
+    help="Find how it changes: ADDRESS = VALUE, ADDRESS × 2, BODY fixed; or what follows: STRING removed at 1.5 s.",
+    metavar="CHANGE",
+    default="",
 )
 @click.option(
     "--compare",

@@ -31,14 +31,18 @@ A question has **parts**: what to `find`, `of` what, and `when`.
 - `when`: a moment by its name, with its subject before and its number after it; a time, `2 s`; `QUANTITY = VALUE`, the
   first time that it has that value (`QUANTITY of SUBJECT along AXIS = VALUE`, in full); `equilibrium`. `before` after
   a moment is the instant just before it.
-- `along`: a component, by its axis, or by what is positive.
+- `along`: a component, by its axis, or by what is positive; `its path`, for a body that moves along one line, and
+  `its axle`, for one that turns about one axis.
 - `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`. If several values
   of the number do, `QUANTITY = VALUE, least` takes the least of them, `greatest` the greatest.
 - `change`: `ADDRESS = VALUE`, `ADDRESS × 2`, `BODY fixed`, or several of these with commas between them: the factor by
   which the change multiplies what is found. `ADDRESS = greatest` or `least` finds the extreme value that it can have,
-  `ADDRESS = infinity` or `0` the value that it approaches as a mass grows or vanishes.
+  `ADDRESS = infinity` or `0` the value that it approaches as a mass grows or vanishes. `STRING removed at 1.5 s`, or
+  `removed when` a moment comes, asks about the motion from then on without a string, a spring, a rod, a hand or a
+  field, all of which may also be said to be `cut` or `switched off`: times and distances count from then on.
 - `compare`: what a `change` tells: the `ratio` to what is found without it, the `difference` from that, or the `value`
-  itself. A number found by `given` is a `value` by default, and may be compared with the one of the scene, too.
+  itself, as always after a removal. A number found by `given` is a `value` by default, and may be compared with the one
+  of the scene, too.
 
 A **sentence** is one writing of the same. Besides those of the tables, ordinary English is read: *How far does the
 block slide before it stops?* A sentence with a word that is not understood, or with two readings whose answers differ,

@@ -49,6 +49,19 @@ class SemiMajorAxis(OrbitShape):
         return 1.0 / (2.0 / np.linalg.norm(place, axis=1) - np.sum(velocity**2, axis=1) / strength)
 
 
+@quantity
+class CircularSpeed(OrbitShape):
+    """The speed with which the body would go round in a circle at its present distance."""
+
+    name, unit, symbol = "circular speed", "m/s", "v_c"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """√(μ / r), m/s, (n,)."""
+        place, _, strength = _relative(state, subject)
+        return np.sqrt(strength / np.linalg.norm(place, axis=1))
+
+
 def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
     moving = [name for name in (pull.a, pull.b) if moves(mechanism, name)]
     others = [other for other in mechanism.attractions if moving and moving[0] in (other.a, other.b)]

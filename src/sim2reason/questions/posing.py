@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
@@ -22,7 +23,7 @@ from sim2reason.questions.structured import StructuredQuestion, measured, one_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import quantities_named, targets
 from sim2reason.questions.unknown import Unknown
-from sim2reason.questions.variation import SceneChange, variation
+from sim2reason.questions.variation import SceneChange, is_removal, variation, words_in
 from sim2reason.questions.words import Words
 
 EXTREMES = GREATEST, LEAST = "greatest", "least"
@@ -212,7 +213,10 @@ def numbers_offered(scene: Scene, words: Words) -> Mapping[str, Unknown]:
 
 def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for an answer's change with a number, limit for a large or small mass, or extreme value."""
-    inner, study = posed(replace(asked, change="", compare=""), motion, words), motion.study
+    study = motion.study
+    if is_removal(asked.change):
+        return _after_removal(asked, motion, words)
+    inner = posed(replace(asked, change="", compare=""), motion, words)
     compare = compared_as(asked, RATIO)
     number, _, value = (part.strip() for part in asked.change.partition("="))
     if value in (*LIMITS, *EXTREMES):
@@ -223,10 +227,33 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
         if held[path].measure.unit == MASS:
             query, large = inner.query, LIMITS[value]
             return PosedQuestion(LimitQuery("limit", query.target, query.moment, stripped(query), path, large=large))
-    varied = variation(asked.change, study.scene, words)
+    varied = variation(asked.change, study.scene, words, partial(_time_of, motion=motion, words=words))
     if compare == VALUE or inner.others or inner.less or not _is_plain_change(varied, study.scene):
         return replace(inner, varied=varied, compare=compare)
     return PosedQuestion(compared(inner.query, asked, study, words))
+
+
+def _after_removal(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+    """Return the question about the motion that follows the removal of something; TextError if it is compared."""
+    if compared_as(asked, VALUE) != VALUE:
+        raise TextError("compare", "what follows a removal is not compared with what goes before", "take the value")
+    scene = motion.study.scene
+    varied = variation(asked.change, scene, words, partial(_time_of, motion=motion, words=words))
+    try:
+        there = motion_of(varied.applied(scene))
+    except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
+        raise TextError("change", f"nothing follows: {error}", "remove it at another moment") from None
+    inner = posed(replace(asked, change="", compare=""), there, words_in(there.study.scene, words))
+    return replace(inner, varied=varied)
+
+
+def _time_of(when: str, change: SceneChange, *, motion: FollowedMotion, words: Words) -> float:
+    """Return the time of a moment, in seconds or the scene's unit of time, in a changed scene."""
+    there = motion_of(change.applied(motion.study.scene)) if change.values or change.fixed else motion
+    found = posed(StructuredQuestion("time", when=when), there, words).followed(there)
+    if found.answer is None:
+        raise TextError("change", f"{when!r} never comes: {found.reason}", "name a moment of the motion")
+    return found.answer
 
 
 def _is_plain_change(varied: SceneChange, scene: Scene) -> bool:

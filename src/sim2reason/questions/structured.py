@@ -16,6 +16,8 @@ from sim2reason.registry import nearest
 
 START = "at start"
 EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
+REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|when|after) )?(?P<when>.+))?$")
+"""A change that removes something at some moment of the motion: a string that is cut, a field that is switched off."""
 LONGEST = 200  # characters of a part
 _NUMBER = re.compile(rf"([+-]?(?:{DIGITS}\.?(?:{DIGITS})?|\.{DIGITS})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
@@ -33,11 +35,12 @@ class StructuredQuestion:
     greatest. Where several values of the number do, *velocity = 2 m/s, least* asks for the least of them. With
     `change`, such as *ramp.speed = 5 m/s*, or *ramp.speed × 2, box fixed*, it asks how the answer changes: `compare` is
     the *ratio* of the new value to the original one, which is the default, their *difference*, or the new *value*
-    itself. A number of the scene that is asked for is compared with the number that the scene has, if `compare` says
-    so. With *ramp.angle = greatest* it asks for the answer's greatest value; with *left.block.mass = infinity*, or *0*,
-    for the limit that the answer approaches. `of` may name several subjects of an energy or a mass, as *block A + block
-    B*, for the sum; `when` may name two moments, as *second bounced minus bounced*, for the value at the first less
-    that at the second.
+    itself. With *tendon_1 removed at 1.5 s*, it asks about the motion that follows when a string, a hand or a field
+    ceases to act. A number of the scene that is asked for is compared with the number that the scene has, if `compare`
+    says so. With *ramp.angle = greatest* it asks for the answer's greatest value; with *left.block.mass = infinity*, or
+    *0*, for the limit that the answer approaches. `of` may name several subjects of an energy or a mass, as *block A +
+    block B*, for the sum; `when` may name two moments, as *second bounced minus bounced*, for the value at the first
+    less that at the second.
     """
 
     find: str
@@ -65,7 +68,8 @@ class StructuredQuestion:
     def told(self) -> str:
         """Return the parts of the question as one text, for use where no sentence is available."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
-        parts |= {"change": self.change, "compare": self.compare or ("ratio" if self.change else "")}
+        compare = self.compare or ("ratio" if self.change and REMOVAL.search(self.change) is None else "")
+        parts |= {"change": self.change, "compare": compare}
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 

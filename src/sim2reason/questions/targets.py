@@ -15,9 +15,14 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path, turning_axes
+from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
 
+OWN_PATH, OWN_AXLE = "its path", "its axle"
+"""Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""
 _SIZE = re.compile(r"the (?:magnitude of the )?([a-z ]+) (?:of|in) \{")  # as in: the speed of {body}
 
 
@@ -117,9 +122,20 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     if quantity.sense is not None or not asked.along:
         return Target(quantity.name, name, quantity.sense)
     senses = quantity.of.senses(mechanism, name)
+    if asked.along in (OWN_PATH, OWN_AXLE):
+        senses = _own_line(asked.along, quantity, mechanism, name)
     if not (quantity.vector or quantity.along) or not senses:
         raise TextError("along", f"{quantity.name} has no components here", "leave it out")
     return Target(quantity.name, name, sense_named("along", asked.along, senses))
+
+
+def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -> list[Sense]:
+    """Return the direction of the only line along which a body moves, or about which it turns; none if it has none."""
+    if along == OWN_AXLE and quantity.of.name == TurningBodies.name:
+        axes = turning_axes(mechanism, name)
+        return [Sense(OWN_AXLE, axes[0][1])] if len(axes) == 1 else []
+    path = center_path(mechanism, name) if along == OWN_PATH and quantity.of.name == Bodies.name else None
+    return [Sense(OWN_PATH, path.ways[0])] if path is not None and path.straight and len(path.ways) == 1 else []
 
 
 @lru_cache(maxsize=4)

@@ -31,6 +31,9 @@ MEASURES = {
     "frequency": Measured("frequency", "Hz", least=1e-2),
     "angular frequency": Measured("angular frequency", "rad/s", least=1e-2),
 }
+PENDULUM = "equivalent pendulum length"
+PEOPLE = {PENDULUM: Measured("length of a simple pendulum of the same period", "m", least=1e-3)}
+"""What only people ask for: the length of the simple pendulum whose small swings have the same period."""
 OFTEN = (0.6, 0.25, 0.15)
 EVEN = 0.5
 MANY = 3  # modes: of more, no number can be found on paper
@@ -108,7 +111,9 @@ class PeriodKind(Kind):
             if found is None:
                 return None
             period = found
-        return {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}[query.measure]
+        length = float(np.linalg.norm(study.mechanism.gravity)) * (period / (2.0 * pi)) ** 2
+        found = {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}
+        return {**found, PENDULUM: length or None}[query.measure]
 
     def time(self, query: Query, study: Study) -> float | None:
         """When the motion has come round; small oscillations don't depend on it."""
@@ -138,9 +143,9 @@ class PeriodKind(Kind):
         return disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
-        """A period, a frequency, or an angular frequency."""
+        """A period, a frequency, an angular frequency, or a length."""
         assert isinstance(query, PeriodQuery)
-        return MEASURES[query.measure]
+        return {**MEASURES, **PEOPLE}[query.measure]
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
         """How the motion begins, and what moves the equilibrium alone, as a weight on a spring or a slope does."""
@@ -151,7 +156,7 @@ class PeriodKind(Kind):
         """As in: find the period of small oscillations of the block about the position of equilibrium."""
         del noun
         assert isinstance(query, PeriodQuery)
-        return sentences(query, words)
+        return sentences(query, words) if query.measure in MEASURES else ()
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: the period of small oscillations of the block about the position of equilibrium."""
@@ -160,9 +165,8 @@ class PeriodKind(Kind):
         return (noun_of(query, words),)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Return the names of the measures: period, frequency and angular frequency."""
-        del words
-        return tuple(MEASURES)
+        """Return the names of the measures: period, frequency, angular frequency, and a length where there is g."""
+        return (*MEASURES, *(PEOPLE if any(words.mechanism.gravity) else ()))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
         """Return the query for the period of the motion, or of the slowest small oscillation about equilibrium."""

@@ -192,7 +192,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         names = "|".join(_ignoring_case(name) for name in sorted(alike))
         found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b(?!\.\d)"))
         found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction|\.\d)"))
-        found.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern})"))
+        found.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern}|['’]s )"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()
         alone = _others(noun, phrase, heads) if unique else set[str]()

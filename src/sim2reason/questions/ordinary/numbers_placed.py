@@ -4,12 +4,14 @@ from collections.abc import Iterable, Iterator
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.wanted import AT_REST, WantedNumber, wanted
 from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.targets import OWN_PATH
 from sim2reason.questions.words import Words
 
 
@@ -48,8 +50,9 @@ def without_acceleration(path: str, names: Iterable[str], words: Words) -> Itera
     """Yield the question for the number with which a body has no acceleration, for each body that moves on a line."""
     for name in names:
         senses = Bodies().senses(words.mechanism, name)
-        if len(senses) == 1:
-            given = f"acceleration along {senses[0].positive} = 0 m/s^2"
+        if len(senses) == 1 or (not senses and center_path(words.mechanism, name).straight):
+            along = senses[0].positive if senses else OWN_PATH
+            given = f"acceleration along {along} = 0 m/s^2"
             yield Reading(StructuredQuestion(path, name, START, given=given))
 
 

@@ -16,9 +16,10 @@ from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
 from sim2reason.questions.ordinary.vocabulary import SLOWER
+from sim2reason.questions.ordinary.whatif.blows import of_blow
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
-from sim2reason.questions.ordinary.whatif.two_motions import goes_on_otherwise
+from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING
 from sim2reason.questions.posing import PosedQuestion, posed
@@ -41,15 +42,17 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     heard = hear(sentence, words)
     found = (
         of_small_oscillations(heard, motion, words, READER)
+        or of_blow(heard, motion, words, READER)
         or understood_as_it_is(heard, motion, words)
         or in_changed_scene(heard, motion, words, READER)
         or number_making_so(heard, motion, words, READER)
+        or after_removal_of_things(heard, motion, words, READER)
     )
     if found is None and goes_on_otherwise(heard.text):
         raise TextError(
             "question",
-            "it asks about a motion that goes on otherwise after something is cut or let go, which no scene has",
-            "ask for the speed at that moment, and describe what follows as a scene of its own",
+            "it supposes that something is cut or let go, and it is not clear what follows it, or at which moment",
+            "say when it is cut, and ask how much farther or how fast something moves from then on",
         )
     return found
 

@@ -157,9 +157,9 @@ def _is_predicate(said: str) -> bool:
     )
 
 
+_GOES = rf"(?:move|fall|rise|accelerate|drop|sink|slide)s?(?: (?:on|over|along) (?:it|{_S}|top of {_S}))?"
 _MEANWHILE = re.compile(
-    rf"(?: ,)? (?:while|as) (?P<who>{_S}(?: and {_S})?) (?:(?:move|fall|rise|accelerate)s?"
-    rf"|slides? (?:on|over|along) (?:it|{_S}|top of {_S}))$"
+    rf"(?: ,)? (?:while|as) (?P<who>{_S}(?: and {_S})?) (?:{_GOES})(?: and (?P<other>{_S}) (?:{_GOES}))?$"
 )
 
 
@@ -168,7 +168,8 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
     meanwhile = _MEANWHILE.search(bare)
-    moving = tuple(map(heard.subject, re.findall(_S, meanwhile["who"]))) if meanwhile is not None else ()
+    who = f"{meanwhile['who']} {meanwhile['other'] or ''}" if meanwhile is not None else ""
+    moving = tuple(map(heard.subject, re.findall(_S, who)))
     bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
@@ -192,5 +193,8 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
             if both is not None
             else heard.subject(who or None)
         )
-        return StatedCondition(outcome, named, taut=taut, moving=moving)
+        stated = re.findall(r"#\d+#", found[0])
+        return StatedCondition(
+            outcome, named, stated=heard.number(stated[0]) if stated else "", taut=taut, moving=moving
+        )
     return None

@@ -273,7 +273,7 @@ def _wanted(found: re.Match[str], number: NamedNumber) -> WantedFrame:
     least, greatest = (groups.get("least") or groups.get("atleast")), (groups.get("greatest") or groups.get("atmost"))
     end = LEAST if least else GREATEST if greatest else ""
     compare = RATIO if groups.get("ratio") else DIFFERENCE if groups.get("difference") else VALUE
-    said = groups.get("s") or ""
+    said = groups.get("s") or (groups.get("own") or groups.get("of") or "" if compare != VALUE else "")
     grows = True if groups.get("more") else False if groups.get("less") else None
     return WantedFrame(number, end, compare, groups["c"].strip(" ,"), said, grows)
 

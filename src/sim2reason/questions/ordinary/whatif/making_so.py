@@ -1,5 +1,6 @@
 """Understanding of questions for a number that brings something about: *what mass must B have for A to slip*."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import isclose, isfinite
@@ -7,21 +8,23 @@ from math import isclose, isfinite
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
-from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, motion_of
+from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
 from sim2reason.questions.inversion import values_giving
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
-from sim2reason.questions.ordinary.whatif.numbers import paths_of
+from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
+    CIRCULAR_SPEED,
     by_outcome,
     moves_nevertheless,
     on_the_other_side,
-    slips_nevertheless,
 )
 from sim2reason.questions.ordinary.whatif.plainer import plainer
+from sim2reason.questions.ordinary.whatif.special_outcomes import slips_nevertheless
 from sim2reason.questions.ordinary.whatif.understanding import of_all
+from sim2reason.questions.ordinary.whatif.weights import with_weights
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE
@@ -33,6 +36,7 @@ SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any
 OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
 MOST = 4  # readings of a result whose numbers are looked for
+_FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
@@ -41,13 +45,16 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
     """
+    if _FROM_BOTTOM.search(heard.text) and not is_zero("swing angle", motion.study.scene):
+        return None
+    heard = with_weights(heard, motion.study.scene, words)
     text = plainer(heard.text)
     told = replace(heard, text=text)
     found: list[Understood] = []
     for frame in framed(text, told):
         for condition in conditions(frame.condition, frame.subject, told):
             meant = _meant(frame, condition, told, motion, words, reader)
-            if meant is not None:
+            if meant is not None and not (meant.asked.find == CIRCULAR_SPEED and "direction" in heard.text):
                 found.append(_checked(frame, meant, motion))
         if found:
             break
@@ -104,11 +111,10 @@ def _by_result(
         unknown = question.unknown
         if unknown is None or not _ever(question, motion):
             continue
-        values = _distinct(values_giving(question.query, question.given, unknown, motion.study))
-        if frame.end:
-            values = [values[0 if frame.end == LEAST else -1]] if values else []
+        values = _of_end(frame.end, _distinct(values_giving(question.query, question.given, unknown, motion.study)))
         meant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
+        leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
@@ -121,6 +127,23 @@ def _by_result(
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
     return next(iter(answered or found), None)
+
+
+def _of_end(end: str, values: list[float]) -> list[float]:
+    """Return the least or the greatest of some values in order, if the end is stated; else all."""
+    return values if not end else values[:1] if end == LEAST else values[-1:]
+
+
+def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, motion: FollowedMotion) -> list[float]:
+    """Return those of several values of a number with which no string is slack before a question's answer, if any."""
+
+    def stays_taut(value: float) -> bool:
+        study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
+        time = study.time(question.query.moment) if question.query.moment is not None else None
+        until = study.trace.stable_until if time is None else time
+        return not any(event.kind in ("slack", "taut") and event.time <= until for event in study.trace.events)
+
+    return [value for value in values if stays_taut(value)] or values if len(values) > 1 else values
 
 
 def _distinct(values: Sequence[float]) -> list[float]:
@@ -168,7 +191,8 @@ def _askable(
         if MINUS not in plain.asked.when:
             yield plain.asked, plain.posed.unit(words)
         return
-    seen = dict.fromkeys(reading.asked for reading in reader.readings(heard, motion, words))
+    found = [*reader.readings(heard, motion, words), *reader.readings(_of_first(heard), motion, words)]
+    seen = dict.fromkeys(reading.asked for reading in found)
     for asked in list(seen)[:MOST]:
         try:
             question = posed(asked, motion, words)
@@ -176,6 +200,12 @@ def _askable(
             continue
         if question.unknown is None and question.less is None:
             yield asked, question.unit(words)
+
+
+def _of_first(heard: Heard) -> Heard:
+    """Return a question about the first of several bodies in place of all, for which the same is checked later."""
+    first = (said.removeprefix(f"{ALL} ").partition(" & ")[0] for said in heard.subjects)
+    return replace(heard, subjects=tuple(first))
 
 
 def _leads(

@@ -20,7 +20,7 @@ from sim2reason.questions.words import Words
 
 NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has
-NEVER_ZERO = "friction", "mass", "speed", "angular speed", "motion at start"
+NEVER_ZERO = "friction", "mass", "speed", "horizontal speed", "angular speed", "motion at start"
 MORE = 1.01  # times a number, to see what it decides
 EXACT = 1e-9  # relative: an initial speed that a body has
 
@@ -61,12 +61,14 @@ NUMBERS: Mapping[str, NumberKind] = {
     "burn rate": NumberKind(
         "burning rate|(?:fuel |propellant )?(?:consumption|burn|burning|combustion|mass flow|flow) rate|fuel rate"
         "|rate of (?:fuel consumption"
-        "|burning(?: of fuel)?|combustion|fuel burn)|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
+        "|burning(?: of fuel| (?:its )?fuel)?|combustion|fuel burn)"
+        "|rate at which (?:(?:its )?fuel is (?:burnt|burned|consumed|used)"
         "|(?:it|@\\d+@|engine) burns (?:its )?fuel)|fuel consumption",
         ("rate",),
         ("kg/s",),
     ),
     "speed": NumberKind(f"(?:{_STARTING} )?(?:speed|velocity)(?: of (?:projection|launch|throw|release))?", ("speed",)),
+    "horizontal speed": NumberKind("horizontal (?:launch |initial )?(?:speed|velocity)", ("speed",)),
     "friction": NumberKind(
         "coefficient of (?:(?:static|kinetic|sliding|static and kinetic|static or kinetic) )?friction"
         "|(?:(?:static|kinetic|sliding) )?(?:friction|frictional) coefficient",
@@ -159,6 +161,8 @@ def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
     if named.kind == EVERY_MASS:
         return tuple(path for path, _ in _of_kind("mass", study.scene))
     every = list(_of_kind(named.kind, study.scene))
+    if named.kind == "horizontal speed" and not is_zero("launch angle", study.scene):
+        return ()
     if not owners:
         return tuple(path for path, _ in every) if len(every) == 1 else ()
     if named.kind == "friction":
@@ -167,6 +171,11 @@ def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
         [path for path, held in every if _belongs(path, held, owner, study, words, len(every))] for owner in owners
     ]
     return tuple(paths[0] for paths in found) if all(len(paths) == 1 for paths in found) else ()
+
+
+def is_zero(kind: str, scene: Scene) -> bool:
+    """Return whether a scene has no number of a kind other than zero."""
+    return not any(value for _, value in _of_kind(kind, scene))
 
 
 def _each(said: str) -> Sequence[str]:

@@ -1,7 +1,6 @@
 """Questions for the number with which something comes about, such as that a block slips or that a planet escapes."""
 
 from collections.abc import Iterator, Sequence
-from math import inf
 
 import numpy as np
 
@@ -11,7 +10,6 @@ from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.meaning import Understood
@@ -23,6 +21,8 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
     CLIMBS,
     DESCENDS,
     ESCAPES,
+    GRIPS,
+    HALTED,
     HOLDS,
     LIFTS,
     RESTS,
@@ -30,21 +30,25 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
     ROUND,
     SINKS,
     SLACK,
+    SLIDES,
     SLIPS,
+    SPINS,
     STAYS,
     TAUT,
+    TILTED,
+    TIPS,
 )
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
-from sim2reason.questions.ordinary.whens import AFTER
+from sim2reason.questions.ordinary.whatif.special_outcomes import friction_needed, special_outcome
+from sim2reason.questions.outcomes.rises import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
 from sim2reason.questions.structured import START, StructuredQuestion
-from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
 
-NEEDED = "coefficient of friction needed"
-NEARLY = 1.0 - 1e-9
+CIRCULAR_SPEED = "circular speed"
 BEYOND = 1.0 + 1e-3  # times a number at which an outcome changes, to see what comes about beyond it
+MANY = 2  # directions in which a body moves that does not move along one line
 STILL = 1e-6  # of g: a smaller acceleration is none
 SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
@@ -56,6 +60,8 @@ THRESHOLDS = {
     ROUND: (("goes round", True), ("circles", True)),
     TAUT: (("goes slack", False),),
     SLACK: (("goes slack", True),),
+    SLIDES: (("sinks", False),),
+    TIPS: (("tips over", True),),
 }
 """By the outcome that a sentence names, the outcomes of the library to try, and whether each is to happen."""
 
@@ -71,22 +77,43 @@ def by_outcome(
     who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
-    if outcome == RESTS and (friction or (frame.end and rubs(words))):
-        outcome = HOLDS
+    outcome = _without_slipping(outcome, words, friction=friction, end=frame.end)
     if friction and outcome in (HOLDS, STAYS):
         of = who or next(iter(frame.number.owners), "")
-        if frame.end != GREATEST:
-            yield from _needed(path, of, motion, words, stopped=outcome == STAYS)
-    elif path and outcome == CLIMBS and rubs(words):
-        if _as_rough_at_rest(words):  # what just begins to climb then goes on without acceleration
-            yield from _thresholds(frame, condition, (("rises", True),), path, who)
+        stopped = outcome == STAYS
+        yield from friction_needed(path, of, motion, words, stopped=stopped) if frame.end != GREATEST else ()
+    elif path and outcome in (CLIMBS, DESCENDS) and rubs(words):
+        yield from _steadily(frame, condition, path, who, words)
+    elif outcome in (GRIPS, SPINS, HALTED, TILTED):
+        yield from special_outcome(frame, condition, path, who, motion, words)
     elif path and outcome in (RESTS, CLIMBS, DESCENDS):
         yield from _balanced(path, who, words)
-    elif path and outcome in (ESCAPES, BOUND, CIRCULAR):
+    elif outcome in (ESCAPES, BOUND, CIRCULAR):
         for pair in _orbits(who, words):
-            yield from _orbiting(outcome, path, pair, motion, words)
+            if outcome == CIRCULAR and frame.number.kind == "speed" and frame.compare == VALUE and not frame.end:
+                yield Reading(StructuredQuestion(CIRCULAR_SPEED, pair, START))
+            elif path:
+                yield from _orbiting(outcome, path, pair, motion, words)
     elif path and outcome in THRESHOLDS:
         yield from _thresholds(frame, condition, THRESHOLDS[outcome], path, who)
+
+
+def _without_slipping(outcome: str, words: Words, *, friction: bool, end: str) -> str:
+    """Return the outcome that *not slide down* or *stay at rest* means where friction decides about it."""
+    if outcome == SLIDES and friction:
+        return HOLDS if words.released else STAYS
+    return HOLDS if outcome == RESTS and (friction or (end and rubs(words))) else outcome
+
+
+def _steadily(frame: WantedFrame, condition: StatedCondition, path: str, who: str, words: Words) -> Iterator[Reading]:
+    """Yield the questions for the number with which a body just begins to move up or down a rough slope.
+
+    What just begins to climb then goes on without acceleration, if kinetic friction is as great as static friction.
+    """
+    row = ("rises", True) if condition.outcome == CLIMBS else ("sinks", True)
+    if _as_rough_at_rest(words):
+        for body in (who,) if who else _inclined(words):
+            yield from _thresholds(frame, condition, (row,), path, body)
 
 
 def _thresholds(
@@ -101,34 +128,15 @@ def _thresholds(
             yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
 
 
+def _inclined(words: Words) -> Iterator[str]:
+    """Yield the phrases of the bodies that lie on inclined faces and ride on no other body."""
+    for name, said in words.called(Bodies()).items():
+        if name in words.mechanism.contacts and name in Rises.candidates(words):
+            yield said
+
+
 def _as_rough_at_rest(words: Words) -> bool:
     return all(contact.static_ratio == 1.0 for contact in words.mechanism.contacts.values())
-
-
-def _needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stopped: bool) -> Iterator[Reading]:
-    """Yield the question for the least coefficient of friction with which a body stays at rest, or rolls.
-
-    If `stopped`, the body is set moving at the start, and is to stay at rest where it first stops.
-    """
-    if words.released if stopped else not words.released and not _rolling(words):
-        return
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
-    rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
-    if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
-        return  # the scene has a coefficient, but not the one that is meant
-    of = (
-        bodies.get(who, "")
-        if who in bodies and bodies[who] in rough
-        else next(iter(rough), "")
-        if len(rough) == 1
-        else ""
-    )
-    if of:
-        change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
-        slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
-        when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
-        asked = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
-        yield Reading(asked, side=AFTER, steady=not change)
 
 
 def on_the_other_side(
@@ -166,18 +174,6 @@ def moves_nevertheless(found: Understood, condition: StatedCondition, motion: Fo
     return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, told))
 
 
-def slips_nevertheless(found: Understood) -> bool:
-    """Return whether a body slips even with the greatest coefficient of friction that a scene can have."""
-    if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
-        return False
-    _, most = found.posed.varied.values[0]
-    return found.followed.answer >= NEARLY * most
-
-
-def _rolling(words: Words) -> bool:
-    return any(rolls(words, name) for name in words.mechanism.contacts)
-
-
 def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
     """Yield the questions for the number with which a body, or each body, has no acceleration.
 
@@ -186,11 +182,11 @@ def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
     alone = addresses(words).get(who)
     if rubs(words):
         contact = words.mechanism.contacts.get(alone or "")
-        if contact is None or contact.friction > 0.0 or not Bodies().senses(words.mechanism, contact.subject):
+        if contact is None or contact.friction > 0.0:
             return  # within a whole range of numbers
     bodies = words.called(Bodies())
     senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
-    yield from without_acceleration(path, (alone,) if alone is not None and len(senses) == 1 else bodies, words)
+    yield from without_acceleration(path, (alone,) if alone is not None and len(senses) < MANY else bodies, words)
 
 
 def _orbits(who: str, words: Words) -> Iterator[str]:

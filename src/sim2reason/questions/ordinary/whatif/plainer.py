@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import compiled
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
+from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS
 
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
 _SAME = "(?:same|unchanged|present|given|original|this same|that same)"
@@ -33,6 +34,7 @@ _CONSTANT = re.compile(
     r"|coefficient of friction|initial speed)\. "
     r"|\b(?:fully fuelled|fully fueled|fully loaded|bored) (?=@)"
     r"|(?: ,)? instead(?! of)(?: ,)?"
+    rf"|(?: ,)? (?:with )?(?:its )?(?:{_NOUNS}) (?:{_HELD} )*(?:same|unchanged)(?:$| ,)"
 )
 """Phrases that say only that everything else stays as it is, such as *at the same angle*."""
 
@@ -133,7 +135,7 @@ def _compared(found: re.Match[str]) -> str:
 def plainer(text: str) -> str:
     """Return a question for a number of the scene in plainer words."""
     said = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
-    for told, plain in PLAINER.items():
+    for told, plain in (*TURNS.items(), *PLAINER.items()):
         said = compiled(told).sub(plain, said)
     said = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, said))
     bound = re.match("(LEAST|GREATEST) ", said)

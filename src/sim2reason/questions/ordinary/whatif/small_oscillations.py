@@ -3,6 +3,7 @@
 import re
 
 from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.kinds.period import PENDULUM
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.reading import Reading
@@ -47,6 +48,38 @@ OF_MOTION = (
     rf"{_ASK} small(?:-angle|-amplitude)? {_MEASURE} of (?:@0@ 's (?:oscillations?|swings?|motion)|@0@)",
 )
 """Patterns that presume that the motion in the scene is itself a small oscillation, unlike `PATTERNS`."""
+_LONG = "(?:how long|of what length|what length)"
+_SIMPLE = "(?:simple|mathematical) pendulum"
+_SAME = (
+    "(?:swing|oscillate|vibrate|have|keep|move)(?: (?:with|at|in))?(?: same)?(?: small-?oscillation)? "
+    r"(?:period|frequency|time|step)(?: (?:as|with) (?:that of )?(?:this |that )?(?:@\d+@|one|system|body|pendulum))"
+)
+_SMALLER = rf"(?:(?: ,)? (?:when|if|for|in case of|provided) (?:its |their |both )?(?:swings|{_SMALL})(?: are small)?)?"
+PENDULUMS = (
+    (
+        rf"{_LONG} (?:would|must|should|does) {_SIMPLE} (?:have to |need to )?be (?:to|in order to|so that it"
+        rf"|if it is to|for it to) {_SAME}{_SMALLER}"
+    ),
+    (
+        rf"{_ASK} length of {_SIMPLE} (?:that|which) (?:would )?(?:{_SAME}|(?:swings|has|oscillates)[a-z ]* (?:period|"
+        rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}"
+    ),
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? for its (?:period|frequency) to"
+        r" (?:equal|be equal to|be same as) (?:that|period) of (?:small (?:swings|oscillations) of )?(?:this )?@\d+@"
+    ),
+    rf"(?:how long is|{_ASK} length of) {_SIMPLE} with same (?:period|frequency)(?: of small (?:oscillations|swings))?",
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it"
+        rf"|if it is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
+    ),
+    (
+        rf"{_ASK} length of {_SIMPLE} (?:with|of) same (?:small )?(?:period|frequency)(?: of small oscillations)?"
+        rf"(?: as (?:this |that )?@\d+@)?{_SMALLER}"
+    ),
+    rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",
+)
+"""Patterns of questions for the length of the simple pendulum whose small swings have the same period."""
 SMALL = 20.0  # degrees: what swings farther than that does not swing through small angles
 
 
@@ -59,11 +92,17 @@ def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
 
 def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
+    if any(re.fullmatch(told, heard.text) for told in PENDULUMS):
+        return _in_one_mode(PENDULUM, motion, words, reader)
     for number, told in enumerate((*PATTERNS, *OF_MOTION)):
         found = re.fullmatch(told, heard.text)
         if found is not None and (number < len(PATTERNS) or _is_small(motion, words, reader)):
-            reading = Reading(StructuredQuestion(found["q"], "", EQUILIBRIUM))
-            meant = reader.first_of([reading], motion, words)
-            query = meant.posed.query if meant is not None else None
-            return meant if isinstance(query, PeriodQuery) and query.modes == 1 else None
+            return _in_one_mode(found["q"], motion, words, reader)
     return None
+
+
+def _in_one_mode(measure: str, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the question for a measure of small oscillations if there is only one mode of them; else None."""
+    meant = reader.first_of([Reading(StructuredQuestion(measure, "", EQUILIBRIUM))], motion, words)
+    query = meant.posed.query if meant is not None else None
+    return meant if isinstance(query, PeriodQuery) and query.modes == 1 else None

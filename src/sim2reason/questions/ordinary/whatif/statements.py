@@ -143,7 +143,15 @@ LENGTHS = (
         ),
         "how high does {s} rise{rest}",
     ),
+    (
+        rf"(?P<s>{_S}) (?:come to rest|stop|halt|come to stop|come to halt) (?:after|within) {_N}",
+        "how far does {s} move before {s} stops",
+    ),
     (rf"(?P<s>{_S}) go down {_ABOUT}{_N}", "how far down does {s} go"),
+    (
+        rf"(?P<s>{_S}) (?:get|go|move|come)s? (?:no (?:farther|further) than|at most) {_N}(?P<rest> .+)?",
+        "how far{rest} does {s} get at most",
+    ),
     (rf"(?P<s>{_S}) (?:rise|rises|get|go|climb) {_ABOUT}{_N} high(?P<rest>.*)", "how high does {s} rise{rest}"),
     (
         rf"(?P<s>{_S}) (?P<verb>{_VERB}) (?:distance of )?{_ABOUT}{_N} (?P<dir>away|far)(?P<rest>.*)",

@@ -9,6 +9,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.addresses import addresses
@@ -68,7 +69,7 @@ def _answered(
 
 def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the meaning of a question; without a subject, of one about each moving body if all have one answer."""
-    found = reader.read(heard, motion, words)
+    found = reader.read(_with_only_subject(heard, words), motion, words)
     asks = re.match(
         r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )",
         heard.text,
@@ -82,6 +83,16 @@ def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -
     answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
     alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=EQUAL) for a in answers)
     return every[0] if alike and every else None
+
+
+def _with_only_subject(heard: Heard, words: Words) -> Heard:
+    """Return a question such as *what is greatest angular speed* as one about the only thing that moves or turns."""
+    asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", heard.text)
+    if asks is None:
+        return heard
+    alone = tuple(words.called(TurningBodies() if asks["turns"] else Bodies()).values())
+    alone = heard.subjects if len(heard.subjects) == 1 and heard.subjects[0] in alone else alone
+    return replace(heard, text=f"{heard.text} of @0@", subjects=alone) if len(alone) == 1 else heard
 
 
 def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Followed:
