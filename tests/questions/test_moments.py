@@ -28,6 +28,7 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.parts.spring_turn import SpringTurn
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -315,3 +316,13 @@ def test_a_speed_that_only_touches_zero_is_at_rest_then(speed: float, rests: flo
     for duration in (2.0, 64.0):
         found = Stopped("bead.particle").time(Study.of(scene, np.linspace(0.0, duration, 11)).trace)
         assert found == (pytest.approx(rests, abs=1e-6) if rests is not None else None)
+
+
+def test_a_relaxed_spring_has_its_natural_length_again_after_half_a_period() -> None:
+    """Of two carts on one spring, one of which is struck: the reduced mass μ oscillates, and t = π √(μ/k)."""
+    scene = row((1.6, 1.1), (79.0,), "free", speed=1.7)
+    trace, words = simulate(scene), words_of(describe(scene))
+    (moment,) = NaturalLength.parsed("the spring", trace, words)
+    assert moment.time(trace) == pytest.approx(pi * sqrt(1.6 * 1.1 / 2.7 / 79.0), rel=1e-9)
+    assert "has its natural length again" in moment.phrases(words)[0]
+    assert not NaturalLength.found(Study(scene, trace), words, np.random.default_rng(0))

@@ -29,9 +29,9 @@ class Puck(Body):
     symbols = {"vx": "v_x", "vy": "v_y"}
     words = {
         "moving": Word("vx", {0.0: "{moving_across}"}, "with velocity ({vx}, {vy})"),
-        "moving_across": Word("vy", {0.0: "at rest"}, "with velocity components 0 along x and {vy} along y"),
+        "moving_across": Word("vy", {0.0: "at rest"}, "with velocity (0 m/s, {vy})"),
         "motion": Word("vx", {0.0: "{motion_across}"}, "moving with velocity ({vx}, {vy})"),
-        "motion_across": Word("vy", {0.0: "at rest"}, "moving in the y direction, with a velocity component of {vy}"),
+        "motion_across": Word("vy", {0.0: "at rest"}, "moving with velocity (0 m/s, {vy})"),
     }
 
     @property

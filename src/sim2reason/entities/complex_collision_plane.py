@@ -37,7 +37,7 @@ from sim2reason.entities.parts.neighbours import (
     fit,
 )
 
-ALIKE = 0.6  # the chance that all of them are blocks, or balls, if they are drawn
+ALIKE = 0.95  # the chance that all of them are blocks, or balls, if they are drawn
 NEAREST = 0.01  # m, between neighbours at the start
 LONGEST = 10.0  # s
 PASSES = 5.0  # times that the fastest would run past all the others, that the motion is followed for

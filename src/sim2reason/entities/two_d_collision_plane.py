@@ -131,7 +131,7 @@ class TwoDCollisionPlane(Entity):
         assuming(
             "{of_all}.",
             "{of_any}.",
-            "{pairs?whenever {pucks:/the two/two} {pucks:s} meet/when any other two meet}, {of_two}.",
+            "{pairs?{pucks:/when they meet/whenever two {pucks:s} meet}/when any other two meet}, {of_two}.",
         ),
     )
 

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import Effect, effects
 
-ALLOWED = {"easy": 0, "medium": 1, "hard": 1}
+ALLOWED = {"easy": 0, "medium": 0, "hard": 1}
 
 
 class Shortcut(Filter):
     """A part of the scene can be held or left out, and the answer stays within the tolerance, or nearly.
 
-    An easy problem has no such part; of others one may have none, and is recorded as a distraction. What changes the
-    answer a little, but might be forgotten, would be paid for.
+    A hard problem in numbers may have one such part, which is recorded as a distraction; other problems have none. What
+    changes the answer a little, but might be forgotten, would be paid for.
     """
 
     order = 6
@@ -20,12 +20,13 @@ class Shortcut(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Hold and leave out what can be, part by part."""
         idle = dict[str, Effect]()
+        allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
         for effect in effects(candidate, part=True):
             if not effect.close:
                 continue
             idle.setdefault(effect.subject, effect)
             forgiven = effect.simplification.misleads and not effect.same
-            if forgiven or len(idle) > ALLOWED[candidate.difficulty]:
+            if forgiven or len(idle) > allowed:
                 return f"{effect.simplification.name}: {effect.subject} changes the answer by {effect.change:.2g}"
         return ""
 

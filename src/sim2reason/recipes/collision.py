@@ -78,7 +78,8 @@ TIERS = {
 
 WEIGHTS = {
     "count": 0.3,  # three collisions, or before some
-    "state": 0.3,  # places, where velocities are worth asking for
+    "state": 0.1,  # places, where velocities are worth asking for
+    "time_to_event": 0.15,
     "reverse.state": 0.1,
     "reverse.sum": 0.3,
     "comparison": 0.2,

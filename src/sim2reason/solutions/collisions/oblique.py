@@ -13,8 +13,8 @@ from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
 
-RESTITUTION = "Conservation of momentum and restitution along it"
-INELASTIC = "Conservation of momentum, and no relative velocity along it after the inelastic collision,"
+RESTITUTION = "Conservation of momentum and restitution along this line"
+INELASTIC = "Conservation of momentum, and no relative velocity along this line after the inelastic collision,"
 
 
 class Flights(Impacts):
@@ -171,16 +171,18 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     book, number = flights.book, flights.which(impact)
     _, u, _, labels = _relative(flights, impact)
     parts, when = _normal(flights, impact)
-    step, n = book.open("normal"), dict[str, Symbol]()
-    said: list[str] = []
-    for label, part in zip(labels, parts, strict=True):
-        n[label] = book.fresh("n", ",".join(part for part in (label, number) if part))
-        said.append(step.result(n[label], part, "", law=True))
-    step.say(f"{when} {joined(said)}.")
+    step = book.open("normal")
+    n = {label: book.fresh("n", ",".join(part for part in (label, number) if part)) for label in labels}
+    across = [label for label, w in zip(labels, u, strict=True) if w == ZERO]
+    told = {label: part for label, part in zip(labels, parts, strict=True) if label not in across}
+    step.say(f"{when} {joined([step.result(n[label], part, '', law=True) for label, part in told.items()])}.")
     approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
-    step.say(f"The relative velocity along it is {step.result(approach, along, SPEED, law=True)}.")
+    step.say(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
+    for label in across:  # which only velocities after the collision depend on
+        name, part = n[label], parts[labels.index(label)]
+        book.told("normal", f"The {label} component of the unit vector is", name, part)
     return n, approach
 
 
@@ -197,7 +199,8 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
         parts[axis] = _ahead(flights, u[axis], Root(added(Number(1.0), -Power(aside, 2))))
         other = X[1 - axis].latex()
         known = f"The relative velocity is along the {labels[axis]} axis, so ${other}$ does not change. "
-        return parts, f"{known}At {flights.collision(impact)} the unit vector along the line of centres is"
+        vector = f"the unit vector along the line of centres has the {labels[axis]} component"
+        return parts, f"{known}At {flights.collision(impact)} {vector}"
     time = flights.when(impact)
     span = time if since is None else flights.passed(since, time)
     parts = [ratio(added(x, multiplied(w, span)), distance) for x, w in zip(X, u, strict=True)]

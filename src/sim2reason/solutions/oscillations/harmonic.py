@@ -192,6 +192,8 @@ class Harmonic:
         """The phase ωt at which it is at a place, at about a time."""
         omega = self.numbers[0]
         apart = place - self.rest
+        if self.rest == place == ZERO:
+            return Number(round(omega * time / pi)) * PI
         if self.rest == ZERO:
             base: Expression = ZERO
             plain: Expression = Call("arcsin", self._share(place, self.begun))
