@@ -43,7 +43,7 @@ class NetForce(Quantity):
     signed = "the {component}net force on {body}"
     immediate = True
     needs = ("mass",)
-    weight = 0.8
+    weight = 0.4
     floor, heavy = 0.1, True
     order = 4
 
