@@ -194,7 +194,7 @@ class Turning(FieldMotion):
                 said = step.result(name, formula, SPEED, law=True)
             told.append(f"the {axis} component {said}")
         decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
-        turns = f"rotates with the angular velocity ${self.turning.latex()}${decays}"
+        turns = f"rotates at ${self.turning.latex()}${decays}"
         if self.drive is None:
             step.say(f"The velocity {turns}.")
         else:
