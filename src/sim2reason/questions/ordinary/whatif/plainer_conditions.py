@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
+from sim2reason.questions.ordinary.whatif.turns_of_limits import LIMIT_CONDITIONS
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
 
 _S = r"@\d+@"
@@ -106,6 +107,6 @@ def plainer_condition(said: str) -> str:
         "",
         said,
     )
-    for told, plain in (*TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
+    for told, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
         said = compiled(told).sub(plain, said)
     return said
