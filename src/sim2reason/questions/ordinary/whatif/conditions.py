@@ -153,7 +153,9 @@ def _statement(text: str, subject: str) -> str:
 def _is_predicate(said: str) -> bool:
     """Return whether a clause begins with a verb, so that it lacks its subject."""
     return pattern("QUANTITY").match(said) is None and not re.match(
-        r"(?:its|their|system|everything|all|both|period|it)\b", said
+        r"(?:its|their|system|everything|all|both|period|it|greatest|least|maximum|minimum|final|initial|largest|highest"
+        r"|lowest|smallest|top|amplitude|frequency)\b",
+        said,
     )
 
 

@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.whatif.turns_of_limits import LIMIT_CONDITION
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
 
 _S = r"@\d+@"
-_LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow)"
+_LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow|send|drive|push|carry)"
 _LIFTING = "(?:pulling|hauling|dragging|drawing|lifting|bringing|moving|raising|hoisting|towing)"
 _UP = rf"(?P<way>up|upwards|uphill|down|downwards|downhill)(?P<on> (?:{GROUNDS}))?"
 _STEADY = r"(?: (?:at|with) constant (?:speed|velocity)| steadily| uniformly| at steady speed| without acceleration)"

@@ -15,7 +15,7 @@ _NOUNS = "|".join(kind.nouns for name, kind in NUMBERS.items() if name != "motio
 _NUMBER = rf"(?:@\d+@ 's |its )?(?:{_NOUNS})(?: of @\d+@| between @\d+@ and (?:@\d+@|{GROUNDS}))?"
 _AUX = "(?:would|must|should|could|will|does|can|has|might|may|is|are|were|was|had)"
 _HAVE = "(?:have to |need to |has to |needs to |had to |to )?"
-_THING = rf"(?:@\d+@|{GROUNDS}|wall|surface|surfaces|engine|hand)"
+_THING = rf"(?:@\d+@|{GROUNDS}|wall|surface|surfaces|(?:electric |magnetic )?field)"
 _MORE = {
     "heavier|more massive": "mass",
     "stiffer|harder|stronger": "stiffness",
@@ -82,6 +82,7 @@ def _told(rest: str, meant: re.Match[str]) -> ToldDirection:
     groups = {name: group or "" for name, group in meant.groupdict().items()}
     if groups.get("adj"):
         kind, grows = _COMPARATIVES[groups["adj"]]
+        kind = groups["thing"] if groups["thing"].endswith("field") else kind
         return ToldDirection(rest, kind, _token(groups["thing"]), grows)
     if groups.get("rub") or groups.get("slip"):
         return ToldDirection(rest, "friction", "", bool(groups["rub"]))
@@ -115,13 +116,14 @@ def _of_value(text: str) -> ToldDirection | None:
         text,
     )
     found = found or re.match(
-        rf"to (?:what|which) (?P<n>{_NUMBER}) (?P<aux>{_AUX}) (?:@\d+@|it) {_HAVE}be (?:{_CHANGED}) (?=for |so |to |if |in )",
+        rf"to (?:what|which) (?P<n>{_NOUNS}) (?P<aux>{_AUX}) (?P<s>@\d+@) {_HAVE}be (?:{_CHANGED}) (?=for |so |to |if |in )",
         text,
     )
     if found is None:
         return None
     grows = True if found["up"] else False if found["down"] else None
-    return ToldDirection(f"what would {found['n']} have to be {text[found.end() :]}", grows=grows)
+    of = f" of {found['s']}" if found.groupdict().get("s") else ""
+    return ToldDirection(f"what would {found['n']}{of} have to be {text[found.end() :]}", grows=grows)
 
 
 def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: Heard) -> Iterator[WantedFrame]:
