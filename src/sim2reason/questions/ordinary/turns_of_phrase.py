@@ -71,6 +71,10 @@ TURNS: Mapping[str, str] = {
     "|bearing|support) of (?P<s2>@\\d+@)) (?:loaded|strained|stressed|pulled|pressed)": (
         r"what load does axle of \g<s>\g<s2> carry"
     ),
+    "^(?:with what (?:force|load)|how (?:strongly|heavily|hard)) is (?P<o>axle|bearing|pivot) (?:loaded|strained|stressed|pulled|pressed)": (
+        r"what is force on \g<o>"
+    ),
+    "\\bat (?:its |@\\d+@ 's )?(?P<p>lowest|highest) point of (?:its |this |that )?(?:swing|motion|path|arc|circle)\\b": r"at \g<p> point",
     "^(?P<how>how (?:large|great|big|strong|high) (?:does|do|will|can) .+?) (?:become|grow|be|turn out) at (?:most|maximum)$": (
         r"\g<how> get at most"
     ),
@@ -85,7 +89,7 @@ TURNS: Mapping[str, str] = {
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START"
     " (?:until|till"
     "|to moment when) ": "how much time passes until ",
-    "(?P<s>@\\d+@) is (?:vertically|directly|straight|exactly) (?:below|under|underneath|beneath) (?:(?P=s)|axle)": (
+    "(?P<s>@\\d+@) (?:is|passes|swings|hangs|lies|moves) (?:vertically|directly|straight|exactly) (?:below|under|underneath|beneath) (?:(?P=s)|axle)": (
         r"\g<s> is at its lowest point"
     ),
     "(?P<s>@1@) (?P<verb>moved|slid|shifted|gone|recoiled|travelled) back (?=along|on|over)": r"\g<s> \g<verb> ",

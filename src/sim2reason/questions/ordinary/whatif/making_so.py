@@ -53,7 +53,8 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     told = replace(heard, text=plainer(direction.text))
     found: list[Understood] = []
     for frame in directed(framed(told.text, told), direction, told):
-        for condition in conditions(frame.condition, frame.subject, told):
+        alone = "@0@" if len(heard.subjects) == 1 and "@" not in told.text else ""
+        for condition in conditions(frame.condition, frame.subject or alone, told):
             meant = _meant(frame, condition, told, motion, words, reader)
             if meant is not None and not (meant.asked.find == CIRCULAR_SPEED and "direction" in heard.text):
                 found.append(_checked(frame, meant, motion))

@@ -52,6 +52,8 @@ _SUPPOSED = (
     r"|varied|adjusted|adjustable|variable|not known|unknown)",
     rf"(?P<thing>@\d+@) (?:by|for|with) {_OTHER}",
     rf"(?:there {_WERE} )?(?:(?P<rub>more)|(?P<slip>less)) friction",
+    r"hand (?:pulls|pulled|were to pull|tugs|tugged)(?: (?:much|even|somewhat|a little|slightly))? (?:(?P<hard>harder|more strongly)"
+    r"|less (?:hard|strongly)|more gently)",
 )
 
 
@@ -86,6 +88,8 @@ def _told(rest: str, meant: re.Match[str]) -> ToldDirection:
         return ToldDirection(rest, kind, _token(groups["thing"]), grows)
     if groups.get("rub") or groups.get("slip"):
         return ToldDirection(rest, "friction", "", bool(groups["rub"]))
+    if meant[0].startswith("hand "):
+        return ToldDirection(rest, "force", "", bool(groups.get("hard")))
     number = groups.get("n", "")
     grows = True if groups.get("more") else False if groups.get("less") else None
     return ToldDirection(rest, _kind(number), _token(number or groups["thing"]), grows)

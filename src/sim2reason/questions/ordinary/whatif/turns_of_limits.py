@@ -32,11 +32,41 @@ _REACHED = (
     r"(?:(?: ,)? (?:but|and|yet|though|while) (?:just |only )*(?:reach|reaches|reached|attain|attains|get to|gets to|come to|touch)(?:es)?"
     r" (?:this|that|just that|exactly that)(?: \w+)?(?: once)?)?"
 )
-_OWNER = rf"(?:gas(?:es)?|exhaust(?: gas(?:es)?)?|engine|hand|pull|motor|field|{GROUNDS})"
+_OWNER = rf"(?:hand 's pull|pull of hand|blow|gas(?:es)?|exhaust(?: gas(?:es)?)?|engine|hand|pull|motor|field|{GROUNDS})"
 _SET = "(?:set going|set sliding|set rolling|set spinning|kicked off|propelled|driven|shoved|sent|flung|hurled|tossed|pushed off)"
 _BREAK = "(?:break|snap|tear|give way|rip)"
 _EXTRA = "(?:extra|additional|further|more)"
 LIMIT_TURNS: Mapping[str, str] = {
+    r" just (?=to (?:keep|hold|make|let|set|get|move|pull|lift|prevent|stop|start|bring|cause)\b)": " ",
+    rf"\b(?:two|both) (?:parts|sides|halves|sections|strands|ends|portions) of (?={_S})": "",
+    r"\bweight in (?:kg|kilograms)\b": "mass",
+    rf"^from (?:what|which) {_N} (?:on|onwards|upwards) ,? ?(?={_AUX} )": r"for what least \g<n> ",
+    rf"^what length (?P<a>{_AUX}) (?P<s>{_S}) (?:have to )?(?:have|be given|be put at) (?:at start|initially) {_NEXT}": (
+        r"what initial length \g<a> \g<s> need "
+    ),
+    rf"^by (?:what|which) factor {_AUX} (?P<s>{_S}) {_HAVE}be (?:lengthened|made longer|extended) {_NEXT}": (
+        r"by what factor must length of \g<s> be increased "
+    ),
+    rf"^how (?:fast|quickly) (?P<a>{_AUX}) (?P<b>blow|kick|push|hammer) {_HAVE}make (?P<s>{_S}) (?:move|go|travel|start|slide)(?: off)? {_NEXT}": (
+        r"how fast \g<a> \g<b> have to send \g<s> "
+    ),
+    rf"^how much (?:of its )?mass {_AUX} {_HAVE}be (?:taken away|removed|taken off|taken)(?: from| off| away from)? (?P<s>{_S}) {_NEXT}": (
+        r"by how much must mass of \g<s> be reduced "
+    ),
+    r" with (?:this|that|same|given) (?:engine|motor|string|pull|force|hand)$": "",
+    rf"^how many times (?:stronger|more intense) (?={_AUX} )": "how many times larger ",
+    rf"^(?P<h>(?:with |at |by )?(?:what|how) [a-z ]*?)(?P<a>{_AUX}) (?P<s>{_S}) (?P<b>at (?:least|most)) (?=be |have |start|move|need)": (
+        r"\g<b> \g<h>\g<a> \g<s> "
+    ),
+    rf"^if (?P<s>{_S}) (?:is|are|was|were) to make {_S} over (?P<t>top|highest point) , (?P<r>.+)$": (
+        r"\g<r> for \g<s> to go over \g<t>"
+    ),
+    r"\b(?P<q>speed|velocity) at (?:its |very )?(?:bottom|lowest point) (?=(?:with|for|at) which .*\bround\b)": r"\g<q> ",
+    rf"^what is escape (?:speed|velocity) (?:of (?P<s>{_S})(?: (?:at|from) (?:its )?(?:initial|starting|present) (?:position|distance|point|place))?"
+    rf"|(?:at|from) (?P<s2>{_S}) 's (?:initial|starting|present) (?:position|distance|point|place))(?: from {_S})?$": (
+        r"what least speed must \g<s>\g<s2> have to escape"
+    ),
+    r"\b(?P<q>speed|velocity) (?:given|imparted) by (?:blow|kick) (?=be|is|have)": r"\g<q> ",
     rf"^(?P<h>(?:with |at )?(?:what|which|how) .+? (?:have to |need to )?be) {_SET}(?P<c>(?: (?:up|down|off|along)(?: (?:{GROUNDS}))?)?)"
     rf"(?: (?:at|from) (?:its |very )?(?:bottom|lowest point)(?=.*(?:circle|round|over|top)))? {_NEXT}": r"\g<h> launched\g<c> ",
     rf"^(?:what|which) {_VALUE} {_AUX} {_N} (?:need to |have to |needs to |need )?(?:have|take|take on|assume|be)"
@@ -100,6 +130,30 @@ LIMIT_TURNS: Mapping[str, str] = {
 }
 """By the pattern of a part of a question without articles, plainer words with the same meaning."""
 LIMIT_CONDITIONS: Mapping[str, str] = {
+    r"\b(?P<v>come to rest|come to halt|come to stop|stop|halt) (?:after|within) (?:having |it has |@\d+@ has )?(?:sliding|rolling|moving"
+    r"|travelling|going|slid|rolled|moved|travelled|gone|sliding through|covering|covered)(?: for)? (?P<n>#\d+#)": r"\g<v> after \g<n>",
+    rf"^(?:keep|hold|let|leave)s? (?P<s>{_S})(?: (?:at rest|still|there|stay|staying|resting))* where (?:{_S}|it) (?:has |have )?"
+    r"(?:stops?|stopped|comes? to rest|comes? to stop)$": r"\g<s> stay at rest where it stop",
+    rf"^(?P<s>{_S}|it) (?:would |to )?(?:stay|remain|lie|rest)s?(?: at rest| still)? where (?:{_S}|it) (?:has |have )?(?:stops?|stopped|comes? to rest"
+    r"|comes? to stop)$": r"\g<s> stay at rest where it stop",
+    rf"^(?P<s>{_S}) (?:to )?be (?P<m>twice|half|three times|four times) as fast(?P<r>(?: (?:at|when|as) .+)?)$": (
+        r"speed of \g<s>\g<r> be \g<m> as large"
+    ),
+    r"^(?:its |@\d+@ 's )?(?:circle|orbit|circular path|circular orbit) (?:to )?be (?P<m>twice|half|three times|four times) as (?:large|big|wide)$": (
+        r"radius of path be \g<m> as large"
+    ),
+    r"\b(?P<v>land|lands|hit ground|come down) (?P<n>#\d+#) (?:away )?from (?:foot of|point (?:directly |vertically )?(?:below|under)) (?:launch(?:ing)? point"
+    r"|thrower|point of (?:projection|launch|release|throw)|tower|cliff|building|starting point)$": r"\g<v> \g<n> away",
+    rf"^(?P<s>{_S}) (?:is |to )?not (?:to )?(?:be )?(?:drawn|pulled|hauled|dragged|lifted|moved) up(?: (?:{GROUNDS}))?(?: by {_S})?$": r"\g<s> not rise up",
+    r"^nothing (?:starts?|begins?) to (?P<v>slide|slip|move)$": r"it not \g<v>",
+    r"\brolling (?:properly|truly|genuinely|purely)\b": "rolling without slipping",
+    r" (?:at some stage|at some point|in course of time|sooner or later)$": " at some time",
+    r"\b(?P<v>start|begin)s? rolling (?=without)": r"\g<v> to roll ",
+    r"\b(?:ends?|finish(?:es)?|winds?) up rolling\b": "finally roll",
+    r" (?:rather than|instead of) (?:just )?(?:fall|tip|sink|roll|drop)(?:ing)? back(?: (?:on|onto) .+)?$": "",
+    r"^(?:axle|bearing|pivot) (?:to )?(?:be )?(?:pulled|loaded|strained|stressed) (?:with|by) (?:force of )?(?P<n>#\d+#)(?P<r>(?: .+)?)$": (
+        r"force on axle\g<r> be \g<n>"
+    ),
     rf"^(?P<s>{_S}|system|everything|nothing|it) (?:is|are|was|were|ought|has|have)(?P<no> not)?(?: (?:meant|supposed|required|expected"
     r"|intended|just))? to (?=[a-z])": r"\g<s>\g<no> ",
     rf"^(?P<s>{_S}|system|everything|it) (?:would|will|should|shall|can|could|does)(?P<no> not)?(?: (?:still|just|always))* (?!have)(?=[a-z]+)": (
@@ -146,7 +200,7 @@ LIMIT_CONDITIONS: Mapping[str, str] = {
         r"\g<t> begin to move\g<way>\g<on>"
     ),
     rf"^(?P<t>{_S}) (?:to )?(?:just )?(?:be |get |gets |is )(?:drawn|pulled|hauled|dragged|carried|moved|lifted|raised|set moving|set going"
-    rf"|towed)(?P<way> up(?:wards)?| uphill)(?P<on> (?:{GROUNDS}))?$": r"\g<t> begin to move\g<way>\g<on>",
+    rf"|towed)(?P<way> up(?:wards)?| uphill)(?P<on> (?:{GROUNDS}))?(?: by {_S})?$": r"\g<t> begin to move\g<way>\g<on>",
     rf"^(?P<s>{_S}) (?:to )?(?:be |is |gets )?(?:never|not|at no time) (?:be |get |gets )?(?:ever )?{_STRAINED} {_MORE}"
     rf" (?P<n>#\d+#){_REACHED}$": r"greatest extension of \g<s> be \g<n>",
     rf"^(?P<s>{_S}) (?:to )?(?:be |is |gets )?(?:never|not|at no time) (?:be |get |gets )?(?:ever )?{_PRESSED} {_MORE}"
