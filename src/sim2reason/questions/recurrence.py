@@ -76,7 +76,9 @@ def drift_return(trace: Trace) -> float | None:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
         changes += [np.abs(here.q - start.q)[:, hinges]]
         changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
-        changes += [np.abs(_gap(here, *pair) - _gap(start, *pair)) / np.linalg.norm(_gap(start, *pair)) for pair in gaps]
+        changes += [
+            np.abs(_gap(here, *pair) - _gap(start, *pair)) / np.linalg.norm(_gap(start, *pair)) for pair in gaps
+        ]
         return all(float(change.max(initial=0.0)) <= same for change in changes)
 
     if not way.any():

@@ -56,8 +56,8 @@ _HIT_IT = re.compile(
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
 _UNDER_AXLE = re.compile(
-    r"(?P<before>\b(?:axle|pivot|hinge)\b.* (?:is|hangs|lies|passes|swings) (?:\w+ly |straight |exactly )*(?:below|beneath"
-    r"|under|underneath) )it\b"
+    r"(?P<before>\b(?:axle|pivot|hinge)\b.* (?:is|hangs|lies|passes|swings) (?:\w+ly |straight |exactly )*(?:below"
+    r"|beneath|under|underneath) )it\b"
 )
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
 _CENTERS = re.compile(

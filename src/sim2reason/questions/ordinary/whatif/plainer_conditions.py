@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
-from sim2reason.questions.ordinary.whatif.turns_of_limits import LIMIT_CONDITIONS
+from sim2reason.questions.ordinary.whatif.conditions_of_limits import LIMIT_CONDITIONS
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
 
 _S = r"@\d+@"

@@ -42,18 +42,23 @@ _SUPPOSE = (
     r"(?:(?:suppose|imagine|assume|consider|say)(?: now)?(?: that)? (?P<s>SAID)"
     r"|(?:let us |let |one |we |someone |you )?(?:now )?(?:replace|exchange|swap|change)s? (?P<swap>SAID))\. "
 ).replace("SAID", r"[^.#]+")
-_WERE = rf"(?:is|are|was|were|could be|can be|may be|had been|would be|be|becomes?|has|have|had)"
+_WERE = r"(?:is|are|was|were|could be|can be|may be|had been|would be|be|becomes?|has|have|had)"
 _MADE = "(?:made|chosen|taken|replaced by|exchanged for|swapped for|changed for|substituted by|changed|varied|adjusted)"
-_ONE = "(?:one|@\\d+@|block|body|ball|spring|load|string|cord|rope|cart|trolley|object|mass|weight|planet|star|disc|puck|rod|bead)"
+_ONE = (
+    "(?:one|@\\d+@|block|body|ball|spring|load|string|cord|rope|cart|trolley|object|mass|weight|planet|star"
+    "|disc|puck|rod|bead)"
+)
 _OTHER = rf"(?:a |another |some )?(?:(?P<adj>{_ADJ})|different|other|another)(?: {_ONE})?(?: instead)?"
 _SUPPOSED = (
     rf"(?P<thing>{_THING}) {_WERE} (?:{_MADE} )?(?:(?:much|even|somewhat|a little|slightly|made|still) )*{_OTHER}",
-    rf"(?P<n>{_NUMBER}) {_WERE} (?:(?:made|to|{_MADE}) )*(?:(?P<more>{_GREATER})|(?P<less>{_SMALLER})|different|changed"
-    r"|varied|adjusted|adjustable|variable|not known|unknown)",
+    (rf"(?P<n>{_NUMBER}) {_WERE} (?:(?:made|to|{_MADE}) )*(?:(?P<more>{_GREATER})|(?P<less>{_SMALLER})|different"
+    rf"|changed"
+    r"|varied|adjusted|adjustable|variable|not known|unknown)"),
     rf"(?P<thing>@\d+@) (?:by|for|with) {_OTHER}",
     rf"(?:there {_WERE} )?(?:(?P<rub>more)|(?P<slip>less)) friction",
-    r"hand (?:pulls|pulled|were to pull|tugs|tugged)(?: (?:much|even|somewhat|a little|slightly))? (?:(?P<hard>harder|more strongly)"
-    r"|less (?:hard|strongly)|more gently)",
+    (r"hand (?:pulls|pulled|were to pull|tugs|tugged)(?: (?:much|even|somewhat|a little|slightly))?"
+    r" (?:(?P<hard>harder|more strongly)"
+    r"|less (?:hard|strongly)|more gently)"),
 )
 
 
@@ -109,7 +114,8 @@ def _kind(number: str) -> str:
 def _of_value(text: str) -> ToldDirection | None:
     """Return *to what value must A's mass be reduced* as *what must A's mass be*, which is less than it is."""
     found = re.match(
-        rf"to (?:what|which) (?:(?:new|other|different|smaller|larger|lower|higher) )*(?:value )?(?P<aux>{_AUX}) (?:one|we|you)"
+        rf"to (?:what|which) (?:(?:new|other|different|smaller|larger|lower|higher) )*(?:value )?(?P<aux>{_AUX})"
+        rf" (?:one|we|you)"
         rf" {_HAVE}(?:(?P<up>increase|raise|enlarge)|(?P<down>reduce|lower|decrease|diminish|cut)|change|alter|set)"
         rf" (?P<n>{_NUMBER}) (?=for |so |to |if |in )",
         text,
@@ -120,7 +126,8 @@ def _of_value(text: str) -> ToldDirection | None:
         text,
     )
     found = found or re.match(
-        rf"to (?:what|which) (?P<n>{_NOUNS}) (?P<aux>{_AUX}) (?P<s>@\d+@) {_HAVE}be (?:{_CHANGED}) (?=for |so |to |if |in )",
+        rf"to (?:what|which) (?P<n>{_NOUNS}) (?P<aux>{_AUX}) (?P<s>@\d+@) {_HAVE}be (?:{_CHANGED}) (?=for |so "
+        rf"|to |if |in )",
         text,
     )
     if found is None:
@@ -140,6 +147,6 @@ def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: Heard) -
 
 
 def told_values(values: Sequence[float], path: str, frame: WantedFrame, motion: FollowedMotion) -> list[float]:
-    """Return those of some values of a number that are greater, or less, than it is, as the sentence tells; else all."""
+    """Return those of some values of a number that are greater, or less, than it is, as is told; else all."""
     now = number_at(motion.study.scene, path)
     return [value for value in values if frame.grows is None or (value > now) == frame.grows]
