@@ -53,19 +53,15 @@ def drift_return(trace: Trace) -> float | None:
     """Return the time, s, at which everything but the position first has its initial value again; else None.
 
     Then everything repeats itself elsewhere: all velocities, accelerations, angles and lengths. None if they do not
-    return while the motion is described, or if bodies attract one another, or feel a field that differs. Bodies that
-    may meet must be as far from each other as at the start, too.
+    return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
     """
     mechanism, start = trace.mechanism, trace.at(0.0)
     local = any(force.region is not None or not _uniform(force.law) for force in mechanism.forces)
-    if not is_autonomous(mechanism) or mechanism.attractions or mechanism.feet or local:
+    if not is_autonomous(mechanism) or mechanism.meetings or mechanism.attractions or mechanism.feet or local:
         return None
-    if any(meeting.a is None for meeting in mechanism.meetings):
-        return None  # with the room, which does not drift
     hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
     fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
-    gaps = [(meeting.a or "", meeting.b) for meeting in mechanism.meetings]
     same, way = max(SAME, ERRS * trace.tolerance), _first_acceleration(trace)
 
     def excess(state: State) -> Array:
@@ -76,9 +72,6 @@ def drift_return(trace: Trace) -> float | None:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
         changes += [np.abs(here.q - start.q)[:, hinges]]
         changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
-        changes += [
-            np.abs(_gap(here, *pair) - _gap(start, *pair)) / np.linalg.norm(_gap(start, *pair)) for pair in gaps
-        ]
         return all(float(change.max(initial=0.0)) <= same for change in changes)
 
     if not way.any():
@@ -91,11 +84,6 @@ def _first_acceleration(trace: Trace) -> Array:
     every = np.linalg.norm(trace.scan.a, axis=1)
     first = 0 if every[0] > 0.0 else int(np.argmax(every >= 0.5 * every.max()))
     return trace.scan.a[first]
-
-
-def _gap(state: State, one: str, other: str) -> Array:
-    """Return the vector between the centres of two bodies, m, (3,)."""
-    return state.vector(state.frames.center(other).place)[0] - state.vector(state.frames.center(one).place)[0]
 
 
 def _uniform(law: Law) -> bool:

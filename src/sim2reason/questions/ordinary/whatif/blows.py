@@ -24,9 +24,11 @@ PATTERNS = (
     rf"(?:if|given that|assuming(?: that)?|supposing(?: that)?) {_BEFORE} , {_ASK} {_IMPULSE}",
     rf"{_ASK} {_IMPULSE}(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}",
     rf"(?P<s>@\d+@|it) (?:was|had been) {_REST} before {_BLOW}\. {_ASK} {_IMPULSE}",
-    (rf"(?:if|given that|assuming(?: that)?) {_BEFORE} , what impulse (?:did|must|does) {_BLOW} (?:have"
-    rf" )?(?:given?|impart(?:ed)?)(?: to)?"
-    r" (?P<t>@\d+@|it)"),
+    (
+        rf"(?:if|given that|assuming(?: that)?) {_BEFORE} , what impulse (?:did|must|does) {_BLOW} (?:have"
+        rf" )?(?:given?|impart(?:ed)?)(?: to)?"
+        r" (?P<t>@\d+@|it)"
+    ),
     (
         rf"what impulse (?:did|must) {_BLOW} (?:have )?(?:given?|imparted?)(?: to)? (?P<t>@\d+@|it)"
         rf"(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}"

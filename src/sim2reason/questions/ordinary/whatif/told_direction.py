@@ -51,14 +51,18 @@ _ONE = (
 _OTHER = rf"(?:a |another |some )?(?:(?P<adj>{_ADJ})|different|other|another)(?: {_ONE})?(?: instead)?"
 _SUPPOSED = (
     rf"(?P<thing>{_THING}) {_WERE} (?:{_MADE} )?(?:(?:much|even|somewhat|a little|slightly|made|still) )*{_OTHER}",
-    (rf"(?P<n>{_NUMBER}) {_WERE} (?:(?:made|to|{_MADE}) )*(?:(?P<more>{_GREATER})|(?P<less>{_SMALLER})|different"
-    rf"|changed"
-    r"|varied|adjusted|adjustable|variable|not known|unknown)"),
+    (
+        rf"(?P<n>{_NUMBER}) {_WERE} (?:(?:made|to|{_MADE}) )*(?:(?P<more>{_GREATER})|(?P<less>{_SMALLER})|different"
+        rf"|changed"
+        r"|varied|adjusted|adjustable|variable|not known|unknown)"
+    ),
     rf"(?P<thing>@\d+@) (?:by|for|with) {_OTHER}",
     rf"(?:there {_WERE} )?(?:(?P<rub>more)|(?P<slip>less)) friction",
-    (r"hand (?:pulls|pulled|were to pull|tugs|tugged)(?: (?:much|even|somewhat|a little|slightly))?"
-    r" (?:(?P<hard>harder|more strongly)"
-    r"|less (?:hard|strongly)|more gently)"),
+    (
+        r"hand (?:pulls|pulled|were to pull|tugs|tugged)(?: (?:much|even|somewhat|a little|slightly))?"
+        r" (?:(?P<hard>harder|more strongly)"
+        r"|less (?:hard|strongly)|more gently)"
+    ),
 )
 
 
