@@ -62,11 +62,13 @@ def drift_return(trace: Trace) -> float | None:
     hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
     fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
-    same, way = max(SAME, ERRS * trace.tolerance), _first_acceleration(trace)
+    same, sizes = max(SAME, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
+    idle = bool(sizes[0] <= SAME * sizes.max())  # nothing is accelerated at first
+    way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
         """Return the change of velocity since the start, or of acceleration from zero, projected on `way`, (n,)."""
-        return (state.v - start.v[0] if start.a[0].any() else state.a) @ way
+        return (state.a if idle else state.v - start.v[0]) @ way
 
     def alike(here: State) -> bool:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
@@ -77,13 +79,6 @@ def drift_return(trace: Trace) -> float | None:
     if not way.any():
         return None
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
-
-
-def _first_acceleration(trace: Trace) -> Array:
-    """Return the acceleration at the start; where that is zero, the first one that is half as great as any, (n,)."""
-    every = np.linalg.norm(trace.scan.a, axis=1)
-    first = 0 if every[0] > 0.0 else int(np.argmax(every >= 0.5 * every.max()))
-    return trace.scan.a[first]
 
 
 def _uniform(law: Law) -> bool:
