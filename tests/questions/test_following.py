@@ -177,3 +177,14 @@ def test_a_prompt_is_followed_as_far() -> None:
     never = parse_prompt(f"{text} Find the time from t = 0 until the block has moved 26 m.{FORM.format('s')}")
     assert never.answer is None
     assert "at rest for good" in never.reason
+
+
+def test_queries_share_the_longer_motions_that_they_follow() -> None:
+    """A second query about the same motion follows no longer motion of its own."""
+    begun = motion_of(ramp())
+    words = words_of(describe(ramp()))
+    late = StructuredQuestion("time", when="speed of block = 60 m/s")
+    one = posed(late, begun, words).followed(begun)
+    other = posed(late, begun, words).followed(begun)
+    assert one.study is not begun.study
+    assert one.study is other.study

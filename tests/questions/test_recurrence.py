@@ -162,3 +162,11 @@ def test_what_drifts_on_repeats_itself_elsewhere() -> None:
     assert first_return(free) is None
     assert drift_return(free) == pytest.approx(2.0 * pi * sqrt(reduced / stiffness), rel=1e-6)
     assert drift_return(motion_of(load(SCENES / "elastic_balls.yaml")).study.trace) is None
+
+
+def test_what_starts_on_a_relaxed_spring_and_drifts_repeats_itself() -> None:
+    """Trolleys of 4.1 kg and 2.1 kg on a relaxed spring of 139 N/m: nothing is accelerated at first."""
+    reduced = 4.1 * 2.1 / (4.1 + 2.1)
+    trace = motion_of(load(SCENES / "struck_second_trolley.yaml"), 3.0).study.trace
+    assert not trace.at(0.0).a[0].any()
+    assert drift_return(trace) == pytest.approx(2.0 * pi * sqrt(reduced / 139.0), rel=1e-6)

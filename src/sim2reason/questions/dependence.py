@@ -169,12 +169,12 @@ class Dependence:
         """
         moment, end = self._query.moment, scene.horizon
         later = tuple(times * end for times in self._patience)
-        if moment is None:
+        if moment is None and not KINDS[self._query.kind].awaited:
             known = [time for time in self._times.values() if time < inf]
             if known and not any(known):  # the motion has no part in it
                 return [(SHORTEST * end,)]
             return [(max(end, LONGER * max(known)),)] if known else [(end, LONGER * end, LATEST * end, *later)]
-        if (known := moment.ahead) is not None:
+        if moment is not None and (known := moment.ahead) is not None:
             return [(max(BEYOND * known, SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
         usual = (end, LONGER * end, *((LATEST * end,) if self._later_counts or later else ()), *later)

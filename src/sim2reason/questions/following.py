@@ -1,5 +1,6 @@
 """The simulation of a motion until a query has an answer, or is known never to have one."""
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -81,19 +82,24 @@ def follow(query: Query, begun: FollowedMotion) -> Followed:
 def _followed(query: Query, begun: FollowedMotion) -> Followed:
     study, limit = begun
     ahead = query.moment.ahead if query.moment is not None else None
-    if ahead is not None and BEYOND * ahead > _end(study) and not limit:
-        study, limit = motion_of(study.scene, BEYOND * ahead)
+    if ahead is not None and (until := BEYOND * ahead) > _end(study) and not limit:
+        study, limit = study.once(("motion until", until), partial(motion_of, study.scene, until))
     for _ in range(FEWER if changing(study.mechanism) else DOUBLINGS):
         answer, reason = _looked_for(query, study)
         if answer is not None or reason:
             return Followed(study, answer, reason)
         if limit:
             break
-        longer, limit = motion_of(study.scene, GROWTH * _end(study))
+        longer, limit = _longer(study)
         if _end(longer) <= _end(study):
             break
         study = longer
     return Followed(study, None, _given_up(study, limit))
+
+
+def _longer(study: Study) -> FollowedMotion:
+    """Return a scene's motion of `GROWTH` times the duration, which all queries about a study share."""
+    return study.once("longer motion", lambda: motion_of(study.scene, GROWTH * _end(study)))
 
 
 def _given_up(study: Study, limit: str) -> str:
@@ -145,5 +151,5 @@ def eventful(begun: FollowedMotion) -> FollowedMotion:
             return FollowedMotion(study, limit)
         if why_never(None, study.trace):
             break
-        study, limit = motion_of(study.scene, GROWTH * _end(study))
+        study, limit = _longer(study)
     return begun

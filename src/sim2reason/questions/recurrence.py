@@ -62,11 +62,13 @@ def drift_return(trace: Trace) -> float | None:
     hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
     fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
-    same = max(SAME, ERRS * trace.tolerance)
+    same, sizes = max(SAME, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
+    idle = bool(sizes[0] <= SAME * sizes.max())  # nothing is accelerated at first
+    way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
-        """Return the change of velocity since the start, projected on the initial acceleration and times it, (n,)."""
-        return (state.v - start.v[0]) @ start.a[0]
+        """Return the change of velocity since the start, or of acceleration from zero, projected on `way`, (n,)."""
+        return (state.a if idle else state.v - start.v[0]) @ way
 
     def alike(here: State) -> bool:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
@@ -74,7 +76,7 @@ def drift_return(trace: Trace) -> float | None:
         changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
         return all(float(change.max(initial=0.0)) <= same for change in changes)
 
-    if not start.a[0].any():
+    if not way.any():
         return None
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
 

@@ -165,3 +165,45 @@ def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
     parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
     found = posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
     assert found == pytest.approx(1.25, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "reason"),
+    [
+        (
+            "barely_rough_haul",
+            "Suppose the plane were smoother. What is the least coefficient of friction with which A stays at rest?",
+            "changes the other way",
+        ),
+        (
+            "light_slope_load",
+            "To what value would the mass of B have to be raised for the blocks just to stay at rest when let go?",
+            "changes the other way",
+        ),
+    ],
+)
+def test_the_told_direction_of_a_change_must_be_right(name: str, question: str, reason: str) -> None:
+    """A smoother plane, or a heavier block, does not bring it about."""
+    with pytest.raises(TextError, match=reason):
+        understood(question, *scene(name))
+
+
+def test_of_several_values_that_which_the_sentence_tells_is_meant() -> None:
+    """C is to be heavier than it is, so that the lighter one that does it, too, is left out."""
+    asked = "Suppose C is replaced by a {} block. What mass must it have so that A accelerates at 1.5 m/s² relative to"
+    heavier = understood(f"{asked.format('heavier')} the box?", *scene("loads_on_both_sides"))
+    lighter = understood(f"{asked.format('lighter')} the box?", *scene("loads_on_both_sides"))
+    assert heavier is not None
+    assert lighter is not None
+    assert heavier.followed.answer == pytest.approx(4.965106257, rel=1e-6)
+    assert lighter.followed.answer == pytest.approx(2.09706, rel=1e-4)
+
+
+@pytest.mark.parametrize("asked", ["What magnetic field would make the period 2.0 s?"])
+def test_a_number_from_a_stated_period_is_found_in_time(asked: str) -> None:
+    """B = 2πm/(qT); a motion is followed no longer than it takes to come round at a number close by."""
+    begun = perf_counter()
+    found = understood(asked, *scene("plain_gyration"))
+    assert found is not None
+    assert found.followed.answer == pytest.approx(3.316125580526, rel=1e-9)
+    assert perf_counter() - begun < 6.0  # more than thirty times what it takes beside the patterns' compilation

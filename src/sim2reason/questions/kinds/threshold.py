@@ -55,7 +55,7 @@ class ThresholdQuery(Query):
     def trial(self, study: Study) -> Trial:
         """Of its outcome, in a scene."""
         assert self.outcome is not None
-        return Trial(study, self.outcome, self.parameter)
+        return _shared_trial(study, self.outcome, self.parameter)
 
 
 @kind
@@ -183,7 +183,7 @@ class ThresholdKind(Kind):
         cls, subject = spelled[does], said.removesuffix(does).strip()
         outcome = cls(resolved("when", subject or asked.of, cls.candidates(words)))
         unit = next(unknown.unit for unknown in words.unknowns if unknown.path == asked.find)
-        trial = Trial(study, outcome, asked.find)
+        trial = _shared_trial(study, outcome, asked.find)
         critical = trial.change() or 0.0
         below = trial(critical * (1.0 - SIDE)) is True
         return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
@@ -195,6 +195,11 @@ class ThresholdKind(Kind):
         for outcome, unknown in product(outcomes, words.unknowns):
             for greatest, happens in product((False, True), repeat=2):
                 yield ThresholdQuery(self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens)
+
+
+def _shared_trial(study: Study, outcome: PossibleOutcome, path: str) -> Trial:
+    """Return the one trial that all questions about a study share, so that no motion is followed twice."""
+    return study.once(("trial", outcome, path), partial(Trial, study, outcome, path))
 
 
 def _usual_change(study: Study, outcome: PossibleOutcome, path: str) -> tuple[float, bool | None] | None:

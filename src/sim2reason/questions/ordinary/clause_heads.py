@@ -48,7 +48,7 @@ HEADS: Mapping[str, str] = {
     "|instantaneous )?(?:rest|halt|stop|standstill)": "{s} stops",
     "(?:cease|stop|finish|end) (?:its )?(?:move|slide|roll|rise|climb|fall|ascend|descend|motion|ascent|descent|go|fly)"
     "(?: up| down)?": "{s} stops",
-    "(?:turn|swing|go|move|slide|roll|come|fall|start|head)(?: (?:move|slide|roll|go|fall|swing|come))? "
+    "(?:turn|swing|go|move|slide|roll|fall|start|head)(?: (?:move|slide|roll|go|fall|swing|come))? "
     "(?:back|round|around)(?: down)?": "{s} stops",
     "turn(?:ing)? point|point of return|reverse(?: its)?(?: direction| motion| way| course| sense)*(?: of motion| of"
     " travel)?"
@@ -240,6 +240,6 @@ HEADS: Mapping[str, str] = {
     f"(?:return|come back|get back|go back|back|again|return again|arrive back|slide back|roll back|fall back"
     f"|move back)"
     f"(?: (?:to|at|in|through|past))? {HOME}(?: again)?|(?:pass|reach|cross|regain) (?:through )?{HOME}(?: again)?"
-    f"|return": "{s} returns",
+    f"|return|(?:come|be|get|arrive) back(?: again)?": "{s} returns",
 }
 """By the base form of a clause's head, the plain clause that says the same."""

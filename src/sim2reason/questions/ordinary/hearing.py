@@ -55,6 +55,10 @@ _HIT_IT = re.compile(
     r"|underneath)"
     r"|[^@,.]*(?:relative to|with respect to|along))) it\b"
 )
+_UNDER_AXLE = re.compile(
+    r"(?P<before>\b(?:axle|pivot|hinge)\b.* (?:is|hangs|lies|passes|swings) (?:\w+ly |straight |exactly )*(?:below"
+    r"|beneath|under|underneath) )it\b"
+)
 _VERBS = re.compile(rf"(?:{'|'.join(sorted(verb_forms() | {'first'}))})\b")  # *A stops*: A is no article
 _CENTERS = re.compile(
     r"\b(?:centres|centers) (?:of mass )?of (?=@)|(?<=\d@)(?:'s?|’) (?:centres|centers)(?: of mass)?\b"
@@ -113,6 +117,7 @@ def hear(sentence: str, words: Words) -> Heard:
     text, numbers = _with_numbers(_START.sub("start", text))
     text = _ordered(text, subjects)
     text = _INDIRECT.sub("", text)
+    text = _UNDER_AXLE.sub(r"\g<before>axle", text)
     if len(subjects) == 2:  # *after B has hit it*: the other
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))

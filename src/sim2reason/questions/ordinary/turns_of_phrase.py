@@ -62,18 +62,44 @@ TURNS: Mapping[str, str] = {
     "(?<=tension )(?P<in>in|of) (?P<s>@\\d+@) (?:(?:that|which) )?(?:connecting|joining|connects|joins|linking|links)"
     " @\\d+@"
     "(?=$| ,| when| while| at| just| after)": r"\g<in> \g<s>",
-    "^(?P<ask>what force|how large a force) must (?P<what>axle|support|bearing|hinge|pivot) (?=withstand|bear|carry"
-    "|exert"
-    "|sustain|support|hold)": r"\g<ask> does \g<what> ",
+    "^(?P<ask>what (?:total |resultant )?(?:force|load)|how large a (?:force|load)) (?:must|has|does)"
+    " (?P<what>(?:@\\d+@ 's"
+    " )?(?:axle|support|bearing|hinge|pivot|mounting)(?: of @\\d+@)?) (?:have to )?(?=withstand|bear|carry|exert"
+    "|sustain"
+    "|support|hold)": r"\g<ask> does \g<what> ",
+    "^(?:with what force|how hard|how strongly) is (?P<s>@\\d+@) (?:pressed|pushed|pulled|forced) (?:against|on"
+    "|onto|towards)"
+    " (?:its )?(?:axle|bearing|support|mounting)": r"what load does axle of \g<s> carry",
+    "^(?:with what (?:force|load)|how (?:strongly|heavily|hard)) is (?:(?P<s>@\\d+@) 's (?P<o>axle|bearing"
+    "|support)|(?P<o2>axle"
+    "|bearing|support) of (?P<s2>@\\d+@)) (?:loaded|strained|stressed|pulled|pressed)": (
+        r"what load does axle of \g<s>\g<s2> carry"
+    ),
+    "^(?:with what (?:force|load)|how (?:strongly|heavily|hard)) is (?P<o>axle|bearing|pivot) (?:loaded|strained"
+    "|stressed|pulled|pressed)": (r"what is force on \g<o>"),
+    "\\bat (?:its |@\\d+@ 's )?(?P<p>lowest|highest) point of (?:its |this )?(?:swing|motion|path|arc|circle)\\b": (
+        r"at \g<p> point"
+    ),
+    "^(?P<how>how (?:large|great|big|strong|high) (?:does|do|will|can) .+?) (?:become|grow|be|turn out) at"
+    " (?:most|maximum)$": (r"\g<how> get at most"),
     "\\bbearing force\\b": "force on axle",
+    "\\bforce (?:do|does) (?:two|both) (?:parts|sides|halves|sections|strands|ends|portions) of (?=@\\d+@ exert)": (
+        "force does "
+    ),
+    "^(?:what (?:breaking )?(?:strength|load|tension|force|pull) (?:must|should) (?P<s>@\\d+@) (?:be able to"
+    " )?(?:have|withstand|bear|stand|support)"
+    "|how strong (?:must|should) (?P<t>@\\d+@) be)(?: at least)?(?: ,)?(?: (?:so as |in order |if @\\d+@ is"
+    " )?(?:not to (?:break|snap|tear|give way)"
+    "|to survive(?: (?:swing|motion|fall|release))?)| so that @\\d+@ (?:does|will|would) not (?:break|snap|tear))$": (
+        r"what is greatest tension in \g<s>\g<t>"
+    ),
     "\\bthis (?=ITS_MOTION)": "",
     "\\btop (?=(?:speed|velocity) )": "greatest ",
     "^(?P<ask>how much time (?:passes|elapses|goes by|passed)|how long does it take|how long is it) from START"
     " (?:until|till"
     "|to moment when) ": "how much time passes until ",
-    "(?P<s>@\\d+@) is (?:vertically|directly|straight|exactly) (?:below|under|underneath|beneath) (?:(?P=s)|axle)": (
-        r"\g<s> is at its lowest point"
-    ),
+    "(?P<s>@\\d+@) (?:is|passes|swings|hangs|lies|moves) (?:vertically|directly|straight|exactly) (?:below|under"
+    "|underneath|beneath) (?:(?P=s)|axle)": (r"\g<s> is at its lowest point"),
     "(?P<s>@1@) (?P<verb>moved|slid|shifted|gone|recoiled|travelled) back (?=along|on|over)": r"\g<s> \g<verb> ",
     "(?P<s>@\\d+@) then (?=\\w+ing\\b)": r"\g<s> ",
     "\\bfinal (?=QUANTITY (?:of|does|has|will) .*(?:once|when|after|as soon as) )": "",
@@ -126,6 +152,9 @@ TURNS: Mapping[str, str] = {
     "\\b(?:swing|fall|move|go|travel|sweep|drop|turn)s? (?:down |up )?(?:in)?to (?=(?:lowest|highest|bottom|top|its"
     " lowest|its highest|vertical))": "reach ",
     "(?<=reach )vertical(?: position)?$": "its lowest point",
+    f"\\b(?P<go>{_GO}) (?:down )?(?:through|past|over|across) (?:its )?downward vertical(?: position| line|"
+    f" direction)?"
+    "\\b": r"\g<go> through its lowest point",
     "\\b(?:while|as long as|so long as|during time that) there is (?:still )?(?:slipping|sliding|skidding)\\b": (
         "while slipping"
     ),

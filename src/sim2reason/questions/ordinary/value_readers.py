@@ -239,9 +239,9 @@ def accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the normal force between a body and the face on which the body lies."""
+    """Yield the normal force between a body and the face on which the body lies; none on a pulley."""
     face = heard.subject(found["t"])
-    for of in each(heard, found["s"]):
+    for of in each(heard, found["s"]) if "pulley" not in f"{face} {heard.subject(found['s'])}" else ():
         yield Main("normal force", of, ways=((of, f"{ON}{face}"),) if face else ())
 
 

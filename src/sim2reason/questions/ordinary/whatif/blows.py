@@ -12,7 +12,9 @@ from sim2reason.questions.words import Words
 
 _BLOW = "(?:blow|kick|hammer|push)"
 _REST = "(?:standing still|at rest|stationary|motionless|standing)"
-_BEFORE = rf"(?P<s>@\d+@|it) (?:was|were|had been|is) {_REST} (?:just |immediately )?before(?: (?:{_BLOW}|start|that))?"
+_BEFORE = (
+    rf"(?P<s>@\d+@|it) (?:was|were|had been|had|is) {_REST} (?:just |immediately )?before(?: (?:{_BLOW}|start|that))?"
+)
 _ASK = "(?:how large (?:was|is)|what (?:was|is)|find|determine|calculate|how great (?:was|is))"
 _IMPULSE = (
     rf"(?:magnitude of )?impulse (?:that )?(?:(?P<t>@\d+@|it) (?:received|was given|got)|of {_BLOW}"
@@ -22,6 +24,11 @@ PATTERNS = (
     rf"(?:if|given that|assuming(?: that)?|supposing(?: that)?) {_BEFORE} , {_ASK} {_IMPULSE}",
     rf"{_ASK} {_IMPULSE}(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}",
     rf"(?P<s>@\d+@|it) (?:was|had been) {_REST} before {_BLOW}\. {_ASK} {_IMPULSE}",
+    (
+        rf"(?:if|given that|assuming(?: that)?) {_BEFORE} , what impulse (?:did|must|does) {_BLOW} (?:have"
+        rf" )?(?:given?|impart(?:ed)?)(?: to)?"
+        r" (?P<t>@\d+@|it)"
+    ),
     (
         rf"what impulse (?:did|must) {_BLOW} (?:have )?(?:given?|imparted?)(?: to)? (?P<t>@\d+@|it)"
         rf"(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}"

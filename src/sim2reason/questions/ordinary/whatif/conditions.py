@@ -105,6 +105,9 @@ def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedConditio
         yield StatedCondition(question=question, stated=stated)
 
 
+_NO_VERB = (
+    r"(?!(?:come|get|go|rise|swing|fall|drop|climb|sink|move|slow|grow|begin|start|turn)\b)"  # of which *to* is part
+)
 _EMPTY = re.compile(
     r"\b(?:just|exactly|precisely|barely|only(?! @)|still|yet|in fact|actually|then|ever|at all|possibly)\b ?"
 )
@@ -135,7 +138,8 @@ def _statement(text: str, subject: str) -> str:
         r"\b(?:is|are|was|were|has|have) (?:not )?to (?=\w)", lambda f: "not " if " not " in f[0] else "", said, count=1
     )
     said = re.sub(
-        rf"^((?:{_S}|\w+)(?: and {_S})?) (?:should|would|must|will|can|could|to|does|do|shall|may)(?: (not))? ",
+        rf"^((?:{_S}|{_NO_VERB}\w+)(?: and {_S})?) (?:should|would|must|will|can|could|to|does|do|shall|may)(?:"
+        rf" (not))? ",
         lambda f: f"{f[1]} {'not ' if f[2] else ''}",
         said,
     )
@@ -153,7 +157,10 @@ def _statement(text: str, subject: str) -> str:
 def _is_predicate(said: str) -> bool:
     """Return whether a clause begins with a verb, so that it lacks its subject."""
     return pattern("QUANTITY").match(said) is None and not re.match(
-        r"(?:its|their|system|everything|all|both|period|it)\b", said
+        r"(?:its|their|system|everything|all|both|period|it|greatest|least|maximum|minimum|final|initial|largest"
+        r"|highest"
+        r"|lowest|smallest|top|amplitude|frequency)\b",
+        said,
     )
 
 

@@ -83,6 +83,7 @@ FRAMES = (
     f"(?P<c>[^.]+)\\. (?:what|which) (?:would|must|should|does) {_SIZE}{NUMBER} (?:{_BE})(?: {_CONN} this)?",
     f"(?P<c>[^.]+)\\. (?:what|which) {_SIZE}{NUMBER} (?:is|would be) (?:{_NEED})(?: {_CONN} this)?",
     f"(?P<c>[^.]+)\\. (?:{_FIND}) {_SIZE}{NUMBER}(?: that is)?(?: {_NEED})?",
+    f"(?P<c>[^.]+)\\. (?:what|how (?:large|great|big|high)) {_AUX} {_SIZE}{NUMBER} {_BE}{_BOUND}(?: {_CONN} this)?",
     (
         f"(?P<ratio>how many times) (?:as (?:large|great|high|big)|larger|greater|higher) (?:would|must|should)"
         f" {NUMBER} (?:{_BE}) {_CONN} (?P<c>.+)"

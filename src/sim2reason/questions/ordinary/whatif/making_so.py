@@ -23,6 +23,7 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
 )
 from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.special_outcomes import slips_nevertheless
+from sim2reason.questions.ordinary.whatif.told_direction import directed, told_direction, told_values
 from sim2reason.questions.ordinary.whatif.understanding import of_all
 from sim2reason.questions.ordinary.whatif.weights import with_weights
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
@@ -48,11 +49,12 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
     if _FROM_BOTTOM.search(heard.text) and not is_zero("swing angle", motion.study.scene):
         return None
     heard = with_weights(heard, motion.study.scene, words)
-    text = plainer(heard.text)
-    told = replace(heard, text=text)
+    direction = told_direction(heard.text)
+    told = replace(heard, text=plainer(direction.text))
     found: list[Understood] = []
-    for frame in framed(text, told):
-        for condition in conditions(frame.condition, frame.subject, told):
+    for frame in directed(framed(told.text, told), direction, told):
+        alone = "@0@" if len(heard.subjects) == 1 and "@" not in told.text else ""
+        for condition in conditions(frame.condition, frame.subject or alone, told):
             meant = _meant(frame, condition, told, motion, words, reader)
             if meant is not None and not (meant.asked.find == CIRCULAR_SPEED and "direction" in heard.text):
                 found.append(_checked(frame, meant, motion))
@@ -77,6 +79,24 @@ def _meant(
         paths = paths_of(number._replace(owners=(condition.subject,)), motion.study, words)
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
+    found = _bringing_about(frame, condition, path, heard, motion, words, reader)
+    if found is not None and frame.compare == VALUE and frame.grows is not None:
+        now = number_at(motion.study.scene, path) if path else 0.0
+        if found.followed.answer is None or (found.followed.answer > now) != frame.grows:
+            raise TextError("question", "it is not so: the number changes the other way", "ask for the number itself")
+    return found
+
+
+def _bringing_about(
+    frame: WantedFrame,
+    condition: StatedCondition,
+    path: str,
+    heard: Heard,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
+) -> Understood | None:
+    """Return the question for the number at an address that meets a condition; None if it has no meaning."""
     if condition.outcome:
         readings = list(by_outcome(frame, condition, path, motion, words))
         found = reader.first_of(readings, motion, words) if readings else None
@@ -111,15 +131,16 @@ def _by_result(
         unknown = question.unknown
         if unknown is None or not _ever(question, motion):
             continue
-        values = _of_end(frame.end, _distinct(values_giving(question.query, question.given, unknown, motion.study)))
+        every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
+        values = _of_end(frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion))
         meant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
         leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
             raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
-        if len(values) > 1 and leading:
-            end = LEAST if leading[0] == values[0] else GREATEST if leading[0] == values[-1] else ""
+        if len(every) > 1 and leading:
+            end = LEAST if leading[0] == every[0] else GREATEST if leading[0] == every[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
         if leading or not values:
             found.append(Understood(wanted, question, question.followed(motion)))

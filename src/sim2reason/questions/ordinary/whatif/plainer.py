@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import compiled
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
+from sim2reason.questions.ordinary.whatif.turns_of_limits import LIMIT_TURNS
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS
 
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
@@ -135,7 +136,7 @@ def _compared(found: re.Match[str]) -> str:
 def plainer(text: str) -> str:
     """Return a question for a number of the scene in plainer words."""
     said = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
-    for told, plain in (*TURNS.items(), *PLAINER.items()):
+    for told, plain in (*LIMIT_TURNS.items(), *TURNS.items(), *PLAINER.items()):
         said = compiled(told).sub(plain, said)
     said = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, said))
     bound = re.match("(LEAST|GREATEST) ", said)

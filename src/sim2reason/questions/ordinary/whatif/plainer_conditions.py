@@ -4,10 +4,11 @@ import re
 from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
+from sim2reason.questions.ordinary.whatif.conditions_of_limits import LIMIT_CONDITIONS
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
 
 _S = r"@\d+@"
-_LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow)"
+_LIFTS = "(?:pull|haul|drag|draw|lift|bring|move|raise|hoist|tow|send|drive|push|carry)"
 _LIFTING = "(?:pulling|hauling|dragging|drawing|lifting|bringing|moving|raising|hoisting|towing)"
 _UP = rf"(?P<way>up|upwards|uphill|down|downwards|downhill)(?P<on> (?:{GROUNDS}))?"
 _STEADY = r"(?: (?:at|with) constant (?:speed|velocity)| steadily| uniformly| at steady speed| without acceleration)"
@@ -106,6 +107,6 @@ def plainer_condition(said: str) -> str:
         "",
         said,
     )
-    for told, plain in (*TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
+    for told, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
         said = compiled(told).sub(plain, said)
     return said

@@ -195,7 +195,8 @@ CLAUSES = (
     # engines and hands
     (
         (
-            rf"(?:its )?(?:fuel|gas|propellant) {_W} (?:burnt|burned|consumed|used|ejected) {_MULT} as (?:fast|quickly)"
+            rf"(?:its )?(?:fuel|gas|propellant) {_W} (?:burnt|burned|consumed|used|ejected) {_MULT} as (?:fast"
+            rf"|quickly)"
             rf"(?: as)?{_SAME}"
         ),
         "burn rate",
@@ -208,6 +209,11 @@ CLAUSES = (
         VALUE,
     ),
     (rf"{_BURNED} (?:fuel )?(?:at )?(?:rate of )?{_N}(?: of fuel)?{_INSTEAD}", "burn rate", VALUE),
+    (
+        rf"{_S} (?:burned|burnt|consumed|used up) (?:its )?fuel {_MULT} as (?:fast|quickly)(?: as)?{_SAME}",
+        "burn rate",
+        TIMES,
+    ),
     (rf"{_BURNED} (?:its )?fuel {_MULT} as (?:fast|quickly)(?: as)?{_SAME}", "burn rate", TIMES),
     (rf"hand (?:pulled|pulls) with (?:force of )?(?:only )?{_N}{_INSTEAD}", "force", VALUE),
     (rf"hand (?:pulled|pulls) {_MULT} as (?:hard|strongly)(?: as)?{_SAME}", "force", TIMES),
