@@ -73,13 +73,11 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
         return  # the scene has a coefficient, but not the one that is meant
-    of = (
-        bodies.get(who, "")
-        if who in bodies and bodies[who] in rough
-        else next(iter(rough), "")
-        if len(rough) == 1
-        else ""
-    )
+    of = bodies.get(who, "") if bodies.get(who) in rough else next(iter(rough), "") if len(rough) == 1 else ""
+    if of and path and path.partition(".")[0] != of.partition(".")[0]:  # the number of another face
+        if words.mechanism.contacts[of].friction < inf:
+            return
+        path = ""
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
         slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
