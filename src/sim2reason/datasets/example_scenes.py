@@ -119,7 +119,8 @@ OWN = (
   - {name: rail, type: SliderMass, parameters: {carriage: {mass: 2.4}}}
   - name: bob
     type: RigidPendulum
-    parameters: {arm: {}, pieces: [{kind: ball_piece, distance: 0.4, side: from the axle, body: {mass: 6.0}}], angle: 50.0}
+    parameters: {arm: {}, pieces: [{kind: ball_piece, distance: 0.4, side: from the axle, body: {mass: 6.0}}],
+      angle: 50.0}
   - {name: hand, type: ConstantForcePuller, parameters: {force: 60.0}}
   connections:
   - pivot: [{entity: rail, direction: pivot}, {entity: bob, direction: axle}]

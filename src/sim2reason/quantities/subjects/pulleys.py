@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-
 from math import hypot
 
 from sim2reason.dsl.frames import start
