@@ -125,7 +125,8 @@ HEADS: Mapping[str, str] = {
     f"(?:at |with )?{_SAME}|(?:stop|cease|end|no longer) (?:slip|slide)(?:ping|ing)? (?:on|over|along|past|against) "
     f"(?:each other|one another|{S})|move together": "they move together",
     # distances
-    rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}(?: (?:away )?from {HOME})?|{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way"
+    rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}(?: (?:away )?from {HOME})?|"
+    rf"{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way"
     rf"|slope)": ("{s} moves {n}{way}"),
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:relative to|with respect to|along|over|across|on) (?:top of"
     rf" )?(?P<t>{S})"

@@ -27,7 +27,21 @@ _HITS = (
 )
 
 COURSE_TURNS: Mapping[str, str] = {
+    "^(?P<b>(?!.*@1@).*?)@0@ 's (?=(?:own )?(?:starting|initial|original|first|launch) (?:point|position|place|level"
+    "|height)\\b)": r"\g<b>its ",
+    "\\babove (?:its |@0@ 's )?(?:own )?(?:starting|initial|original|launch) (?:level|height)\\b": (
+        "above its starting point"
+    ),
+    "\\b(?:very )?first (?=collision|impact|bounce|landing)": "first ",
+    "\\b(?:far|opposite) side\\b(?! of)": "other side",
+    "\\b(?:fuel supply|supply of fuel|stock of fuel)\\b": "fuel",
+    "^(?P<b>(?!.*@1@).*?)@0@ 's (?=(?:release|launch|throw|ignition|departure)\\b)": r"\g<b>",
     # how it begins
+    f"^(?:with|at) what (?P<q>acceleration|speed|velocity) (?:does|do|will) {_S} (?:first )?(?:lift off|take off|lift"
+    f"|rise|leave|come off)(?: from)? (?:{GROUNDS})(?: at first)?$": r"what is \g<q> of \g<s> at lift-off",
+    "^how (?:much )?(?:later than|long after) (?:moment of )?START (?=(?:does|do|did|is|are|will|has|have) )": "when ",
+    f"^(?P<ask>{_TIMED}) (?:does|do|did|will) (?P<n>(?:ORDINAL|last) )?(?P<w>impact|bounce|landing|rebound|collision)"
+    "(?: of (?P<s>@\\d+@)(?: with ground)?)? (?:take place|happen|occur|come|follow)$": (r"how long until \g<n>\g<w>"),
     f"^(?:when|at what (?:time|moment|instant)) ,? ?(?:after|following|counted from|from) (?:its |their )?START ,? ?"
     f"(?={_DOES} )": "when ",
     f"\\b(?P<s>@\\d+@|everything|system|they|all) (?:has|have) been (?P<v>{_LET_GO})\\b": r"\g<s> is \g<v>",
@@ -46,12 +60,24 @@ COURSE_TURNS: Mapping[str, str] = {
         r"\g<ask>until burnout"
     ),
     "\\b(?:engine|motor|fuel tank|tank|@\\d+@) (?:runs?|is|has run) dry\\b": "fuel runs out",
+    "^(?P<q>(?:ASK|what|with what|at what|how (?:large|great|big|strong|hard)) .*?(?:QUANTITY|accelerate).*?) ?,?"
+    " (?:as long as|so long as|while|during time that|provided that) (?:@\\d+@|strings?|both strings|all strings"
+    "|both|they) (?:is|are|remains?|stays?|keeps?) (?:all |both |still )*(?:taut|tight|tense)$": r"\g<q>",
+    "\\b(?:in|during|within|over) (?:same )?(?:time|interval|period) (?:in which|during which|while|that it takes)"
+    " (?=@)": "by time ",
+    "\\b(?:hand|force|pull|pulling force) (?:has |have |had )?(?:pulled|dragged|moved|drawn|hauled|displaced|towed)"
+    " (?P<s>@\\d+@) (?=#|through|by|along|up|down)": r"\g<s> has moved ",
     # after an impact
     f"(?P<s>@0@) (?P<v>{_MOVES}) ?(?P<just>just |immediately |right |directly )?(?:after|when|once|as result of)"
     f" {_PASSIVE}$": r"\g<s> move just after @0@ 's first collision",
     f"^how much (?P<q>(?:kinetic )?energy|momentum) {_DOES} (?P<s>@0@) (?:hand(?: over)?|pass(?: on)?|transfer|give"
     f"|impart|yield|communicate|transmit) to (?P<t>@1@) (?P<in>in|by|during|through) (?P<what>(?:their |this )?"
     f"(?:ORDINAL )?(?:collision|impact))$": r"how much \g<q> does \g<t> gain \g<in> \g<what>",
+    "\\b(?:points|places|spots) of (?:first two|first and second) (?P<w>impacts?|bounces?|landings?)\\b|\\bfirst two"
+    " (?:points|places|spots) (?:of impact|of landing|where @0@ (?:lands|bounces|hits ground))\\b|\\bfirst two"
+    " (?:impact|landing|bounce) (?:points|places|spots|marks)\\b": "first and second bounce",
+    f"^how high (?P<does>does|will|do) {_S} (?P<v>rise|swing|climb|get|go|come|swing up)(?: up)? on (?:the )?other side"
+    " above (?P<low>(?:its |@0@ 's )?lowest (?:point|position))$": r"how high above \g<low> \g<does> \g<s> rise",
     # how long something becomes
     "^how long (?:does|do|will) (?P<s>@\\d+@) (?:become|get|grow)(?: to be)? at (?:most|its longest|longest)$": (
         r"what is longest length of \g<s>"
@@ -83,6 +109,18 @@ COURSE_TURNS: Mapping[str, str] = {
     f" (?:as high as |to (?:a )?(?:height of )?|to )?(?P<n>#\\d+#)(?: (?:above|over|off) (?:{GROUNDS}))?$": (
         r"how many times does \g<s> bounce until \g<s> stays below \g<n>"
     ),
+    f"^how far(?: away| off)? (?P<does>does|will|do) {_S} (?P<v>land|hit (?:{GROUNDS})|come down|strike (?:{GROUNDS})"
+    f"|reach (?:{GROUNDS})) ?,? (?:measured |counted )?horizontally(?: from (?:{HOME}|thrower))?$": (
+        r"how far horizontally \g<does> \g<s> land"
+    ),
+    "^how far (?:up )?(?=above (?:level )?(?:ground|floor)\\b)": "how high ",
+    "^what is (?:farthest|furthest) (?P<p>point|place|position) (?P<s>@\\d+@) (?:gets|reaches|goes)"
+    " from (?P<t>@\\d+@|far end|fixed point)$": r"how far from \g<t> does \g<s> get at most",
+    "^(?:what is|find|determine) (?:farthest|furthest|most)(?: that)? (?P<s>@\\d+@) (?:gets|goes|moves|swings"
+    "|strays)(?: away)? from (?P<t>far end|fixed point|@\\d+@|its starting point)$": (
+        r"how far from \g<t> does \g<s> get at most"
+    ),
+    f"\\bradius of curvature of {_S} 's (?:path|trajectory|orbit|track)\\b": r"radius of curvature of \g<s>",
     # where it is
     "^where is (?P<s>@\\d+@) (?P<when>(?:when|at|after|just|as) .+?) ?(?::|;|,|\\.) (?P<q>how far .+)$": (
         r"\g<q> is \g<s> \g<when>"

@@ -66,8 +66,10 @@ QUANTITIES: Mapping[str, str] = {
     "|fuel is left|mass of fuel remaining",
     "fuel burnt": "fuel burnt|fuel burned|fuel used|fuel consumed|mass of fuel burnt|mass of burnt fuel|burnt fuel"
     "|mass of fuel burned|mass of fuel used|mass of fuel consumed|fuel used up|fuel is burnt|fuel is used",
+    "radius of curvature": "radius of curvature|curvature radius|radius of curvature of path|radius of curvature of"
+    " trajectory|radius of curvature of orbit",
     "radius of the path": "radius of circle|radius of circular path|radius of path|radius of orbit|radius of trajectory"
-    "|radius of curvature|radius of circular orbit|radius of circular motion|radius of motion|radius",
+    "|radius of circular orbit|radius of circular motion|radius of motion|radius",
     "eccentricity": "eccentricity|orbital eccentricity",
     "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
     "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
@@ -192,7 +194,8 @@ PHRASES: Mapping[str, str] = {
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length"
     "|return to its natural length|regains its natural length|regain its natural length",
     "FIRST_TIME": "for first time|first time",
-    "START": "start|blow|kick|instant of release|moment of release|instant of launch|moment of launch|release"
+    "START": "start|blow|kick|throw|outset|instant of release|moment of release|instant of launch|moment of launch"
+    "|release"
     "|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"
