@@ -223,6 +223,7 @@ HEADS: Mapping[str, str] = {
     rf"|begin))?": ("{s} falls {n} vertically"),
     "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"
     " {axis} axis",
+    "(?:its )?(?:greatest|maximum|highest|top|peak|largest) (?:speed|velocity)|"
     "(?:move|go|travel|slide|run|swing|spin|turn|roll|rotate)(?: at)? (?:its )?(?:fast(?:est)?|(?:greatest"
     "|maximum|highest|top|peak"
     "|largest) (?:speed|velocity))|(?:fastest|(?:reach|attain|have|at|acquire|gain) (?:its )?(?:greatest|maximum"

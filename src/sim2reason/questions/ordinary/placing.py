@@ -194,7 +194,8 @@ def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
     if " & " in asked.of:
         return _met(f"{asked.of} closest", words).removesuffix(" closest")
     if asked.find in COLLISIONS and (not asked.of or asked.of in words.mentions.values()):
-        return _pair_of(told) or asked.of
+        only = list(words.called(Pairs())) if told.endswith("collided") else []
+        return _pair_of(told) or (only[0] if len(only) == 1 else asked.of)
     return asked.of
 
 

@@ -78,6 +78,17 @@ COURSE_TURNS: Mapping[str, str] = {
     " (?:impact|landing|bounce) (?:points|places|spots|marks)\\b": "first and second bounce",
     f"^how high (?P<does>does|will|do) {_S} (?P<v>rise|swing|climb|get|go|come|swing up)(?: up)? on (?:the )?other side"
     " above (?P<low>(?:its |@0@ 's )?lowest (?:point|position))$": r"how high above \g<low> \g<does> \g<s> rise",
+    "^(?:with|at) what relative (?P<q>speed|velocity) (?:do|does|will) (?P<s>@\\d+@|they) (?:separate|part|fly apart"
+    "|move apart|recede|approach|approach each other|move towards? each other|collide|meet)(?= |$)": (
+        r"what is relative \g<q> of \g<s>"
+    ),
+    f"^(?:through|by) what angle {_DOES} (?:{_S} 's (?:path|course|direction(?: of motion| of travel)?|motion|velocity"
+    "|trajectory)|(?:path|course|direction of motion|velocity) of (?P<t>@\\d+@)) (?:bent|turned|deflected|changed"
+    "|rotated|diverted)(?: (?:in|by|through|during) (?:(?:its|their) )?(?P<what>collision|impact))$": (
+        r"through what angle is \g<s>\g<t> deflected in collision"
+    ),
+    "^(?:ASK|what is) (?:SIZE )?change (?:of|in) (?:momentum of (?P<s>@\\d+@)|(?P<t>@\\d+@) 's momentum)(?= in| during"
+    "| when| at| by|$)": r"how much momentum does \g<s>\g<t> exchange",
     # how long something becomes
     "^how long (?:does|do|will) (?P<s>@\\d+@) (?:become|get|grow)(?: to be)? at (?:most|its longest|longest)$": (
         r"what is longest length of \g<s>"
@@ -121,6 +132,20 @@ COURSE_TURNS: Mapping[str, str] = {
         r"how far from \g<t> does \g<s> get at most"
     ),
     f"\\bradius of curvature of {_S} 's (?:path|trajectory|orbit|track)\\b": r"radius of curvature of \g<s>",
+    f"^(?:at what|how great a|what) horizontal distance (?:away )?from (?:{HOME}|thrower|point of \\w+) (?:is|does)"
+    f" {_S} (?:at its )?(?:highest(?: point)?|top)$": (
+        r"how far horizontally does \g<s> move when \g<s> is at highest point"
+    ),
+    f"^(?:ASK|what) (?:is )?range of {_S} (?:up to|until|to|as far as) (?:its |@\\d+@ 's )?first (?:bounce|impact"
+    "|landing)$": r"what is range of \g<s>",
+    f"^what (?P<q>speed|velocity|angular velocity|angular speed) (?:does|will|do) {_S} (?:end up|finish|end|finish up)"
+    " with$": r"what is final \g<q> of \g<s>",
+    f"^how (?:often|many times) (?:per|a|in (?:one|a|each)|every|each) second (?:does|do|will) {_S} (?:go|move|run"
+    "|swing|travel|slide|oscillate) (?:back and forth|to and fro|forth and back|there and back)$": (
+        r"what is frequency of \g<s>"
+    ),
+    "\\b(?:in|at|through) (?:middle|centre|center|midpoint|mid-point) of (?:its |@\\d+@ 's )?(?:oscillations?"
+    "|vibrations?)\\b": "at its equilibrium position",
     # where it is
     "^where is (?P<s>@\\d+@) (?P<when>(?:when|at|after|just|as) .+?) ?(?::|;|,|\\.) (?P<q>how far .+)$": (
         r"\g<q> is \g<s> \g<when>"

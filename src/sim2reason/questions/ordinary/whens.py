@@ -59,8 +59,8 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
             clause, _, question = text.partition(" , ")
             yield question.strip(), clause.strip(), THEN
     for found in _CONNECTED.finditer(text):
-        if _BESIDE.match(text, found.end()):
-            continue  # *sliding over the box 2 s after release*: no time of the box
+        if _BESIDE.match(text, found.end()) or (found[0] == "on" and text[: found.start()].endswith(" done ")):
+            continue  # *sliding over the box 2 s after release*: no time of the box; *the work done on B*
         side = AFTER if found[0] == "once" and _LASTING.match(text, found.end()) else CONNECTORS[found[0]]
         side = AFTER if found[0] in ("when", "once") and _ENDED.match(text, found.end()) else side
         side = DURING if found[0] == "once" and _GOING_ON.match(text, found.end()) else side
