@@ -56,7 +56,7 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^how much time (?:passes|elapses|goes by|passed) after START (?:until|till|before|to moment when) ": (
         "how much time passes until "
     ),
-    "(?P<s>@\\d+@) (?P<is>[first |again ][is |are ]MOTION) (?P<way>up|down)[ SURFACE] (?:at|with) "
+    "(?P<s>@\\d+@) (?P<is>[first |again ][is |are ]MOTION) (?P<way>up|down)(?:wards?|hill)?[ SURFACE] (?:at|with) "
     "[speed of ](?P<n>#\\d+#)$": (r"\g<s> \g<is> at \g<n> on its way \g<way>"),
     "(?P<ask>(?:GREATEST|LEAST) QUANTITY (?:of|in|that|which)? ?@\\d+@(?: (?:has|reaches|attains|gets))?)"
     " (?:anywhere |at any"

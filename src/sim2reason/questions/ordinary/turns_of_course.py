@@ -146,6 +146,16 @@ COURSE_TURNS: Mapping[str, str] = {
     ),
     "\\b(?:in|at|through) (?:middle|centre|center|midpoint|mid-point) of (?:its |@\\d+@ 's )?(?:oscillations?"
     "|vibrations?)\\b": "at its equilibrium position",
+    f"^(?:at|to) what (?:height|level) above (?:start|{HOME}) (?P<does>does|will) {_S} (?:turn (?:back|round|around)"
+    "|stop|come to rest|reverse)$": r"how high above its starting point \g<does> \g<s> rise",
+    "\\b(?P<v>dropped|fallen|sunk|descended|risen|climbed) (?:below|above) (?:its |@0@ 's )?"
+    "(?:starting|initial|original) (?:height|level|position|point)\\b": r"\g<v>",
+    "^how many (?:au|m|metres|meters|km|kilometres|cm|astronomical units) (?=(?:away )?from|apart|above)": "how far ",
+    "^(?:with|at) what amplitude (?:does|do|will) (?P<s>@\\d+@) (?:oscillate|vibrate|swing|move)$": (
+        r"what is amplitude of \g<s>"
+    ),
+    f"\\b(?:its |@0@ 's )?(?:next )?edge (?:lands|hits|strikes|touches)(?: (?:on )?(?:{GROUNDS}))? for (?P<n>ORDINAL)"
+    " time\\b": r"\g<n> edge lands",
     # where it is
     "^where is (?P<s>@\\d+@) (?P<when>(?:when|at|after|just|as) .+?) ?(?::|;|,|\\.) (?P<q>how far .+)$": (
         r"\g<q> is \g<s> \g<when>"

@@ -82,7 +82,7 @@ QUANTITIES: Mapping[str, str] = {
 
 MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
-    "gone going cover covers covered pulled dragged fly flies flown flying "
+    "gone going cover covers covered pulled dragged drawn hauled fly flies flown flying "
     "recoil recoils recoiled recoiling advance advances advanced",
     "roll": "roll rolls rolled rolling",
     "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending "

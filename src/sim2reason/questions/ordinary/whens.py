@@ -22,7 +22,10 @@ ONLY_LINE = "itself"  # the axis of a component along the only line on which a b
 CONNECTORS: Mapping[str, str] = {said: side for side, row in _SIDES.items() for said in row.split("|")}
 """By what a clause begins with: on which side of what it names it asks."""
 _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, reverse=True))})(?= )")
-_BESIDE = re.compile(r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b")
+_BESIDE = re.compile(
+    r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b"
+    r"|(?:(?<= over)|(?<= on)) @\d+@ (?:in|within|during|after|by|until|before|when|once) "
+)
 _LASTING = re.compile(r"[^,]*\b(?:roll|slip|slid|skid|together|bounced off|collided|collision|been hit|been struck)")
 """What is so from the moment on that a clause with *once* names."""
 _ENDED = re.compile(
