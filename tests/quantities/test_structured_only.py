@@ -143,5 +143,5 @@ def test_the_force_on_a_pulley_needs_the_directions_of_the_strings_parts() -> No
     """Of two separate planes nothing is said of the sides to which they rise."""
     scene = load(SCENES / "two_facing_planes.yaml")
     motion, words = motion_of(scene), words_of(describe(scene))
-    with pytest.raises(TextError, match="does not give the .*directions of the string's parts"):
+    with pytest.raises(TextError, match="directions of the string's parts"):
         posed(StructuredQuestion("force on a pulley", "the pulley", "at start"), motion, words)
