@@ -137,3 +137,11 @@ def test_a_subject_stands_after_of() -> None:
     motion, words = motion_of(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="height above the start the ball"):
         posed(StructuredQuestion("time", "", "height above the start the ball = 0.5 m"), motion, words)
+
+
+def test_the_force_on_a_pulley_needs_the_directions_of_the_strings_parts() -> None:
+    """Of two separate planes nothing is said of the sides to which they rise."""
+    scene = load(SCENES / "two_facing_planes.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    with pytest.raises(TextError, match="directions of the string's parts"):
+        posed(StructuredQuestion("force on a pulley", "the pulley", "at start"), motion, words)

@@ -108,4 +108,23 @@ OWN = (
       particle: {mass: 6.0, charge: 1.0, sign: positive}
       start: {kind: released}
 """,
+    """scene:
+  entities:
+  - name: roller
+    type: TumblingPrism
+    parameters: {prism: {mass: 1.0, shape: hexagonal, radius: 0.1}, plane: {angle: 12.0}, rate: 4.0}
+""",
+    """scene:
+  entities:
+  - {name: rail, type: SliderMass, parameters: {carriage: {mass: 2.4}}}
+  - name: bob
+    type: RigidPendulum
+    parameters: {arm: {}, pieces: [{kind: ball_piece, distance: 0.4, side: from the axle, body: {mass: 6.0}}],
+      angle: 50.0}
+  - {name: hand, type: ConstantForcePuller, parameters: {force: 60.0}}
+  connections:
+  - pivot: [{entity: rail, direction: pivot}, {entity: bob, direction: axle}]
+  - tendon: [{entity: rail, direction: left}, {entity: hand, direction: end}]
+    free: 2.0
+""",
 )

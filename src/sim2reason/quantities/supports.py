@@ -13,7 +13,7 @@ from sim2reason.quantities.momentum import NetForce
 from sim2reason.quantities.subjects import all_said
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import EVEN, carried_by, chain, upright
-from sim2reason.quantities.subjects.pulleys import Pulleys
+from sim2reason.quantities.subjects.pulleys import DIRECTIONS, Pulleys
 from sim2reason.quantities.subjects.turners import TurningBodies
 
 
@@ -33,6 +33,7 @@ class PulleyForce(SupportForce):
 
     name = "force on a pulley"
     of = Pulleys()
+    needs = ("mass", DIRECTIONS)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

@@ -18,7 +18,7 @@ def doubt(certificate: Certificate | None, time: float | None, moment: Moment | 
     if time >= certificate.stable_until and time > 0.0 and not (at_event and _seen_by_both(certificate, time)):
         return certificate.reason or "the moment comes after the certified stretch"
     for channel in moment.channels if moment is not None else ():
-        if not certificate.covers(channel, time):
+        if not _agreed(certificate, channel, time, at_event=at_event):
             return f"the engines disagree on the {channel.quantity} that the moment hangs on"
     agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in asked)
     return "" if agreed else "the engines disagree on what is asked"

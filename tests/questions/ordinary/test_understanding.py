@@ -110,6 +110,7 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
 @pytest.mark.parametrize(
     ("name", "question", "why"),
     [
+        ("two_facing_planes", "How big is the total force that the string exerts on the pulley?", "separate planes"),
         ("deflector", "What is the drag force on the bead?", "only the net one"),
         ("long_burn", "How fast is the probe 2 s after the fuel is used up?", "counted from the start"),
         ("pucks", "In which direction does puck B move off?", "ask for the components"),

@@ -52,8 +52,8 @@ class StayedBelow(DistanceThreshold):
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Return none: the bounce is an event, and nothing certifies the height of the top that decides which one."""
-        return ()
+        """Return the one channel on which the moment depends: the height above the ground."""
+        return (Channel(self.name, Height.name),)
 
     def time(self, trace: Trace) -> float | None:
         """Return when the body bounces for the first time without rising to the height afterwards, s."""

@@ -9,6 +9,8 @@ BEYOND: Mapping[str, str] = {
     "path is a quantity here only in a magnetic field: ask for the greatest displacement, or for a distance",
     r"magnetic force|electric force|gravitational force|weight of|centripetal force|drag force": "of the forces "
     "that lie in no string, rod, spring or contact only the net one, and those of fields and of a medium, are here",
+    r"on (?:the |its )?(?:fixed |light )*pulley": "the force of strings on a pulley is a quantity here only where the "
+    "text tells the directions of their parts, which it does not of parts along separate planes",
     r"average|mean (?:speed|velocity|force|power)": "averages are no quantities here: ask for what the motion adds up "
     "to, and for the time",
     r"\bpower\b|at what rate does .*(?:work|energy)": "of powers only those of a hand "

@@ -27,7 +27,7 @@ _HOME = (
     "|where (?:it|@\\d+@) (?:begin|at (?:very )?start|originally|initially)"
     "|(?:(?:place|point|position|location|spot) )?(?:on SURFACE )?"
     "(?:where|from (?:where|which)|at which) (?:it|@\\d+@) (?:first )?(?:start|release|launch|begin|set off"
-    "|leave|throw))"
+    "|leave|throw|let go|drop|set free|set out|set down|put down|strike|kick|push off|project|free))"
     "(?: from)?(?: position)?"
 )
 HOME = rf"(?:{_HOME})"
@@ -125,7 +125,8 @@ HEADS: Mapping[str, str] = {
     f"(?:at |with )?{_SAME}|(?:stop|cease|end|no longer) (?:slip|slide)(?:ping|ing)? (?:on|over|along|past|against) "
     f"(?:each other|one another|{S})|move together": "they move together",
     # distances
-    rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}|{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way"
+    rf"{_MOVE}(?: {_MOVE})? {_DISTANCE}(?: (?:away )?from {HOME})?|"
+    rf"{_DISTANCE.replace('<n>', '<m>')} of (?:its )?(?:path|travel|motion|way"
     rf"|slope)": ("{s} moves {n}{way}"),
     rf"(?:{_MOVE}|{FALL}|{RISE}) {_DISTANCE} (?:relative to|with respect to|along|over|across|on) (?:top of"
     rf" )?(?P<t>{S})"
@@ -222,6 +223,7 @@ HEADS: Mapping[str, str] = {
     rf"|begin))?": ("{s} falls {n} vertically"),
     "(?:cross|pass|intersect|meet|reach|hit|cut)(?: (?:through|over))? (?P<axis>[xy])(?:-| )axis": "{s} crosses"
     " {axis} axis",
+    "(?:its )?(?:greatest|maximum|highest|top|peak|largest) (?:speed|velocity)|"
     "(?:move|go|travel|slide|run|swing|spin|turn|roll|rotate)(?: at)? (?:its )?(?:fast(?:est)?|(?:greatest"
     "|maximum|highest|top|peak"
     "|largest) (?:speed|velocity))|(?:fastest|(?:reach|attain|have|at|acquire|gain) (?:its )?(?:greatest|maximum"

@@ -28,7 +28,7 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
         return
     beside = _ON_ONE_SIDE.search(clause)
     if beside is not None and beside.start() > 0:
-        yield from _on_one_side(clause[: beside.start()].strip(), beside["side"], heard, subject, side)
+        yield from _on_one_side(clause[: beside.start()].strip(" ,"), beside["side"], heard, subject, side)
         return
     found = list(_of_tables(clause, heard, subject, side))
     plain = dict.fromkeys(paraphrased(clause)) if not found else ()

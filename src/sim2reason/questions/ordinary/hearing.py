@@ -35,7 +35,8 @@ _UNIT = re.compile(
 )
 _ADJECTIVES = re.compile(r"\b(?:connecting|joining|light) (?=(?:string|rope|cord|cable|thread)\b)")
 _OWN_ADJECTIVES = re.compile(
-    r"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed) )+"
+    r"\b(?:(?:small|uniform|solid|thin|light|rigid|heavy|little|charged|hollow|straight|movable|fixed"
+    r"|spherical|homogeneous|massive|massless|long|short|given|said) )+"
     rf"(?=(?:{'|'.join(sorted({'arm', 'hemisphere', 'pulley'}.union(*NOUNS)))})\b)"
 )
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")

@@ -22,7 +22,8 @@ _JOINING = (
     rf"|stretched between))"
 )
 _TIED = (
-    "(?:attached|tied|fastened|fixed|connected|joined|made fast|leading|running|hooked) (?:on )?to|ending at|ends at"
+    "(?:attached|tied|fastened|fixed|connected|joined|made fast|leading|running|hooked|leads|runs|goes|led)"
+    " (?:on )?to|ending at|ends at"
 )
 _CARRYING = (
     "(?:holding|holds|supporting|supports|carrying|carries|bearing|bears|suspending|suspends|lifting|lifts)(?: up)?"

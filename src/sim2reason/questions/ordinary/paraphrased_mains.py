@@ -15,7 +15,8 @@ _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
-_MATTERS = re.compile(rf"\babove (?:{GROUNDS})|\bby how much\b")  # no height above the start, and no value
+_MATTERS = re.compile(rf"\babove (?:{GROUNDS})|\bby how much\b|\bmeasured along\b")
+"""What is no height above the start, and no value."""
 _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(

@@ -27,6 +27,7 @@ from sim2reason.questions.ordinary.unsaid import (
     fixed_end,
     is_light_arm,
     line_of,
+    relaxed_again,
     velocities_equal,
 )
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
@@ -77,7 +78,8 @@ def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = (
 def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
     """Return a moment with the scene's names of pairs and axes, such as *2 s after A & B collided*."""
     late = LATE.match(when)
-    told = _component(velocities_equal(when[late.end() :] if late else when, words), words)
+    told = relaxed_again(when[late.end() :] if late else when, words)
+    told = _component(velocities_equal(told, words), words)
     return f"{late[0] if late else ''}{_met(_collided(told, words, events), words)}"
 
 
@@ -192,7 +194,8 @@ def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
     if " & " in asked.of:
         return _met(f"{asked.of} closest", words).removesuffix(" closest")
     if asked.find in COLLISIONS and (not asked.of or asked.of in words.mentions.values()):
-        return _pair_of(told) or asked.of
+        only = list(words.called(Pairs())) if told.endswith("collided") else []
+        return _pair_of(told) or (only[0] if len(only) == 1 else asked.of)
     return asked.of
 
 

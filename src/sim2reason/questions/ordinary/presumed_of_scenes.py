@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import ZERO
+from sim2reason.dsl.mechanism import ZERO, ConstantTension
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, chain
@@ -21,6 +21,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     CENTERED,
     CENTRAL,
     DIES_AWAY,
+    DRAWN,
     FARTHEST,
     FIXED_END,
     FREE_AXLE,
@@ -78,6 +79,13 @@ def held(who: str, spring: str, words: Words) -> bool:
         return False
     ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
     return None in ends and (who == spring or name in ends)
+
+
+def _drawn(case: Case) -> bool:
+    """Return whether a hand draws in a string that is tied to a body."""
+    mechanism, name = case.words.mechanism, named(case.who, case.words)
+    drawn = [line for line in mechanism.lines if isinstance(line.law, ConstantTension)]
+    return any(name == mechanism.site[end].body for line in drawn for end in (line.through[0], line.through[-1]))
 
 
 def borne(who: str, on: str, words: Words) -> bool:
@@ -222,6 +230,7 @@ def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]
 
 PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     **OTHERS,
+    DRAWN: ("no hand pulls {who}", _drawn),
     LIGHT: ("{who} has a weight of its own", _light),
     SIDEWAYS: ("{who} goes along one line", _sideways),
     PLACED: ("that is not a matter of the place alone", _placed),

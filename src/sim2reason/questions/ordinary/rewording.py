@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.turns_of_amount import AMOUNT_TURNS
+from sim2reason.questions.ordinary.turns_of_course import COURSE_TURNS
 from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
 from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
 from sim2reason.questions.ordinary.turns_of_place import PLACE_TURNS
@@ -26,7 +27,7 @@ REWORDINGS: Mapping[str, str] = {
     "(?=is |are |do |does |will |has |have |did )": "long until ",
     "(?<=@ )(?:first|itself) (?!#|second|time|AUX)(?=[a-z])": "",
     "\\bupon ": "on ",
-    "\\brelative to (?:ground|floor|table|laboratory|lab)\\b ?": "",
+    "\\brelative to (?:ground|floor|table|laboratory|lab|rail|track|earth)\\b ?": "",
     "\\bfor one (?:full|complete|whole) ROUND(?: (?:about|around|round) @\\d+@)?": "to complete one round",
     "\\b(?:one|single) (?:full|complete|whole) (?P<round>ROUND)(?: (?:about|around|round) @\\d+@)?": r"one \g<round>",
     "(?<=\\bdoes )(?P<s>@\\d+@) (?:happen to|manage to|actually) ": r"\g<s> ",
@@ -34,7 +35,7 @@ REWORDINGS: Mapping[str, str] = {
     "^ASK rate (?:at|with) which (?=@)": "with what acceleration ",
     "^(?:with|at) what rate (?=(?:do|does|is|are|will) @\\d+@ (?:accelerat|speed|los))": "with what acceleration ",
     "\\b(?:at|by) (?:moment|instant|point|time)(?: in time)? (?:that|where|in which|at which|when) ": "at moment when ",
-    "^(?:for )?how (?:many seconds|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
+    "^(?:for )?how (?:many seconds|many years|much time) (?=(?:do|does|did|is|will) (?:@|engine|fuel))": "how long ",
     "^what (?P<q>QUANTITY) (?:does|do|will) (?P<s>@\\d+@) (?:finally|eventually|ultimately) (?:HAVE)$": (
         r"what is final \g<q> of \g<s>"
     ),
@@ -62,8 +63,19 @@ REWORDINGS: Mapping[str, str] = {
 """By what a part of a question is like, on text without articles: what says the same."""
 
 
+_ALL: Mapping[str, str] = {
+    **COURSE_TURNS,
+    **AMOUNT_TURNS,
+    **PLACE_TURNS,
+    **MOTION_TURNS,
+    **TURNS,
+    **REWORDINGS,
+    **LATER_TURNS,
+}
+
+
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in {**AMOUNT_TURNS, **PLACE_TURNS, **MOTION_TURNS, **TURNS, **REWORDINGS, **LATER_TURNS}.items():
+    for told, plain in _ALL.items():
         text = pattern(told).sub(plain, text)
     return text.strip()

@@ -183,6 +183,8 @@ STRETCHES: Mapping[str, Reader] = {
     "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": sums.heat,
     "ASK HEAT LOST[ by friction| to friction| through friction]": sums.heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
+    "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": sums.of_hand_on,
+    "(?:ASK|what) work [that ]~(?:done by hand|of hand|hand ~DONE) (?:on|upon) {s}": sums.of_hand_on,
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
     "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
 from sim2reason.questions.ordinary.shape_readers import spring_work
-from sim2reason.questions.ordinary.vocabulary import MUTUAL, ON, ONLY, OVER
+from sim2reason.questions.ordinary.vocabulary import DRAWN, MUTUAL, ON, ONLY, OVER
 from sim2reason.questions.ordinary.whens import AFTER, When
 
 EXTREMES = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
@@ -57,6 +57,12 @@ def most(name: str) -> Reader:
             yield Main(name, of, needs=FREE, when=When(f"{of} {EXTREMES[name]}", AFTER), rank=1)
 
     return read
+
+
+def of_hand_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the work of the hand, presuming that it pulls a named body."""
+    for of in each(heard, found["s"]):
+        yield Main("work of a hand", needs=STRETCH, ways=((of, DRAWN),))
 
 
 def work_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:

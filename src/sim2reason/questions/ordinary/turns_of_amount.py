@@ -32,7 +32,7 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "\\bstretched (?:the )?most\\b(?! of)": "most stretched",
     f" ?,? (?:expressed |measured )?in {_UNITS}(?= {_MOMENT}\\b)": "",
     "^by how many (?:j|joules) (?=has|does|is|will|did)": "by how much ",
-    " ?,? in end(?: ,)? (?=when|after|once)": " ",
+    " ?,? (?:in|at)(?: very)? end(?: ,)? (?=when|after|once)": " ",
     "^(?P<ask>ASK|what) (?P<q>LEAST) length [that ]~(?P<s>@\\d+@) (?:has|have|reaches|attains|gets|takes)$": (
         r"what is shortest length of \g<s>"
     ),
@@ -56,9 +56,8 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^how much time (?:passes|elapses|goes by|passed) after START (?:until|till|before|to moment when) ": (
         "how much time passes until "
     ),
-    "(?P<s>@\\d+@) (?P<is>[is |are ]MOTION) (?P<way>up|down) SURFACE (?:at|with) [speed of ](?P<n>#\\d+#)$": (
-        r"\g<s> \g<is> at \g<n> on its way \g<way>"
-    ),
+    "(?P<s>@\\d+@) (?P<is>[first |again ][is |are ]MOTION) (?P<way>up|down)(?:wards?|hill)?[ SURFACE] (?:at|with) "
+    "[speed of ](?P<n>#\\d+#)$": (r"\g<s> \g<is> at \g<n> on its way \g<way>"),
     "(?P<ask>(?:GREATEST|LEAST) QUANTITY (?:of|in|that|which)? ?@\\d+@(?: (?:has|reaches|attains|gets))?)"
     " (?:anywhere |at any"
     " (?:point|time|place) )?(?:on|in|during|along) (?:its |@\\d+@ 's )?(?:way|orbit|path|trajectory|whole motion"

@@ -132,7 +132,7 @@ TURNS: Mapping[str, str] = {
     "|reaches|to have)) (?P<n>#\\d+#)$": r"has been burnt when \g<s>\g<t> reaches \g<n>",
     "\\b(?:very )?(?:start|beginning|outset|first instant) of (?:its |@\\d+@ 's )?(?:burn|motion|movement|flight|fall"
     "|slide|run|swing|descent|climb|oscillation|journey|throw)s?\\b": "start",
-    "\\b(?:at|in) very (?:start|beginning|outset|first)\\b": "at start",
+    "\\b(?:at|in) very (?:start|beginning|outset|first(?! \\w))\\b": "at start",
     "(?<=for first time) after (?:leaving (?:origin|it|HOME)|START)(?=$| ,|\\.)".replace("HOME", HOME): "",
     "(?<=is |es |et |ss ) ?for first time (?=(?:after|since) START$)": "",
     "\\bafter leaving origin\\b": "after start",

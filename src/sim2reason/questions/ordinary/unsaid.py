@@ -2,9 +2,13 @@
 
 import re
 
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Elastic
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import AND
+from sim2reason.quantities.subjects.paths import EVEN
 from sim2reason.quantities.subjects.pulleys import Pulleys
+from sim2reason.quantities.subjects.springs import STRETCHED, Springs
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions.ordinary.addresses import all_of
 from sim2reason.questions.ordinary.whens import ONLY_LINE
@@ -36,6 +40,19 @@ def velocities_equal(told: str, words: Words) -> str:
     if senses[0] != senses[1] or len(senses[0]) != 1:
         return told
     return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
+
+
+def relaxed_again(told: str, words: Words) -> str:
+    """Return the moment when a spring that is relaxed at first is so again; any other moment unchanged."""
+    who, parted, _ = told.rpartition(" natural length")
+    springs = words.called(Springs())
+    names = [name for name, said in springs.items() if said == who] or list(Springs().names(words.mechanism))
+    if not parted or len(names) != 1:
+        return told
+    line = words.mechanism.line[names[0]]
+    assert isinstance(line.law, Elastic)
+    strained = abs(float(start(words.mechanism).length(line)) - line.law.length) > EVEN or line.wheels
+    return told if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
 
 
 def line_of(said: str, words: Words) -> str:

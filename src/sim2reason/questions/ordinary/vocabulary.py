@@ -66,8 +66,10 @@ QUANTITIES: Mapping[str, str] = {
     "|fuel is left|mass of fuel remaining",
     "fuel burnt": "fuel burnt|fuel burned|fuel used|fuel consumed|mass of fuel burnt|mass of burnt fuel|burnt fuel"
     "|mass of fuel burned|mass of fuel used|mass of fuel consumed|fuel used up|fuel is burnt|fuel is used",
+    "radius of curvature": "radius of curvature|curvature radius|radius of curvature of path|radius of curvature of"
+    " trajectory|radius of curvature of orbit",
     "radius of the path": "radius of circle|radius of circular path|radius of path|radius of orbit|radius of trajectory"
-    "|radius of curvature|radius of circular orbit|radius of circular motion|radius of motion|radius",
+    "|radius of circular orbit|radius of circular motion|radius of motion|radius",
     "eccentricity": "eccentricity|orbital eccentricity",
     "semi-major axis": "semi-major axis|semimajor axis|semi major axis|length of semi-major axis|major semi-axis",
     "magnetic force": "magnetic force|lorentz force|magnetic lorentz force|force of magnetic field",
@@ -80,7 +82,7 @@ QUANTITIES: Mapping[str, str] = {
 
 MOTIONS: Mapping[str, str] = {
     "move": "move moves moved moving slide slides slid sliding travel travels travelled traveled travelling go goes "
-    "gone going cover covers covered pulled dragged fly flies flown flying "
+    "gone going cover covers covered pulled dragged drawn hauled fly flies flown flying "
     "recoil recoils recoiled recoiling advance advances advanced",
     "roll": "roll rolls rolled rolling",
     "fall": "fall falls fallen falling drop drops dropped dropping descend descends descended descending "
@@ -113,6 +115,7 @@ LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
 BESIDE, FARTHEST = "beside ", "farthest beside "  # an axis of coordinates, on the side with a sign
 UNDER = "under "  # what carries it along a level line
+DRAWN = "drawn by a hand"
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
@@ -191,7 +194,8 @@ PHRASES: Mapping[str, str] = {
     "|reach its natural length|is relaxed|is unstretched|has its unstretched length|returns to its natural length"
     "|return to its natural length|regains its natural length|regain its natural length",
     "FIRST_TIME": "for first time|first time",
-    "START": "start|blow|kick|instant of release|moment of release|instant of launch|moment of launch|release"
+    "START": "start|blow|kick|throw|outset|instant of release|moment of release|instant of launch|moment of launch"
+    "|release"
     "|launch|beginning|lift-off|liftoff|takeoff|BODY is released|BODY is let go|BODY is thrown"
     "|BODY is launched|thrown|launched|struck|released|let go|kicked|BODY is struck|BODY is kicked|BODY starts"
     "|BODY begins to move"

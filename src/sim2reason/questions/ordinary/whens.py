@@ -22,7 +22,10 @@ ONLY_LINE = "itself"  # the axis of a component along the only line on which a b
 CONNECTORS: Mapping[str, str] = {said: side for side, row in _SIDES.items() for said in row.split("|")}
 """By what a clause begins with: on which side of what it names it asks."""
 _CONNECTED = re.compile(rf"(?:^|(?<= ))(?:{'|'.join(sorted(CONNECTORS, key=len, reverse=True))})(?= )")
-_BESIDE = re.compile(r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b")
+_BESIDE = re.compile(
+    r"(?:(?<= over)|(?<= on)|(?<= in)|(?<= by)) @\d+@ #\d+# (?:after|later)\b"
+    r"|(?:(?<= over)|(?<= on)) @\d+@ (?:in|within|during|after|by|until|before|when|once) "
+)
 _LASTING = re.compile(r"[^,]*\b(?:roll|slip|slid|skid|together|bounced off|collided|collision|been hit|been struck)")
 """What is so from the moment on that a clause with *once* names."""
 _ENDED = re.compile(
@@ -59,8 +62,8 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
             clause, _, question = text.partition(" , ")
             yield question.strip(), clause.strip(), THEN
     for found in _CONNECTED.finditer(text):
-        if _BESIDE.match(text, found.end()):
-            continue  # *sliding over the box 2 s after release*: no time of the box
+        if _BESIDE.match(text, found.end()) or (found[0] == "on" and text[: found.start()].endswith(" done ")):
+            continue  # *sliding over the box 2 s after release*: no time of the box; *the work done on B*
         side = AFTER if found[0] == "once" and _LASTING.match(text, found.end()) else CONNECTORS[found[0]]
         side = AFTER if found[0] in ("when", "once") and _ENDED.match(text, found.end()) else side
         side = DURING if found[0] == "once" and _GOING_ON.match(text, found.end()) else side
