@@ -3,15 +3,16 @@
 from collections.abc import Mapping, Sequence
 
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.inverse import put, put_all
+from sim2reason.solutions.algebra.inverse import put
 from sim2reason.solutions.closed_forms.closed_form import defined_by
 from sim2reason.solutions.laws.nested import AGAIN, NEW
 from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.subscripts import marked
 
 LONG = 200  # characters of a formula that is better not written; that it exceeds another is checked all the same
+LONGEST = 1000  # characters of a formula into which nothing more is inserted, as it would only become longer
 
 
 def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
@@ -26,7 +27,11 @@ def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> Non
         for held in step.relations:
             if held.role == "exceeds" and not {symbol, *hanging}.isdisjoint(held.symbols()):
                 sides = [_changed(side, symbol, changed, hanging) for side in (held.left, held.right)]
-                _verify(book, step, held, sides, lead)
+                left, right = sides
+                if left is not None and right is not None:
+                    _verify(book, step, held, (left, right), lead)
+                else:
+                    _exceeds_still(book, held, {symbol: changed, **dict(reversed(hanging.items()))})
 
 
 def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
@@ -38,9 +43,28 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
     return found
 
 
-def _changed(side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]) -> Expression:
-    """Return a formula with `changed` for a symbol, also in the formulas of names that depend on it."""
-    return put(put_all(side, hanging), symbol, changed)
+def _changed(
+    side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]
+) -> Expression | None:
+    """Return a formula with `changed` for a symbol, also in formulas of names that depend on it; None if it is long."""
+    for name, formula in {**hanging, symbol: changed}.items():
+        side = put(side, name, formula)
+        if len(side.latex()) > LONGEST:
+            return None
+    return side
+
+
+def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression]) -> None:
+    """Check a comparison in numbers, with other formulas of names, each after those on which it depends.
+
+    Raises:
+        UnsolvedError: it does not hold.
+    """
+    at = dict(book.values)
+    for name, formula in formulas.items():
+        at[name] = book.value(formula, at)
+    if not book.value(held.left, at) > book.value(held.right, at):
+        raise UnsolvedError(f"{held.left.latex()} no longer exceeds {held.right.latex()}")
 
 
 def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:

@@ -1,0 +1,38 @@
+"""Comparisons that are made again for another value: also where their formulas would become too long to be written."""
+
+import pytest
+
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.laws.still_holds import verify_again
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+STEPS = 60  # names, each of which has the one before it twice: 2⁶⁰ symbols if all are inserted
+
+
+def doubled(limit: float) -> Book:
+    """A book in which the last of many names, each equal to half of twice the one before, exceeds a limit."""
+    book = Book()
+    book.say_given("x", 1.0, "")
+    last: Expression = Symbol("x")
+    step = book.open("doubling")
+    for number in range(STEPS):
+        name = Symbol(f"a_{{{number}}}")
+        half = multiplied(Number(0.5), added(last, last))
+        step.say(step.result(name, half, "", law=True))
+        last = name
+    step.close()
+    step = book.open("compare")
+    exceeds(book, step, last, Number(limit))
+    step.say("It exceeds the limit.")
+    step.close()
+    return book
+
+
+def test_a_comparison_of_nested_formulas_is_made_again_in_numbers() -> None:
+    book = doubled(0.5)
+    steps = len(book.steps)
+    verify_again(book, "x", Number(0.6), "Now")
+    assert len(book.steps) == steps  # such a comparison is not written
+    with pytest.raises(UnsolvedError, match="no longer exceeds"):
+        verify_again(book, "x", Number(0.4), "Now")
