@@ -66,11 +66,20 @@ class Frame:
         return self
 
     def slide(
-        self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
+        self,
+        axis: Vector,
+        speed: float = 0.0,
+        limits: tuple[float, float] = (-inf, inf),
+        name: str = "slide",
+        stated: tuple[str, float] | None = None,
     ) -> "Frame":
-        """Let it move along `axis`; call twice, with another name, for two directions."""
+        """Let it move along `axis`; call twice, with another name, for two directions.
+
+        `stated` is the axis of the text that `axis` is, with the body's coordinate on it at the start, m.
+        """
         own = self._own()
-        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", unit(axis), speed, *limits))
+        found = Coordinate(f"{own}.{name}", own, name, "slide", unit(axis), speed, *limits, stated)
+        self._builder.add_coordinate(found)
         return self
 
     def hinge(

@@ -34,6 +34,7 @@ class Coordinate:
     speed: float = 0.0  # at the start: m/s, or rad/s for a hinge
     lower: float = -inf  # travel limits; reaching one ends the motion that is described
     upper: float = inf
+    stated: tuple[str, float] | None = None  # the axis of the text that it runs along, and where on it the body starts
 
 
 @record(slots=True)

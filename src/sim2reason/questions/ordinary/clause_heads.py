@@ -143,6 +143,7 @@ HEADS: Mapping[str, str] = {
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
     "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
     " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",
+    "(?P<q>greatest|maximum|largest|maximal|highest|least|minimum|smallest|minimal|lowest) (?P<axis>[xy])(?:-| )coordinate": "{s} has {q} {axis}",
     "(?:stop|cease) (?:move|go|travel|fly|run|advance) (?:in|along) (?:positive |negative )?(?P<axis>[xy])[- ]"
     "(?:direction|axis)": "{s} turns in {axis}",
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (

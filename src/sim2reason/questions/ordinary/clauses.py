@@ -107,6 +107,9 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]returns": read.returned,
     "[{s} ]~(?:closest|nearest) to far end[ of {t}]": place.near_end,
     "[{s} ]turns in (?P<axis>x|y)": place.turns,
+    "[{s} ]~has (?:(?P<most>greatest|maximum|largest|maximal|highest)|least|minimum|smallest|minimal|lowest) (?P<axis>x|y)": (
+        place.extreme_coordinate
+    ),
     "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.heads,
     "[very |extremely ]long time[ after START| (?:later|afterwards|has passed)]|in long run": place.after_long,
     "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,

@@ -96,8 +96,7 @@ FRAMES: Mapping[str, Reader] = {
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
         "spring energy"
     ),
-    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": read.coordinate,
-    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": read.coordinate,
+    "where is {s} on its line": shape.on_line,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
     "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": read.far,

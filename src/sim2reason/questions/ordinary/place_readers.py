@@ -13,6 +13,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     CENTRAL,
     COMPRESSED,
     DIES_AWAY,
+    FARTHEST,
     FIXED_END,
     HEADING,
     HELD,
@@ -78,9 +79,9 @@ def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 
 
 def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the first moment after the start when a body that starts at the origin is on an axis."""
+    """Yield the first moment after the start when a body is on an axis."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
-    yield When(f"displacement of {who} along {other} = 0 m", side, ((who, f"{ORIGIN} {other}"),))
+    yield When(f"{other} coordinate of {who} = 0", side)
 
 
 def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -229,6 +230,14 @@ def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment at which a body stops moving along an axis."""
     yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
+
+
+def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment at which a coordinate of a body is greatest or least, presuming that it turns back there."""
+    who, axis = subject_of(found, heard, subject), found["axis"]
+    way = f"{FARTHEST}{'+' if found['most'] else '-'}{axis}"
+    yield When(f"velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
+    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),), rank=1)
 
 
 def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

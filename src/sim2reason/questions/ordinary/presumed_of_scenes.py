@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, ConstantTension
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, chain
@@ -213,10 +214,13 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
 
 
 def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]:
-    """Return a test of whether a coordinate has a sign at the instant asked about, and is never farther out."""
+    """Return a test of a coordinate at the instant asked about: that it has a sign, or is never farther out."""
 
     def test(case: Case) -> bool:
         name, trace = named(case.who, case.words), case.followed.study.trace
+        place = QUANTITIES[f"{axis} coordinate"]
+        if not farthest and name in place.subjects(case.words.mechanism):
+            return sign * float(place.evaluate(trace.at(case.then), name)[0]) > 0.0
         senses = Bodies().senses(case.words.mechanism, name) if name else ()
         way = next((sign * np.array(sense.vector) for sense in senses if sense.axis == axis), None)
         if way is None:
