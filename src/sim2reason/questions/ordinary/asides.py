@@ -36,7 +36,10 @@ ASIDES = tuple(
         rf" in {_UNITS}(?: per second(?: squared)?)?$",
         "(?<=first collision) of all(?= |$)|(?<=first impact) of all(?= |$)",
         " (?:like this|in this way|in doing so|in process|as described)(?= |$)",
-        r"(?:,? )(?:that follows|that results|that ensues)(?= |$)",
+        (
+            rf"(?:,? )?(?:that|which) (?:follows|results|ensues|sets in)(?: (?:on|after|from|upon))?"
+            rf"(?: (?:its )?{pattern('START').pattern})?(?= |$)"
+        ),
         (
             "(?: ,)? (?:those with walls? (?:included|counted)|including those with walls?|counting those with"
             " walls?(?: too)?)(?: ,)?"

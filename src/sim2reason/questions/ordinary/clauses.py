@@ -91,6 +91,8 @@ CLAUSES: Mapping[str, Reader] = {
     " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),
     "[{s} ]at height of {n}": place.at_height,
     "[{s} ]moves {n} vertically {way=WAY}": place.vertically,
+    "[(?:{s}|they) ]~nearest together": place.nearest,
+    "[(?:{s}|they) ]~farthest apart": place.most_apart,
     "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,
     "[{s} ]fastest": place.fastest,
     "[{s} ]back at its height": place.back_at_height,
@@ -107,9 +109,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]returns": read.returned,
     "[{s} ]~(?:closest|nearest) to far end[ of {t}]": place.near_end,
     "[{s} ]turns in (?P<axis>x|y)": place.turns,
-    "[{s} ]~has (?:(?P<most>greatest|maximum|largest|maximal|highest)|least|minimum|smallest|minimal|lowest) (?P<axis>x|y)": (
-        place.extreme_coordinate
-    ),
+    "[{s} ]~has (?:(?P<most>greatest|maximum|largest|maximal|highest)|least|minimum|smallest|minimal|lowest)"
+    " (?P<axis>x|y)": (place.extreme_coordinate),
     "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.heads,
     "[very |extremely ]long time[ after START| (?:later|afterwards|has passed)]|in long run": place.after_long,
     "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,

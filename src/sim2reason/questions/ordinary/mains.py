@@ -161,6 +161,7 @@ FRAMES: Mapping[str, Reader] = {
     "what is amplitude[ of {s}]": shape.amplitude,
     "what is inertia of {s} about its axis": shape.own_axis,
     "what is centre of mass offset of {s}": of_one("centre of mass offset"),
+    "how far is {s} from axle": of_one("distance from the axle"),
     "how far is {s} from (?P<axis>x|y) axis": shape.from_axis,
     "how far (?P<most>at most )?(?P<side>above|below|left|right) of (?P<axis>x|y) axis is {s}": shape.beside_axis,
     "what is speed of {s} relative to {t}": shape.relatively("speed"),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
+from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis, is_time, returned, subject_of
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
@@ -24,6 +24,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     RELAXED,
     RESTS,
     SETS_OFF,
+    SPRUNG,
     STANDS,
     STRETCHED,
     UNDER,
@@ -232,12 +233,24 @@ def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
     yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
 
 
+def nearest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are closest: of two on the ends of a spring, that of greatest compression."""
+    yield from apsis("closest")(found, heard, subject, side)
+    yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
+
+
+def most_apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are farthest apart: of two on the ends of a spring, when that is longest."""
+    yield from apsis("farthest")(found, heard, subject, side)
+    yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
+
+
 def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a coordinate of a body is greatest or least, presuming that it turns back there."""
     who, axis = subject_of(found, heard, subject), found["axis"]
     way = f"{FARTHEST}{'+' if found['most'] else '-'}{axis}"
     yield When(f"velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
-    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),), rank=1)
+    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
 
 
 def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

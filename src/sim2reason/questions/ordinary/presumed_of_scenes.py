@@ -36,6 +36,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     MUTUAL,
     PLACED,
     SIDEWAYS,
+    SPRUNG,
     STANDS,
 )
 from sim2reason.questions.words import Words
@@ -200,6 +201,14 @@ def _mutual(case: Case) -> bool:
     return all(meeting.a is not None for meeting in case.words.mechanism.meetings)
 
 
+def _sprung(case: Case) -> bool:
+    """Return whether there are two bodies, and one spring, which runs straight from one to the other."""
+    mechanism = case.words.mechanism
+    heavy = {body.name for body in mechanism.bodies if body.mass > 0.0}
+    ends = [{mechanism.site[site].body for site in mechanism.line[name].through} for name in Springs().names(mechanism)]
+    return len(heavy) == 2 and ends == [heavy]
+
+
 def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
     """Return a test of whether a body moves along an axis, with the given sign, at the instant asked about."""
 
@@ -248,6 +257,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     STANDS: ("{who} does not stand still then", _stands),
     CENTRAL: ("a force acts beside that of the spring", _central),
     FREE_AXLE: ("{who} is not fixed in place", _free_axle),
+    SPRUNG: ("they are not joined by a spring alone", _sprung),
     MUTUAL: ("there are walls, too", _mutual),
     **{
         f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))

@@ -40,18 +40,19 @@ PLACE_TURNS: Mapping[str, str] = {
     f" time)?\\. {_TELL} (?:(?:its|their|the) )?(?P<axis>x|y)(?:-| )?(?:coordinate|position|value)?(?: {_PLACE})?$": (
         r"what is \g<axis> coordinate of \g<s> when \g<s> \g<verb>\g<first>"
     ),
-    "^(?:at|in|with) (?:what|which) (?:value of )?(?:(?:place|position|point) )?(?P<axis>x|y)(?:(?:-| )(?:coordinate|position"
-    "|value))? (?:do|does|will) (?P<when>(?P<s>@\\d+@) .+)$": (r"what is \g<axis> coordinate of \g<s> when \g<when>"),
-    f"^{_TELL} (?P<axis>x|y)(?:-| )(?:coordinate|position|value) (?:of (?:point|place|spot|position) )?(?:where|at which)"
-    f" (?P<when>(?P<s>@\\d+@) .+)$": r"what is \g<axis> coordinate of \g<s> when \g<when>",
+    "^(?:at|in|with) (?:what|which) (?:value of )?(?:(?:place|position|point) )?(?P<axis>x|y)(?:(?:-| )"
+    "(?:coordinate|position|value))? (?:do|does|will) (?P<when>(?P<s>@\\d+@) .+)$": (
+        r"what is \g<axis> coordinate of \g<s> when \g<when>"
+    ),
+    f"^{_TELL} (?P<axis>x|y)(?:-| )(?:coordinate|position|value) (?:of (?:point|place|spot|position) )?(?:where"
+    f"|at which) (?P<when>(?P<s>@\\d+@) .+)$": r"what is \g<axis> coordinate of \g<s> when \g<when>",
     f"^(?:(?:at|in) (?:what|which) (?:point|position|place|spot)|where)(?: (?:on|along|of|at) (?:{GROUNDS}|x axis))?"
     " (?:do|does|will) (?P<when>(?P<s>@\\d+@) .+)$": r"where is \g<s> on track when \g<when>",
     f"^{_TELL} (?:position|point|place) (?:of collision|where|at which) (?P<when>(?P<s>@\\d+@) .+)$": (
         r"where is \g<s> on track when \g<when>"
     ),
-    "(?P<s>@\\d+@) 's (?P<axis>x|y) coordinate (?:is|becomes|gets|reaches) (?:its )?(?P<most>GREATEST|LEAST)(?: value)?\\b": (
-        r"\g<s> has its \g<most> \g<axis> coordinate"
-    ),
+    "(?P<s>@\\d+@) 's (?P<axis>x|y) coordinate (?:is|becomes|gets|reaches) (?:its )?(?P<most>GREATEST|LEAST)"
+    "(?: value)?\\b": (r"\g<s> has its \g<most> \g<axis> coordinate"),
     # how far to a side of an axis
     "^how far (?:to )?(?P<side>above|below|left|right|beyond)(?: of)? (?P<axis>x|y)(?:-| )axis (?:does|will)"
     " (?P<s>@\\d+@)"

@@ -11,7 +11,6 @@ from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
     LANDING,
-    MOMENT,
     STRETCH,
     Main,
     Reader,

@@ -117,7 +117,7 @@ LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
 BESIDE, FARTHEST = "beside ", "farthest beside "  # an axis of coordinates, on the side with a sign
 UNDER = "under "  # what carries it along a level line
-DRAWN = "drawn by a hand"
+DRAWN, SPRUNG = "drawn by a hand", "sprung"  # the only spring joins the only two bodies
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 
