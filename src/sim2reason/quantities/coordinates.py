@@ -61,3 +61,24 @@ class YCoordinate(Quantity):
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the text states where on the y axis the body starts."""
         return stated_on("y", mechanism, name) is not None
+
+
+@quantity
+class OriginDistance(Quantity):
+    """The distance of a body from the origin of the text's axes, where the text states where on them the body starts."""
+
+    name, unit, symbol = "distance from the origin", "m", "r"
+    of = Bodies()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the distance in m, (n,)."""
+        axes = [each.stated[0] for each in state.mechanism.body[subject].coordinates if each.stated is not None]
+        return np.linalg.norm([_place(axis, state, subject) for axis in axes], axis=0)
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the text states all coordinates at the start."""
+        found = mechanism.body[name].coordinates
+        return bool(found) and all(each.stated is not None for each in found)

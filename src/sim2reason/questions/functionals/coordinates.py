@@ -1,7 +1,7 @@
-"""The greatest and least coordinates of a body on the axes of the text; never drawn by recipes."""
+"""The greatest and least coordinates of a body, and distances from the origin; never drawn by recipes."""
 
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.coordinates import XCoordinate, YCoordinate
+from sim2reason.quantities.coordinates import OriginDistance, XCoordinate, YCoordinate
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.words import Words
@@ -62,3 +62,22 @@ class LeastYCoordinate(ExtremeCoordinate):
     quantity = YCoordinate
     sign = -1.0
     phrase = "the least y coordinate of {body}"
+
+
+@functional
+class GreatestOriginDistance(ExtremeCoordinate):
+    """The greatest distance of a body from the origin."""
+
+    name = "greatest distance from the origin"
+    quantity = OriginDistance
+    phrase = "the greatest distance of {body} from the origin"
+
+
+@functional
+class LeastOriginDistance(ExtremeCoordinate):
+    """The least distance of a body from the origin."""
+
+    name = "least distance from the origin"
+    quantity = OriginDistance
+    sign = -1.0
+    phrase = "the least distance of {body} from the origin"

@@ -98,6 +98,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]back at its height": place.back_at_height,
     "(?P<q>speed|velocity|kinetic energy) of(?: {s})? (?P<times>\\w+)(?: times)+ at first": place.multiple,
     "{s} leaves surface": place.lifts_off,
+    "[{s} ]~{n}[ away] from origin": place.from_origin,
     "{s} returns to origin": place.back_at_origin,
     "[{s} ]stops on other side": place.across,
     "[{s} ]~[PASSES ][its |@0@ 's ]TOP on other side": place.across,

@@ -120,6 +120,8 @@ FRAMES: Mapping[str, Reader] = {
     "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": read.far,
     "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": read.far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": read.far,
+    "how far from origin ~{s}": of_one("distance from the origin"),
+    "how far ~{s}[ away] from origin": of_one("distance from the origin"),
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),
     "how far from {t} ~{s}": of_pair("distance"),

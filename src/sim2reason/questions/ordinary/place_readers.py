@@ -18,6 +18,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     HEADING,
     HELD,
     LIFTS,
+    ONE_LINE,
     ORIGIN,
     PLACED,
     QUANTITIES,
@@ -107,6 +108,13 @@ def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) 
     who = subject_of(found, heard, subject)
     for when in returned(found, heard, subject, side):
         yield replace(when, ways=((who, f"{ORIGIN} x"),))
+    yield When(f"x coordinate of {who} = 0", side, ((who, ONE_LINE),), rank=1)
+
+
+def from_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is a given distance from the origin."""
+    who = subject_of(found, heard, subject)
+    yield When(f"distance from the origin of {who} = {heard.number(found['n'])}", side)
 
 
 def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

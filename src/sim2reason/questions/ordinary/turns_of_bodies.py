@@ -11,6 +11,18 @@ _LANDS = f"(?:lands|hits|strikes|touches|bounces(?: off)?|comes down|reaches|mee
 _SLIDE = "(?:slide|run|trip|pass|swing|journey|slip|roll|stretch|passage|sweep|stroke|move)"
 
 BODY_TURNS: Mapping[str, str] = {
+    # the origin of the axes
+    f"\\bdistance (?:of|between) {_S} (?:from|and|to) origin(?: of (?:axes|coordinates|x-y plane))?\\b": (
+        r"distance from origin of \g<s>"
+    ),
+    "\\borigin of (?:axes|coordinates|x-y plane|coordinate system)\\b": "origin",
+    f"\\b{_S} 's distance (?:from|to) origin\\b": r"distance from origin of \g<s>",
+    f"^how (?:close|near) (?:to origin {_DOES} {_S} (?:come|get|pass|approach)|{_DOES} (?P<t>@\\d+@) (?:come|get|pass"
+    "|approach) to origin)(?: at (?:its )?(?:closest|nearest))?": r"what is least distance from origin of \g<s>\g<t>",
+    f"^how far(?: away)? from origin {_DOES} {_S} (?:get|go|come|move|travel|stray)(?: at (?:most|its farthest))?$": (
+        r"what is greatest distance from origin of \g<s>"
+    ),
+    # what bodies share
     f"^(?:ASK|(?:with |at )?(?:what|which)) (?:is )?(?P<q>speed|velocity) ,? ?(?:(?:that|which) )?(?:{_DOES} )?{_S}"
     " (?:then )?(?:have in common|share)(?= |$)": r"what is common speed of \g<s>",
     f"\\b(?P<q>speed|velocity) (?:common to|shared by) (?:both )?{_S}": r"common \g<q> of \g<s>",

@@ -76,6 +76,7 @@ QUANTITIES: Mapping[str, str] = {
     "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
     "resisting force": "resisting force|drag|drag force|resistive force|force of resistance|resistance of medium"
     "|force of medium|air resistance",
+    "distance from the origin": "distance from origin|distance to origin",
     "x coordinate": "x coordinate|x-coordinate|x position|x-position|x value|x-value|value of x|abscissa",
     "y coordinate": "y coordinate|y-coordinate|y position|y-position|y value|y-value|value of y|ordinate",
     "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
