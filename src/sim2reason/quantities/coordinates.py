@@ -65,7 +65,7 @@ class YCoordinate(Quantity):
 
 @quantity
 class OriginDistance(Quantity):
-    """The distance of a body from the origin of the text's axes, where the text states where on them the body starts."""
+    """The distance of a body from the origin of the axes on which the text states where the body starts."""
 
     name, unit, symbol = "distance from the origin", "m", "r"
     of = Bodies()

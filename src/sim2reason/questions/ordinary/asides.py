@@ -29,7 +29,7 @@ ASIDES = tuple(
         ),
         (
             rf"(?:[.?]|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude"
-            rf"|size|value)"
+            rf"|amount|size|value)"
             rf"(?: only)?(?: (?:in|as) [a-z/²^0-9]+(?: per [a-z]+)?)?\)?$"
         ),
         rf"(?: ,)? \((?:measured )?in {_UNITS}(?: per [a-z]+)?\)(?: ,)?",

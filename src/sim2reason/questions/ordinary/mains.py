@@ -10,7 +10,17 @@ from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, STRETCH, Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    LANDING,
+    STRETCH,
+    Main,
+    Reader,
+    of_none,
+    of_one,
+    of_pair,
+)
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
@@ -96,6 +106,7 @@ FRAMES: Mapping[str, Reader] = {
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
         "spring energy"
     ),
+    "how far does {s} move in one oscillation": of_one("distance travelled", needs=FREE),
     "where is {s} on its line": shape.on_line,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
