@@ -90,7 +90,8 @@ HEADS: Mapping[str, str] = {
     "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
-    "(?:(?:(?:get|go|come|return|fall|spring|swing) )?back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed"
+    "(?:(?:(?:get|go|come|return|fall|spring|swing) )?back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched"
+    "|relaxed"
     "|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
     f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"

@@ -7,7 +7,10 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 _S = r"(?P<s>@\d+@)"
 _DOES = "(?:does|do|did|will)"
 _TOGETHER = "(?: (?:together|taken together|combined|added together|in all|in total))?"
-_LANDS = f"(?:lands|hits|strikes|touches|bounces(?: off)?|comes down|reaches|meets|impacts)(?: on)?(?: (?:{GROUNDS}))?(?: for)?"
+_LANDS = (
+    "(?:lands|hits|strikes|touches|bounces(?: off)?|comes down|reaches|meets|impacts)(?: on)?"
+    f"(?: (?:{GROUNDS}))?(?: for)?"
+)
 _SLIDE = "(?:slide|run|trip|pass|swing|journey|slip|roll|stretch|passage|sweep|stroke|move)"
 
 BODY_TURNS: Mapping[str, str] = {
@@ -40,7 +43,8 @@ BODY_TURNS: Mapping[str, str] = {
         r"what is \g<axis> coordinate of \g<s> \g<when>"
     ),
     "\\b(?:by|in|through) (?:colliding|their collision|hitting each other)$": "in collision",
-    f"^(?:what|how (?:large|great|big) an?|ASK) friction(?: force)? (?:(?:that|which) )?(?:keeps|prevents|stops|hinders)"
+    f"^(?:what|how (?:large|great|big) an?|ASK) friction(?: force)? (?:(?:that|which) )?(?:keeps|prevents|stops"
+    "|hinders)"
     f" {_S} (?:from )?(?:slipping|sliding|skidding)(?P<rest>$| .+)": r"what is friction force on \g<s>\g<rest>",
     "^how long does (?:swing|movement|motion|trip|journey|way|passage) from one (?:side|end|turning point|extreme) to"
     " (?:other|opposite)(?: (?:side|end|one))? take$": "how long until it stops on other side",
@@ -66,7 +70,7 @@ BODY_TURNS: Mapping[str, str] = {
     "^how much (?:kinetic |mechanical )?energy do @0@ lose (?P<in>in|by|during|through) (?P<w>(?:their |this )?"
     "(?:collision|impact))$": r"how much kinetic energy is lost \g<in> \g<w>",
     f"^how far (?P<does>{_DOES}) {_S} (?P<v>travel|move|go|slide|run) (?:during|in|within|over) (?:one|single|each)"
-    " (?:full |complete |whole )?(?:oscillation|period|vibration|cycle)$": r"how far does \g<s> move in one oscillation",
+    " (?:full |whole )?(?:oscillation|period|vibration|cycle)$": r"how far does \g<s> move in one oscillation",
     # what bodies share
     f"^(?:ASK|(?:with |at )?(?:what|which)) (?:is )?(?P<q>speed|velocity) ,? ?(?:(?:that|which) )?(?:{_DOES} )?{_S}"
     " (?:then )?(?:have in common|share)(?= |$)": r"what is common speed of \g<s>",
@@ -80,9 +84,9 @@ BODY_TURNS: Mapping[str, str] = {
     "^how short (?P<is>is|was) (?=@)": r"how long \g<is> ",
     f"{_S} (?:acting |running |stretched )?between (?:them|both of them|these two|both)(?= |$)": r"\g<s>",
     f"^{_S} (?:moves|travels|flies|goes|runs|circulates|describes|follows|traces out|traces|performs)(?: (?:round|along"
-    "|in|on))? (?:circular (?:path|orbit|motion|arc|track)|(?:arc of )?circle)\\. (?P<ask>ASK|what|how (?:large|great|big)"
-    " is) (?:@\\d+@ 's |its |this |that )?(?:circle 's |path 's )?radius(?: of (?:it|this|that|this circle|circle|path"
-    "|@\\d+@))?$": r"what is radius of path of \g<s>",
+    "|in|on))? (?:circular (?:path|orbit|motion|arc|track)|(?:arc of )?circle)\\. (?P<ask>ASK|what|how (?:large"
+    "|great|big) is) (?:@\\d+@ 's |its |this |that )?(?:circle 's |path 's )?radius(?: of (?:it|this|that"
+    "|this circle|circle|path|@\\d+@))?$": r"what is radius of path of \g<s>",
     "\\b(?:closest|nearest|least far apart|as close as they get|at their closest|at their nearest)"
     " (?:together|to each other|to one another)\\b": "nearest together",
     "\\b(?:farthest|furthest) (?:apart|from each other|from one another)\\b": "farthest apart",

@@ -44,7 +44,8 @@ CONDITIONS: Mapping[str, str] = {
         r"greatest height of \g<t> be \g<n>"
     ),
     r"^(?:rise|climb|ascend|go up) (?P<n>#\d+#) vertically$": r"its greatest height be \g<n>",
-    rf"^(?P<t>{_S}) (?:to )?{_GOES}(?P<w> (?:up|down|uphill|downhill|upwards|downwards))?(?: (?:{GROUNDS}))? (?:with|at)"
+    rf"^(?P<t>{_S}) (?:to )?{_GOES}(?P<w> (?:up|down|uphill|downhill|upwards|downwards))?(?: (?:{GROUNDS}))?"
+    r" (?:with|at)"
     rf" (?P<m>{'|'.join(MULTIPLES)}) (?:of )?(?:its |@\d+@ 's )?(?:(?:present|actual|original) )?"
     r"(?P<q>acceleration|speed)(?: (?:(?:that )?(?:it|@\d+@) (?:has|had)(?: (?:now|at present|in scene))?|as now|of now"
     r"|(?:as )?(?:it is )?now))?$": r"\g<q> of \g<t>\g<w> be \g<m> what it is now",
