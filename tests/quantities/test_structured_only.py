@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.dsl.displaced import displaced
 from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
@@ -49,6 +50,9 @@ SWUNG = 2.0 * G * 0.24 / (0.4 * 0.18**2 + 0.24**2)
 """The square of the angular speed with which a sphere on an arm passes its lowest point, from level."""
 SOLID, HOLE = 3.8 * 0.19**2 / (0.19**2 - 0.12**2), 3.8 * 0.12**2 / (0.19**2 - 0.12**2)
 BORED = 0.5 * SOLID * 0.19**2 - HOLE * (0.5 * 0.12**2 + 0.041**2)
+
+RADIUS = 4.4 * 2.9 / (2.3 * 0.55)
+"""The radius of the circle of a bead in a magnetic field that leaves the origin, in m."""
 
 FACE = radians(36.0)  # of a decagonal prism, as seen from its axis
 CENTRAL = 0.1**2 * (2.0 + cos(FACE)) / 6.0
@@ -108,6 +112,22 @@ def second_time(height: float) -> float:
             sqrt(133.0 / 4.8 * (0.14**2 - 0.05**2)),
         ),
         ("wide_box", "speed relative to its carrier", "block A", "0.4 s", 0.4 * 6.0526071842),
+        ("dull_carts", "x coordinate", "cart A", "collided before", -1.44 + 1.18 * 0.46 / (1.18 + 1.43)),
+        ("dull_carts", "time", "", "x coordinate of cart A = -1.3 m", 0.14 / 1.18),
+        ("dull_carts", "distance from the origin", "cart A", "0.1 s", 1.44 - 0.118),
+        ("tilted_table", "y coordinate", "puck A", "0.1 s", 0.15 - 0.059 - 0.5 * G * sin(radians(9.0)) * 0.1**2),
+        ("round_orbit", "distance from the origin", "the planet", "at start", sqrt(0.7**2 + 0.35**2)),
+        ("origin_circle", "greatest distance from the origin", "the bead", "10.927 s", 2.0 * RADIUS),
+        ("origin_circle", "greatest y coordinate", "the bead", "20 s", RADIUS * (1.0 - cos(radians(199.0)))),
+        ("origin_circle", "least x coordinate", "the bead", "20 s", -RADIUS * (1.0 - sin(radians(199.0)))),
+        ("wide_rod_swing", "distance from the axle", "the rod", "at start", 0.28),
+        (
+            "boards_and_hand",
+            "energy dissipated by friction",
+            "board A + board B",
+            "0.4 s",
+            4.54114031,
+        ),
     ],
 )
 def test_quantities_have_their_closed_forms(name: str, find: str, of: str, when: str, value: float) -> None:
@@ -145,3 +165,19 @@ def test_the_force_on_a_pulley_needs_the_directions_of_the_strings_parts() -> No
     motion, words = motion_of(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="directions of the string's parts"):
         posed(StructuredQuestion("force on a pulley", "the pulley", "at start"), motion, words)
+
+
+def test_only_stated_axes_have_coordinates() -> None:
+    """A thrown ball has no coordinates, as the text states no origin; a cart on a track has no y coordinate."""
+    for name, of, find in (("lob", "the ball", "x coordinate"), ("dull_carts", "cart A", "y coordinate")):
+        scene = load(SCENES / f"{name}.yaml")
+        motion, words = motion_of(scene), words_of(describe(scene))
+        with pytest.raises(TextError):
+            posed(StructuredQuestion(find, of, "at start"), motion, words)
+
+
+def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
+    """Displaced bodies keep counting from the origin of the text."""
+    mechanism = load(SCENES / "dull_carts.yaml").mechanism
+    later = displaced(mechanism, [0.1, -0.2], [0.0, 0.0])
+    assert [place[1] for each in later.coordinates if (place := each.stated)] == pytest.approx([-1.34, -1.18])

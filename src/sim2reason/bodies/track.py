@@ -45,9 +45,9 @@ class Track(Body):
         slope = radians(self.tilt)
         return (cos(slope), 0.0, sin(slope))
 
-    def carry(self, frame: Frame, speed: float = 0.0) -> Frame:
-        """Let a body move along the track, m/s."""
-        return frame.slide(self.along, speed, name="right")
+    def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
+        """Let a body move along the track, m/s, which may be an axis of the text: see `Frame.slide`."""
+        return frame.slide(self.along, speed, name="right", stated=stated)
 
 
 @body
@@ -60,10 +60,10 @@ class RoughTrack(Track):
     lone = ("a straight {surface} {lie}", "a straight and {surface} {lie}")
     words = {**Track.words, "surface": Smoothness}
 
-    def carry(self, frame: Frame, speed: float = 0.0) -> Frame:
+    def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
         """Let a body move along the track, m/s; how it presses on the track matters only if that is rough."""
         if self.friction == 0.0:
-            return super().carry(frame, speed)
+            return super().carry(frame, speed, stated)
         slope = radians(self.tilt)
         normal = (-sin(slope), 0.0, cos(slope))
         return frame.rest(self.along, normal, self.friction, speed, name="right", static=self.static_friction)

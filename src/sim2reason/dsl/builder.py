@@ -66,11 +66,16 @@ class Frame:
         return self
 
     def slide(
-        self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
+        self,
+        axis: Vector,
+        speed: float = 0.0,
+        limits: tuple[float, float] = (-inf, inf),
+        name: str = "slide",
+        stated: tuple[str, float] | None = None,
     ) -> "Frame":
-        """Let it move along `axis`; call twice, with another name, for two directions."""
-        own = self._own()
-        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", unit(axis), speed, *limits))
+        """Let it move along `axis`, on which it starts as `stated`; call twice, with another name, for two."""
+        own, way = self._own(), unit(axis)
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", way, speed, *limits, stated))
         return self
 
     def hinge(
@@ -171,7 +176,7 @@ class Frame:
         self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)), faces)
         if mass == 0.0:
             return self._builder.add_pulley(address, Rim(left, right, None, radius))
-        self.body(name, mass, at=at, inertia=disc_inertia(mass, radius)).hinge(Y)
+        self.body(name, mass, at=at, inertia=axial_inertia(0.5 * mass * radius**2)).hinge(Y)
         return self._builder.add_pulley(address, Rim(left, right, f"{address}.hinge", radius))
 
     def string(self, name: str, *through: str | Rim, slack: float = 0.0, reel: float = 0.0) -> None:
@@ -276,11 +281,6 @@ def _flat(through: Iterable[str | Rim]) -> list[str]:
 def axial_inertia(inertia: float) -> Tensor:
     """Return the inertia tensor of a flat disc about y, kg m², with half of its axial moment of inertia across."""
     return (0.5 * inertia, inertia, 0.5 * inertia, 0.0, 0.0, 0.0)
-
-
-def disc_inertia(mass: float, radius: float) -> Tensor:
-    """A uniform disc whose axis is y: ½mr² about it, ¼mr² across, kg m²."""
-    return (0.25 * mass * radius**2, 0.5 * mass * radius**2, 0.25 * mass * radius**2, 0.0, 0.0, 0.0)
 
 
 class Builder(Collector):

@@ -83,6 +83,7 @@ class _Displaced:
             speed=float(self.speeds[number]),
             lower=coordinate.lower - gone,
             upper=coordinate.upper - gone,
+            stated=None if coordinate.stated is None else (coordinate.stated[0], coordinate.stated[1] + gone),
         )
 
     def site(self, site: Site) -> Site:

@@ -34,6 +34,7 @@ class Coordinate:
     speed: float = 0.0  # at the start: m/s, or rad/s for a hinge
     lower: float = -inf  # travel limits; reaching one ends the motion that is described
     upper: float = inf
+    stated: tuple[str, float] | None = None  # the axis of the text that it runs along, and where on it the body starts
 
 
 @record(slots=True)
@@ -151,9 +152,8 @@ class Line:
     """A light line of one tension, straight between its sites.
 
     Its length is the sum of the distances between consecutive sites + Σ radius·angle over its wheels. A line that
-    passes a massive pulley is several of these, one for each part, all with the same `whole`. One that lies along a
-    circle joins two bodies that turn about its centre: they are its wheels, and its sites, which are fixed in the room,
-    stand as far apart as it is long at the start.
+    passes a massive pulley is several of these, one for each part, all with the same `whole`. One along a circle joins
+    two bodies that turn about its centre: they are its wheels, and its fixed sites stand apart by its length at first.
     """
 
     name: str

@@ -149,7 +149,7 @@ class ComplexCollisionPlane(Entity):
         along, frames = self.track.along, list[Frame]()
         for index, glider in enumerate(self.gliders):
             frame = room.body(f"gliders.{index}", glider.mass, at=scale(glider.x, along))
-            frames.append(self.track.carry(frame, glider.v).site(f"hook{index}"))
+            frames.append(self.track.carry(frame, glider.v, ("x", glider.x)).site(f"hook{index}"))
         self._springs(room)
         special, sprung = {pair.first: pair.restitution for pair in self.pairs}, (*self.joined, *self.buffers)
         for index, (one, other) in enumerate(pairwise(frames)):

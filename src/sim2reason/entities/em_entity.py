@@ -105,7 +105,8 @@ class EmEntity(Entity):
     def build(self, room: Frame) -> None:
         """Two slides in a level plane, and a force for each field; a medium is everywhere."""
         vx, vy = self.start.velocity
-        bead = room.body("particle", self.particle.mass).slide(X, vx, name="x").slide(Y, vy, name="y")
+        bead = room.body("particle", self.particle.mass).slide(X, vx, name="x", stated=("x", 0.0))
+        bead.slide(Y, vy, name="y", stated=("y", 0.0))
         region = self.region.shape if self.region is not None else None
         for name, field in self.fields.items():
             bead.force(name, field.law(self.particle.signed_charge), None if field is self.medium else region)

@@ -97,7 +97,8 @@ class SolarSystem(Entity):
         for index, planet in enumerate(self.planets):
             mass = planet.mass if isinstance(planet, HeavyPlanet) else LIGHT
             frame = room.body(f"planets.{index}", mass, at=(planet.x, planet.y, 0.0))
-            frame.slide(X, planet.vx, name="x").slide(Y, planet.vy, name="y").attract(star, G)
+            frame.slide(X, planet.vx, name="x", stated=("x", planet.x))
+            frame.slide(Y, planet.vy, name="y", stated=("y", planet.y)).attract(star, G)
             frames.append(frame)
         if isinstance(self.planets[0], HeavyPlanet):
             for one, other in combinations(frames, 2):

@@ -128,7 +128,8 @@ class SpringBlock(Entity):
         """Two slides on the table, and a spring to each nail."""
         launch = self.launch or Launch(x=0.0, y=0.0)
         block = room.body("block", self.block.mass, at=(self.x, self.y, 0.0))
-        block.slide(X, launch.x, name="x").slide(Y, launch.y, name="y").site("hook")
+        block.slide(X, launch.x, name="x", stated=("x", self.x))
+        block.slide(Y, launch.y, name="y", stated=("y", self.y)).site("hook")
         for index, spring in enumerate(self.springs):
             room.site(f"nail{index}", at=(spring.x, spring.y, 0.0))
             room.spring(

@@ -197,7 +197,8 @@ class TwoDCollisionPlane(Entity):
         for index, puck in enumerate(self.pucks):
             at = (puck.x, puck.y * upslope[1], puck.y * upslope[2])
             frame = room.body(f"pucks.{index}", puck.mass, at=at)
-            frames.append(frame.slide(X, puck.vx, name="x").slide(upslope, puck.vy, name="y"))
+            frame.slide(X, puck.vx, name="x", stated=("x", puck.x))
+            frames.append(frame.slide(upslope, puck.vy, name="y", stated=("y", puck.y)))
         for axis, side, place in self._walls:
             inward = scale(-side, X if axis == "x" else upslope)
             for frame in frames:

@@ -92,6 +92,30 @@ class InertiaOffDiagonal(InertiaTensor):
 
 
 @quantity
+class AxleDistance(Quantity):
+    """The distance of a body's centre of mass from the axle that it turns about; in structured questions only."""
+
+    name, unit, symbol = "distance from the axle", "m", "d"
+    of = Bodies()
+    drawn_by_recipes = False
+    floor = 0.1
+    timeless = True
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the distance of the centre of mass from the axis of the hinge in m, (n,)."""
+        mechanism = state.mechanism
+        _, axis = turning_axes(mechanism, subject)[0]
+        turning = next(body for body in chain(mechanism, subject) if any(c.kind == "hinge" for c in body.coordinates))
+        arm = state.vector(minus(state.frames.center(subject).place, state.frames[turning.name].point(ZERO).place))
+        return np.linalg.norm(np.cross(arm, np.array(axis)), axis=1)
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a mass and turns about one fixed hinge."""
+        return mechanism.body[name].mass > 0.0 and _on_axle(mechanism, name)
+
+
+@quantity
 class InertiaAboutAxle(AboutCenter):
     """The moment of inertia of a body about the axle that it turns about; in structured questions only, never drawn."""
 
@@ -105,10 +129,7 @@ class InertiaAboutAxle(AboutCenter):
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
         held = product(axis, applied(mechanism.body[subject].inertia, axis))
-        turning = next(body for body in chain(mechanism, subject) if any(c.kind == "hinge" for c in body.coordinates))
-        arm = state.vector(minus(state.frames.center(subject).place, state.frames[turning.name].point(ZERO).place))
-        across = np.cross(arm, np.array(axis))
-        return held + mechanism.body[subject].mass * np.einsum("ij,ij->i", across, across)
+        return held + mechanism.body[subject].mass * AxleDistance.evaluate(state, subject) ** 2
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body has a mass and turns about one fixed hinge."""

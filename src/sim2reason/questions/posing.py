@@ -31,9 +31,11 @@ LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
 MINUS = " minus "  # between two moments, for the value at the first one less the value at the second one
+HEAT = "energy dissipated by friction"
 AXLE = "moment of inertia about the axle"
-SUMMED = ("kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy", "mass", AXLE)
-"""Quantities whose values of several subjects add up to that of all."""
+KINETIC = "kinetic energy", "translational kinetic energy", "rotational kinetic energy"
+SUMMED = (*KINETIC, "spring energy", "mass", AXLE, HEAT)
+"""What can be found whose values of several subjects add up to that of all."""
 RATIO, DIFFERENCE, VALUE = COMPARED = "ratio", "difference", "value"
 """Forms of a changed answer, or of a number that is found: compared with the one in the scene, or the value itself."""
 SYMBOL = "x"  # of a number that is looked for and has no other symbol

@@ -29,14 +29,17 @@ ASIDES = tuple(
         ),
         (
             rf"(?:[.?]|,|;| and| \() ?{_TELL} (?:only )?(?:(?:its|your|their|just|only) )?(?:answer|result|magnitude"
-            rf"|size|value)"
+            rf"|amount|size|value)"
             rf"(?: only)?(?: (?:in|as) [a-z/²^0-9]+(?: per [a-z]+)?)?\)?$"
         ),
         rf"(?: ,)? \((?:measured )?in {_UNITS}(?: per [a-z]+)?\)(?: ,)?",
         rf" in {_UNITS}(?: per second(?: squared)?)?$",
         "(?<=first collision) of all(?= |$)|(?<=first impact) of all(?= |$)",
         " (?:like this|in this way|in doing so|in process|as described)(?= |$)",
-        r"(?:,? )(?:that follows|that results|that ensues)(?= |$)",
+        (
+            rf"(?:,? )?(?:that|which) (?:follows|results|ensues|sets in)(?: (?:on|after|from|upon))?"
+            rf"(?: (?:its )?{pattern('START').pattern})?(?= |$)"
+        ),
         (
             "(?: ,)? (?:those with walls? (?:included|counted)|including those with walls?|counting those with"
             " walls?(?: too)?)(?: ,)?"

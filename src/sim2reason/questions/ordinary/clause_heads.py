@@ -90,7 +90,8 @@ HEADS: Mapping[str, str] = {
     "|apocentre|apogee"
     "|apastron|maximum distance|greatest distance|largest distance": "{s} farthest from {t}",
     # springs
-    "(?:(?:get|go|come|return|fall|spring) back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched|relaxed"
+    "(?:(?:(?:get|go|come|return|fall|spring|swing) )?back (?:again )?(?:to|at) )?(?:its )?(?:natural|unstretched"
+    "|relaxed"
     "|unstrained|undeformed|rest|own) length|relaxed|relax|unstretched|unstrained"
     "|undeformed|neither stretch nor compress|no longer (?:stretch|compress|deform)": "{s} is relaxed",
     f"{_MOST} compress|{_MOST} compression|compress {_MOST}|compress (?:the )?most|compress as far as possible"
@@ -143,6 +144,8 @@ HEADS: Mapping[str, str] = {
     rf"(?:move |travel |go |fly )?(?P<n>{N}) horizontally": "{s} moves {n} horizontally",
     "(?:move|fly|travel|go|run|head|point)(?: (?:straight|exactly|directly|purely))?(?: (?:in|along|into))?"
     " (?P<heading>positive|negative|\\+|-|−) ?(?P<axis>[xy])[- ](?:direction|axis)": "{s} heads {heading} {axis}",
+    "(?P<q>greatest|maximum|largest|maximal|highest|least|minimum|smallest|minimal|lowest) (?P<axis>[xy])(?:-| )"
+    "coordinate": "{s} has {q} {axis}",
     "(?:stop|cease) (?:move|go|travel|fly|run|advance) (?:in|along) (?:positive |negative )?(?P<axis>[xy])[- ]"
     "(?:direction|axis)": "{s} turns in {axis}",
     "(?:move|fly|travel|go|run|head)(?: exactly)?(?: in direction)? parallel to (?P<axis>[xy])[- ]axis": (

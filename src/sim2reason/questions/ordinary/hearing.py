@@ -40,6 +40,7 @@ _OWN_ADJECTIVES = re.compile(
     rf"(?=(?:{'|'.join(sorted({'arm', 'hemisphere', 'pulley'}.union(*NOUNS)))})\b)"
 )
 _CENTER = re.compile(r"\b(?:centre|center) of (?:mass of )?(?=@)|(@\d+@) 's (?:centre|center)(?: of mass)?")
+_CENTER_OF_ONE = re.compile(r"\b(?:centre|center) of @(\d+)@")
 _INDIRECT = re.compile(r"^(?:[Dd]etermine|[Ff]ind|[Cc]alculate|[Cc]ompute|[Ww]ork out) (?=how )")
 _RELEASED = re.compile(r"^(?:if|when|after) (?:system|everything|it|@0@) is (?:released|let go)(?: from rest)? , ")
 _FROM_REST = re.compile(
@@ -123,8 +124,9 @@ def hear(sentence: str, words: Words) -> Heard:
         text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
     text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
-    if not any(subject == EVERYTHING or subject.startswith(f"{ALL} ") for subject in subjects):
-        text = _CENTER.sub(r"\1", text)
+    joint = {number for number, said in enumerate(subjects) if said == EVERYTHING or said.startswith(f"{ALL} ")}
+    text = _CENTER_OF_ONE.sub(lambda told: told[0] if int(told[1]) in joint else f"@{told[1]}@", text)
+    text = text if joint else _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
     if not subjects and len(alone := _movers(words)) == 1:

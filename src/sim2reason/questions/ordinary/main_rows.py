@@ -250,5 +250,9 @@ ROWS = (
          _IN_ALL), ALL_COLLISIONS),
     WantedRow(("how many (?:collision|impact)s?|number of collisions?", "?there|take place|happen|occur|undergo"),
         ALL_COLLISIONS),
-    WantedRow(("(?:x|y)(?:-| )(?:coordinate|position)", f"?{MOTION}"), "what is {axis} coordinate of {s}"),
+    WantedRow(("(?:x|y)(?:-| )(?:coordinate|position|value)", f"?{MOTION}"), "what is {axis} coordinate of {s}"),
+    WantedRow(("{size}", "(?:x|y)(?:-| )(?:coordinate|position|value)|value of (?P<line>x|y)",
+        f"?{MOTION}|reach", "?ever|at any time"), "what is {size} {axis}{line} coordinate of {s}"),
+    WantedRow(("where|(?:(?:at |in |on )?(?:what|which) )?(?:point|position|place|spot)",
+        f"?(?:of|on|along|in) (?:{GROUNDS})", f"?{MOTION}|lie|find"), "where is {s} on its line"),
 )  # fmt: skip

@@ -10,7 +10,17 @@ from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
-from sim2reason.questions.ordinary.readers import CLAUSED, LANDING, STRETCH, Main, Reader, of_none, of_one, of_pair
+from sim2reason.questions.ordinary.readers import (
+    CLAUSED,
+    FREE,
+    LANDING,
+    STRETCH,
+    Main,
+    Reader,
+    of_none,
+    of_one,
+    of_pair,
+)
 from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
@@ -96,8 +106,8 @@ FRAMES: Mapping[str, Reader] = {
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": of_one(
         "spring energy"
     ),
-    "ASK (?P<axis>x|y)(?: |-)coordinate of {s}": read.coordinate,
-    "ASK {s} 's (?P<axis>x|y)(?: |-)coordinate": read.coordinate,
+    "how far does {s} move in one oscillation": of_one("distance travelled", needs=FREE),
+    "where is {s} on its line": shape.on_line,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
     "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": read.far,
@@ -121,6 +131,8 @@ FRAMES: Mapping[str, Reader] = {
     "ASK {way=HORIZONTAL} distance (?:covered|travelled|traveled|moved) by {s}": read.far,
     "how far (?:{way=WAY}|ALONG_IT) ~{s} ~{motion=MOTION}": read.far,
     "(?:what distance|how much distance) ~{s} ~{motion=MOTION}[ ALONG_IT]": read.far,
+    "how far from origin ~{s}": of_one("distance from the origin"),
+    "how far ~{s}[ away] from origin": of_one("distance from the origin"),
     "how far from HOME ~{s}": of_one("displacement"),
     "how far ~{s} from HOME": of_one("displacement"),
     "how far from {t} ~{s}": of_pair("distance"),
@@ -162,6 +174,7 @@ FRAMES: Mapping[str, Reader] = {
     "what is amplitude[ of {s}]": shape.amplitude,
     "what is inertia of {s} about its axis": shape.own_axis,
     "what is centre of mass offset of {s}": of_one("centre of mass offset"),
+    "how far is {s} from axle": of_one("distance from the axle"),
     "how far is {s} from (?P<axis>x|y) axis": shape.from_axis,
     "how far (?P<most>at most )?(?P<side>above|below|left|right) of (?P<axis>x|y) axis is {s}": shape.beside_axis,
     "what is speed of {s} relative to {t}": shape.relatively("speed"),

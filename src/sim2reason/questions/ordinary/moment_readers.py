@@ -13,7 +13,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     DIES_AWAY,
     GROUNDS,
     ON,
-    ORIGIN,
     QUANTITIES,
     SETS_OFF,
     STRAIGHT,
@@ -191,10 +190,10 @@ def has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -
 
 
 def at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a coordinate of a body that starts at the origin has a value."""
+    """Yield the moment when a coordinate of a body has a value."""
     who, axis = subject_of(found, heard, subject), found["axis"]
     value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
-    yield When(f"displacement of {who} along {axis} = {value}", side, ((who, f"{ORIGIN} {axis}"),))
+    yield When(f"{axis} coordinate of {who} = {value}", side)
 
 
 def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -10,7 +10,7 @@ from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_o
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
-_ASKS = re.compile(r"\b(?:what|which|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
+_ASKS = re.compile(r"\b(?:what|which|where|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
 _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"

@@ -6,23 +6,26 @@ from dataclasses import replace
 
 from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.moment_readers import LIFT_OFF, is_time, returned, subject_of
+from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis, is_time, returned, subject_of
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     CENTRAL,
     COMPRESSED,
     DIES_AWAY,
+    FARTHEST,
     FIXED_END,
     HEADING,
     HELD,
     LIFTS,
+    ONE_LINE,
     ORIGIN,
     PLACED,
     QUANTITIES,
     RELAXED,
     RESTS,
     SETS_OFF,
+    SPRUNG,
     STANDS,
     STRETCHED,
     UNDER,
@@ -78,9 +81,9 @@ def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 
 
 def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the first moment after the start when a body that starts at the origin is on an axis."""
+    """Yield the first moment after the start when a body is on an axis."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
-    yield When(f"displacement of {who} along {other} = 0 m", side, ((who, f"{ORIGIN} {other}"),))
+    yield When(f"{other} coordinate of {who} = 0", side)
 
 
 def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -105,6 +108,13 @@ def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) 
     who = subject_of(found, heard, subject)
     for when in returned(found, heard, subject, side):
         yield replace(when, ways=((who, f"{ORIGIN} x"),))
+    yield When(f"x coordinate of {who} = 0", side, ((who, ONE_LINE),), rank=1)
+
+
+def from_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when a body is a given distance from the origin."""
+    who = subject_of(found, heard, subject)
+    yield When(f"distance from the origin of {who} = {heard.number(found['n'])}", side)
 
 
 def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
@@ -229,6 +239,26 @@ def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> I
 def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment at which a body stops moving along an axis."""
     yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
+
+
+def nearest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are closest: of two on the ends of a spring, that of greatest compression."""
+    yield from apsis("closest")(found, heard, subject, side)
+    yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
+
+
+def most_apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when two bodies are farthest apart: of two on the ends of a spring, when that is longest."""
+    yield from apsis("farthest")(found, heard, subject, side)
+    yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
+
+
+def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment at which a coordinate of a body is greatest or least, presuming that it turns back there."""
+    who, axis = subject_of(found, heard, subject), found["axis"]
+    way = f"{FARTHEST}{'+' if found['most'] else '-'}{axis}"
+    yield When(f"velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
+    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
 
 
 def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

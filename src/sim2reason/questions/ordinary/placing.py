@@ -33,7 +33,7 @@ from sim2reason.questions.ordinary.unsaid import (
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
-from sim2reason.questions.posing import AXLE, MINUS, PLUS, SUMMED
+from sim2reason.questions.posing import AXLE, HEAT, MINUS, PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
@@ -108,7 +108,7 @@ def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 def _together(find: str, words: Words) -> tuple[str, ...]:
     """Return all subjects of a quantity as one, whose values add up; none if they do not."""
-    every = all_of(find, words) if find in SUMMED else ()
+    every = rubbing(words) if find == HEAT else all_of(find, words) if find in SUMMED else ()
     axles = {turning_axes(words.mechanism, name)[0][0] for name in every if find == AXLE}
     return (PLUS.join(every),) if every and len(axles) < 2 else ()
 
@@ -122,13 +122,18 @@ def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return tuple(movers(words))
     if asked.find == ON_AXLE:
         return tuple(quantity.subjects(words.mechanism)[:1]) if quantity is not None else ()
-    functional = FUNCTIONALS.get(asked.find)
-    if functional is not None and functional.name.endswith("friction"):
-        rubbing = [name for name in functional.of.names(words.mechanism) if functional.present(words, name)]
-        return tuple(rubbing) if len(rubbing) == 1 else ()  # of several, it is the sum
+    if asked.find == HEAT:
+        every = rubbing(words)
+        return every if len(every) == 1 else ()  # of several, it is the sum
     if quantity is not None and asked.find == "friction force" and words.mechanism.contacts:
         return tuple(name for name in words.called(quantity.of) if quantity.present(words.mechanism, name))
     return ()
+
+
+def rubbing(words: Words) -> tuple[str, ...]:
+    """Return the names of all bodies that may slip on a rough face."""
+    functional = FUNCTIONALS[HEAT]
+    return tuple(name for name in functional.of.names(words.mechanism) if functional.present(words, name))
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, ConstantTension
+from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, chain
@@ -35,6 +36,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     MUTUAL,
     PLACED,
     SIDEWAYS,
+    SPRUNG,
     STANDS,
 )
 from sim2reason.questions.words import Words
@@ -199,6 +201,14 @@ def _mutual(case: Case) -> bool:
     return all(meeting.a is not None for meeting in case.words.mechanism.meetings)
 
 
+def _sprung(case: Case) -> bool:
+    """Return whether there are two bodies, and one spring, which runs straight from one to the other."""
+    mechanism = case.words.mechanism
+    heavy = {body.name for body in mechanism.bodies if body.mass > 0.0}
+    ends = [{mechanism.site[site].body for site in mechanism.line[name].through} for name in Springs().names(mechanism)]
+    return len(heavy) == 2 and ends == [heavy]
+
+
 def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
     """Return a test of whether a body moves along an axis, with the given sign, at the instant asked about."""
 
@@ -213,10 +223,13 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
 
 
 def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]:
-    """Return a test of whether a coordinate has a sign at the instant asked about, and is never farther out."""
+    """Return a test of a coordinate at the instant asked about: that it has a sign, or is never farther out."""
 
     def test(case: Case) -> bool:
         name, trace = named(case.who, case.words), case.followed.study.trace
+        place = QUANTITIES[f"{axis} coordinate"]
+        if not farthest and name in place.subjects(case.words.mechanism):
+            return sign * float(place.evaluate(trace.at(case.then), name)[0]) > 0.0
         senses = Bodies().senses(case.words.mechanism, name) if name else ()
         way = next((sign * np.array(sense.vector) for sense in senses if sense.axis == axis), None)
         if way is None:
@@ -244,6 +257,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     STANDS: ("{who} does not stand still then", _stands),
     CENTRAL: ("a force acts beside that of the spring", _central),
     FREE_AXLE: ("{who} is not fixed in place", _free_axle),
+    SPRUNG: ("they are not joined by a spring alone", _sprung),
     MUTUAL: ("there are walls, too", _mutual),
     **{
         f"{HEADING}{sign}{axis}": ("{who} does not move that way", _heads(axis, float(f"{sign}1")))

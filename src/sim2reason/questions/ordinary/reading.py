@@ -32,7 +32,15 @@ _TAKES = (
 )
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
-_GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {"in", "stay", "remain", "keep", "on"}
+_GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {
+    "in",
+    "stay",
+    "remain",
+    "keep",
+    "on",
+    "under",
+    "way",
+}
 _LATER_ONE = re.compile(r"\b(?:second|third|fourth|fifth|sixth|next|last)\b")
 _GOES_ON = pattern(
     "(?:[{s} |system |everything |whole system |they |both ]~(?:{motion=MOTION}|SLIPS|motion|in motion)[ {way=WAY}|"

@@ -20,7 +20,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     LIES,
     MOTIONS,
     ON,
-    ORIGIN,
+    ONE_LINE,
     RESTS,
     SIDEWAYS,
     UP,
@@ -56,7 +56,12 @@ def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
     other = "y" if found["axis"] == "x" else "x"
     for of in each(heard, found["s"]):
-        yield Main("displacement", of, other, needs=CLAUSED, ways=((of, f"{ORIGIN} {other}"),))
+        yield Main(f"{other} coordinate", of, needs=CLAUSED)
+
+
+def on_line(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the coordinate of a body on the only line on which the body moves, if that line is an axis of the text."""
+    yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(heard, found["s"]))
 
 
 SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
@@ -69,13 +74,12 @@ def beside_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     if found["axis"] != axis:
         return
     for of in each(heard, found["s"]):
-        origin = (of, f"{ORIGIN} {other}")
+        beside = (of, f"{BESIDE}{sign}{other}")
         if found["most"]:
-            ways = (origin, (of, f"{FARTHEST}{sign}{other}"))
-            turn = When(f"velocity of {of} along {other} = 0 m/s", ways=ways)
-            yield Main("displacement", of, other, needs=FREE, when=turn)
+            turn = When(f"velocity of {of} along {other} = 0 m/s", ways=(beside, (of, f"{FARTHEST}{sign}{other}")))
+            yield Main(f"{other} coordinate", of, needs=FREE, when=turn)
         else:
-            yield Main("displacement", of, other, needs=CLAUSED, ways=(origin, (of, f"{BESIDE}{sign}{other}")))
+            yield Main(f"{other} coordinate", of, needs=CLAUSED, ways=(beside,))
 
 
 def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:

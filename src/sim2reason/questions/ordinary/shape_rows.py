@@ -38,6 +38,8 @@ SHAPE_ROWS = (
     WantedRow(("how far|what distance|distance", ("(?:from|off|to) (?:its )?(?:own )?(?:axis|centre|center)(?: of"
                                                  " symmetry)?"),
          f"(?:its )?{_CENTER}", "?lie|away"), "what is centre of mass offset of {s}"),
+    WantedRow(("how far|what distance|distance", f"?{_CENTER}", ("(?:from|to|off|and|of|between)(?: its| @\\d+@ 's)?"
+        " (?:axle|hinge|pivot)(?: of @\\d+@)?"), "?lie|be|away|between"), "how far is {s} from axle"),
     WantedRow(("moment of inertia", ("(?:about|around|round|with respect to|relative to) (?:its )?(?:own )?(?:axis"
                                      "|central"
     " axis|axis of symmetry|symmetry axis|centre|center|geometrical? axis)")), "what is inertia of {s} about its axis"),

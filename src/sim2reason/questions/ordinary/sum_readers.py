@@ -4,31 +4,36 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
 from sim2reason.questions.ordinary.shape_readers import spring_work
 from sim2reason.questions.ordinary.vocabulary import DRAWN, MUTUAL, ON, ONLY, OVER
 from sim2reason.questions.ordinary.whens import AFTER, When
 
+HEAT = "energy dissipated by friction"
+_CLAUSE = re.compile(r" (?:when|until|till|before|by time|by moment|after|once|as soon as|while|in first|during) ")
 EXTREMES = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
 """By the name of a spring's greatest strain, the moment at which the spring has it, where a motion never recurs."""
 
 
 def heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
-    del found, heard
-    yield Main("energy dissipated by friction", needs=STRETCH)
+    del found
+    if "@" not in _CLAUSE.split(heard.text, maxsplit=1)[0]:
+        yield Main(HEAT, EVERYTHING, needs=STRETCH)
+    yield Main(HEAT, needs=STRETCH)
     yield Main("energy lost in a collision", needs=JUMP)
     yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
-        yield Main("energy dissipated by friction", needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+        yield Main(HEAT, needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
 
 
 def heat_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     """Yield the energy dissipated by friction between a body and what carries it, whichever is named first."""
     said = [heard.subject(found[key]) for key in "st"]
     for of, on in (said, said[::-1]):
-        main = Main("energy dissipated by friction", of, ways=((of, f"{ON}{on}"),))
+        main = Main(HEAT, of, ways=((of, f"{ON}{on}"),))
         yield replace(main, needs=STRETCH)
         yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER), rank=1)
 

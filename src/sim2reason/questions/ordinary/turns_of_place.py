@@ -34,21 +34,25 @@ PLACE_TURNS: Mapping[str, str] = {
     "\\bon (?:its |@\\d+@ 's )?(?:way|path|journey) back (?P<way>up|down)\\b": r"on its way \g<way>",
     "\\bon (?:its |@\\d+@ 's )?first way (?P<way>up|down)\\b": r"on its way \g<way>",
     # coordinates
+    "\\b(?P<axis>[xy])-coordinate\\b": r"\g<axis> coordinate",
     f"^where(?: (?:on|along|at) (?:{GROUNDS}|x axis))? (?:do|does|will) (?P<s>@\\d+@) (?P<verb>{_MEET})(?P<first>"
     f" for first"
     f" time)?\\. {_TELL} (?:(?:its|their|the) )?(?P<axis>x|y)(?:-| )?(?:coordinate|position|value)?(?: {_PLACE})?$": (
         r"what is \g<axis> coordinate of \g<s> when \g<s> \g<verb>\g<first>"
     ),
-    "^at (?:what|which) (?:value of )?(?:(?:place|position|point) )?(?P<axis>x|y)(?:(?:-| )(?:coordinate|position"
-    "|value))?"
-    f" (?:do|does|will) (?P<s>@\\d+@) (?P<verb>{_MEET})(?P<first> for first time)?$": (
-        r"what is \g<axis> coordinate of \g<s> when \g<s> \g<verb>\g<first>"
+    "^(?:at|in|with) (?:what|which) (?:value of )?(?:(?:place|position|point) )?(?P<axis>x|y)(?:(?:-| )"
+    "(?:coordinate|position|value))? (?:do|does|will) (?P<when>(?P<s>@\\d+@) .+)$": (
+        r"what is \g<axis> coordinate of \g<s> when \g<when>"
     ),
-    f"^{_TELL} (?P<axis>x|y)(?:-| )(?:coordinate|position) (?:of (?:point|place|spot) )?(?:where|at which)"
-    f" (?P<s>@\\d+@)"
-    f" (?P<verb>{_MEET})(?P<first> for first time)?$": (
-        r"what is \g<axis> coordinate of \g<s> when \g<s> \g<verb>\g<first>"
+    f"^{_TELL} (?P<axis>x|y)(?:-| )(?:coordinate|position|value) (?:of (?:point|place|spot|position) )?(?:where"
+    f"|at which) (?P<when>(?P<s>@\\d+@) .+)$": r"what is \g<axis> coordinate of \g<s> when \g<when>",
+    f"^(?:(?:at|in) (?:what|which) (?:point|position|place|spot)|where)(?: (?:on|along|of|at) (?:{GROUNDS}|x axis))?"
+    " (?:do|does|will) (?P<when>(?P<s>@\\d+@) .+)$": r"where is \g<s> on track when \g<when>",
+    f"^{_TELL} (?:position|point|place) (?:of collision|where|at which) (?P<when>(?P<s>@\\d+@) .+)$": (
+        r"where is \g<s> on track when \g<when>"
     ),
+    "(?P<s>@\\d+@) 's (?P<axis>x|y) coordinate (?:is|becomes|gets|reaches) (?:its )?(?P<most>GREATEST|LEAST)"
+    "(?: value)?\\b": (r"\g<s> has its \g<most> \g<axis> coordinate"),
     # how far to a side of an axis
     "^how far (?:to )?(?P<side>above|below|left|right|beyond)(?: of)? (?P<axis>x|y)(?:-| )axis (?:does|will)"
     " (?P<s>@\\d+@)"

@@ -1,5 +1,6 @@
 """Understanding of a question in ordinary English about a motion: all its readings must have the same answer."""
 
+import re
 from math import isclose
 
 from sim2reason.errors import TextError
@@ -28,6 +29,7 @@ from sim2reason.questions.words import Words
 
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
 SPEEDS = "speed", "speed relative to its carrier"  # which have no sign
+_ORIGIN = re.compile(r"\borigin\b")
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -69,7 +71,19 @@ def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> U
 def questions_of(heard: Heard, motion: FollowedMotion, words: Words) -> list[Reading]:
     """Return all readings of a heard sentence whose subjects and moments the scene has."""
     events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
-    return [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
+    found = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
+    return [each for each in found if _from_origin(each)] if _ORIGIN.search(heard.text) and starts_off(words) else found
+
+
+def starts_off(words: Words) -> bool:
+    """Return whether some body starts elsewhere than at the origin of the axes that the text has."""
+    stated = (each.stated for body in words.mechanism.bodies for each in body.coordinates)
+    return any(place is not None and place[1] != 0.0 for place in stated)
+
+
+def _from_origin(reading: Reading) -> bool:
+    """Return whether a reading counts from the origin, and not from where a body starts."""
+    return any(word in f"{reading.asked.find} {reading.asked.when}" for word in ("origin", "coordinate"))
 
 
 def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> Understood | None:

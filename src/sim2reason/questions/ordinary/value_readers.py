@@ -11,7 +11,6 @@ from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
     LANDING,
-    MOMENT,
     STRETCH,
     Main,
     Reader,
@@ -30,7 +29,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     ON,
     ONE_LINE,
     ONE_WAY,
-    ORIGIN,
     QUANTITIES,
     RESTS,
     ROUND,
@@ -145,12 +143,6 @@ def common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     for of in each(heard, found["s"]):
         yield Main("speed", of, needs=CLAUSED)
         yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
-
-
-def coordinate(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield a body's coordinate along an axis: the displacement, presuming that the body starts at the origin."""
-    for of in each(heard, found["s"]):
-        yield Main("displacement", of, found["axis"], needs=MOMENT, ways=((of, f"{ORIGIN} {found['axis']}"),))
 
 
 def high(found: re.Match[str], heard: Heard) -> Iterator[Main]:

@@ -76,6 +76,9 @@ QUANTITIES: Mapping[str, str] = {
     "electric force": "electric force|electrostatic force|coulomb force|force of electric field|force of field",
     "resisting force": "resisting force|drag|drag force|resistive force|force of resistance|resistance of medium"
     "|force of medium|air resistance",
+    "distance from the origin": "distance from origin|distance to origin",
+    "x coordinate": "x coordinate|x-coordinate|x position|x-position|x value|x-value|value of x|abscissa",
+    "y coordinate": "y coordinate|y-coordinate|y position|y-position|y value|y-value|value of y|ordinate",
     "gravitational force": "gravitational force|gravitational attraction|gravitational pull|force of gravitation",
 }
 """Nouns of ordinary English for each quantity; `mains` says beside which words some of them mean it."""
@@ -115,7 +118,7 @@ LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes
 FIXED_END = "the fixed end"  # the only line of which one end is fixed
 BESIDE, FARTHEST = "beside ", "farthest beside "  # an axis of coordinates, on the side with a sign
 UNDER = "under "  # what carries it along a level line
-DRAWN = "drawn by a hand"
+DRAWN, SPRUNG = "drawn by a hand", "sprung"  # the only spring joins the only two bodies
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
 

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
 from sim2reason.questions.ordinary.whatif.conditions_of_limits import LIMIT_CONDITIONS
+from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS_OF_CONDITIONS
 
 _S = r"@\d+@"
@@ -13,6 +14,7 @@ _LIFTING = "(?:pulling|hauling|dragging|drawing|lifting|bringing|moving|raising|
 _UP = rf"(?P<way>up|upwards|uphill|down|downwards|downhill)(?P<on> (?:{GROUNDS}))?"
 _STEADY = r"(?: (?:at|with) constant (?:speed|velocity)| steadily| uniformly| at steady speed| without acceleration)"
 _MOST = "(?:at most|at greatest|no more than|not more than|up to|at maximum)"
+_GOES = "(?:go|move|rise|climb|accelerate|slide|descend|fall|sink|travel|be (?:pulled|drawn|hauled|accelerated))"
 _SQUEEZED = "(?:squeezed|compressed|pushed together|pressed together|shortened)"
 _STRETCHED = "(?:stretched|extended|pulled out|drawn out|lengthened)"
 CONDITIONS: Mapping[str, str] = {
@@ -38,6 +40,15 @@ CONDITIONS: Mapping[str, str] = {
     r"^(?:oscillations?|vibrations?|motion|system) (?:to )?(?:have|has) (?P<q>period|frequency|amplitude) of ": (
         r"\g<q> be "
     ),
+    rf"^(?P<t>{_S}) (?:to )?(?:rise|climb|ascend|go up) (?P<n>#\d+#) vertically$": (
+        r"greatest height of \g<t> be \g<n>"
+    ),
+    r"^(?:rise|climb|ascend|go up) (?P<n>#\d+#) vertically$": r"its greatest height be \g<n>",
+    rf"^(?P<t>{_S}) (?:to )?{_GOES}(?P<w> (?:up|down|uphill|downhill|upwards|downwards))?(?: (?:{GROUNDS}))?"
+    r" (?:with|at)"
+    rf" (?P<m>{'|'.join(MULTIPLES)}) (?:of )?(?:its |@\d+@ 's )?(?:(?:present|actual|original) )?"
+    r"(?P<q>acceleration|speed)(?: (?:(?:that )?(?:it|@\d+@) (?:has|had)(?: (?:now|at present|in scene))?|as now|of now"
+    r"|(?:as )?(?:it is )?now))?$": r"\g<q> of \g<t>\g<w> be \g<m> what it is now",
     rf"^leave (?P<t>{_S}) (?:for good|for ever|forever|altogether)$": r"escape from \g<t>",
     rf"^(?:bring |make )?(?P<t>{_S}) (?:to |come to )?(?:rest|halt|stop|stops) (?:after|within) (?:(?:{_S}|it)"
     rf" has |having )?"

@@ -45,6 +45,10 @@ OF_MOTION = (
     rf"{_ASK} {_MEASURE} of @0@ 's {_SMALL}{_ABOUT}?",
     rf"{_ASK} {_MEASURE} {_WITH} {_OSCILLATES} {_SLIGHTLY}{_ABOUT}?",
     rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} {_SLIGHTLY}{_ABOUT}?",
+    (
+        rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} if (?:its |their )?(?:amplitude|angle|swings?"
+        r"|oscillations?) (?:were|was|is|are) (?:very |only )*small"
+    ),
     rf"{_ASK} small(?:-angle|-amplitude)? {_MEASURE} of (?:@0@ 's (?:oscillations?|swings?|motion)|@0@)",
 )
 """Patterns that presume that the motion in the scene is itself a small oscillation, unlike `PATTERNS`."""
