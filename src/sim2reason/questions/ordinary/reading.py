@@ -209,7 +209,7 @@ def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Re
 
 def _whole(main: Main) -> Iterator[Reading]:
     """Yield readings of a distance asked for without a moment: up to the landing, the bounce or the body's stop."""
-    way = next((way for _, way in main.ways if way in ("up", "down")), "")
+    way = next((way for _, way in main.ways if way in ("up", "down", "right", "left")), "")
     for rank, when in enumerate(("landed", "bounced", "halted", "stopped")):
         told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
         yield _with(replace(main, rank=main.rank + rank), told)
