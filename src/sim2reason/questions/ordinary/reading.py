@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.changes import after_bounce, changed, differences
+from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
@@ -150,7 +150,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
-    yield from (_with(main, when) for main, when in after_bounce(question, clause, side, heard))
+    for between in (after_bounce, above_lowest):
+        yield from (_with(main, when) for main, when in between(question, clause, side, heard))
     for main in mains(question, heard):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
