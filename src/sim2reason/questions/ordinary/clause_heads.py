@@ -102,8 +102,8 @@ HEADS: Mapping[str, str] = {
     rf"(?:compress|shorten|compression)(?: by| of)? (?P<n>{N})|(?P<m>{N}) (?:compress|compression)"
     rf"|(?P<k>{N}) shorter than (?:its )?natural length": "{s} compressed by {n}",
     rf"(?:length)(?: (?:of|reach|become|pass|equal))? (?P<n>{N})|(?P<m>{N}) long|(?P<k>{N}) in length": "{s} {n} long",
-    "(?:(?:go|become|get|fall|hang|turn) )?(?:slack|loose)|slacken": "{s} goes slack",
-    "(?:(?:go|become|get|pull|draw) )?(?:taut|tight)|tauten|tighten": "{s} becomes taut",
+    "(?:(?:(?:go|become|get|fall|hang|turn) )?(?:slack|loose)|slacken)(?: again)?": "{s} goes slack",
+    "(?:(?:(?:go|become|get|pull|draw) )?(?:taut|tight)|tauten|tighten)(?: again)?": "{s} becomes taut",
     "equilibrium(?: position| point)?|position of equilibrium|rest position": "{s} at its equilibrium position",
     # engines
     "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"

@@ -114,7 +114,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
+    "[{s} ]~(?:burn(?:s|ed|t|ing)?|use(?:s|d)|use|consume(?:s|d)|consume|spend|spent)(?: up)? (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
         place.share_burnt
     ),
     "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"

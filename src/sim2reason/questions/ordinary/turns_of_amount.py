@@ -118,7 +118,7 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^how far (?:does|will) (?P<s>@\\d+@) (?:swing|move|oscillate|go|vibrate)(?: out)? to (?:each|either) side$": (
         r"what is amplitude of \g<s>"
     ),
-    "(?P<s>@\\d+@) ~(?:(?:at |)|reaches |gets to |arrives at |passes )(?:its )?(?:point|position|place|moment) of"
+    "(?<! of )(?P<s>@\\d+@) ~(?:(?:at |)|reaches |gets to |arrives at |passes )(?:its )?(?:point|position|place|moment) of"
     " (?P<most>GREATEST)"
     " (?P<what>compression|extension)": r"\g<most> \g<what>",
     "^how much momentum (?P<does>does|did|will) (?P<s>@\\d+@) (?:pass on|give|transfer|hand over|impart|pass|lose)"

@@ -89,6 +89,12 @@ ORDER_TURNS: Mapping[str, str] = {
     "^how long does (?:its |@\\d+@ 's )?second (?:tipping|tip|step|rocking|topple)(?: over)? (?:take|last)$": (
         "how much time passes between first landing and second landing"
     ),
+    "\\bhangs? (?:straight|vertically|vertical) down(?:wards?)?\\b": "is vertical",
+    "\\bwhere (?:blow|kick|push) (?:was|is|has been) (?:given|struck)\\b": "its starting point",
+    "\\bfuel to be (?=used|burnt|burned|exhausted|consumed|spent)": "fuel is ",
+    "\\b(?P<n>ORDINAL) (?P<w>collision|impact) (?:of|between) {s}(?! and| with| (?:hits|strikes))": r"\g<s> 's \g<n> \g<w>",
+    f"^(?P<a>(?:how long|how much time|when|{_ASKED}) (?:(?!\\. ).)*?)(?:climb|rise|get|ascend|go up|fly|lift|go)s? (?:up )?to"
+    " (?:height|altitude) of (?=#)": r"\g<a>reach height of ",
     # speeds and accelerations
     "^(?:with|at) what acceleration is {s} (?:slowed|braked|retarded|decelerated)(?: down)?": (
         r"what is deceleration of \g<s>"
@@ -133,6 +139,10 @@ ORDER_TURNS: Mapping[str, str] = {
     "(?<!angle of )\\belevation (?=above|of @)": "height ",
     f"^how far from (?P<home>{HOME}) (?P<d>does|will) {{s}} (?:get|go|stray|wander|recede|swing)(?: away| off)?"
     f"(?: at most| at its farthest)?(?: (?:in|during|over) (?:whole )?(?:course of )?(?:its |@\\d+@ 's )?(?:whole )?motion)?$": r"how far does \g<s> get from \g<home> at most",
+    f"\\b(?P<w>impact|contact|bounce) (?:with|on|against|off) (?:{GROUNDS})(?= |$)": r"\g<w>",
+    "\\b(?:squeezed|pressed together|pushed together)(?= |$)": "compressed",
+    "^(?P<a>(?:what|with what|at what) (?:power|rate) (?:does|is|did) )(?:pulling force|pull of hand|pull) (?=deliver|supply"
+    "|do|doing|develop|transfer)": r"\g<a>hand ",
     # forces
     "^(?:how (?:strongly|much|hard)|with what force) is {s} (?:stressed|loaded|tensioned)(?= when| at| while| just|$)": (
         r"what is force in \g<s>"

@@ -54,7 +54,8 @@ LIMIT_TURNS: Mapping[str, str] = {
         r"\g<c> between \g<s> and \g<t>"
     ),
     r"\. \((?:assume|suppose)(?: that)? @\d+@ (?:is |be )?(?:still |always )*(?:heavy|light|large|small|great) enough"
-    r" (?:that|so that|for) [^.]+\)?$": "",
+    r" (?:that|so that|for) [^#]+\)?$": "",
+    r"^by how much (?:does|do) (?P<n>.+?) (?:have|need) to be (?=\w+(?:ed|ered|er) )": r"by how much must \g<n> be ",
     r"\b(?P<r>(?:stay|remain)s? (?:at rest|still|where (?:it is|they are))) after (?:it|they|system|everything|@\d+@) (?:is"
     r"|are|has been|have been|has|have) (?:let go|released|set free)": r"\g<r>",
     r" just (?=to (?:keep|hold|make|let|set|get|move|pull|lift|prevent|stop|start|bring|cause)\b)": " ",
