@@ -193,7 +193,8 @@ HEADS: Mapping[str, str] = {
         "{s} most compressed"
     ),
     "(?:their )?(?:velocity|velocities) (?:be |become )?(?:equal|same)": "they move together",
-    "(?P<q>speed|velocity|kinetic energy|acceleration) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic"
+    "(?P<q>speed|velocity|kinetic energy|acceleration) (?P<times>double|treble|triple|quadruple)|(?P<r>speed"
+    "|velocity|kinetic"
     " energy|acceleration)(?: of @\\d+@)? (?:be |become "
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as"
     " (?:great|large) as (?:at start|at lift-off"

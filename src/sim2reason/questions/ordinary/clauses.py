@@ -94,7 +94,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,
     "[{s} ]fastest": place.fastest,
     "[{s} ]back at its height": place.back_at_height,
-    "(?P<q>speed|velocity|kinetic energy|acceleration|spring force|tension|momentum) of(?: {s})? (?P<times>\\w+)(?: times)+ at first": place.multiple,
+    "(?P<q>speed|velocity|kinetic energy|acceleration|spring force|tension|momentum) of(?: {s})?"
+    " (?P<times>\\w+)(?: times)+ at first": place.multiple,
     "{s} leaves surface": place.lifts_off,
     "{s} returns to origin": place.back_at_origin,
     "[{s} ]stops on other side": place.across,
@@ -114,9 +115,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "[{s} ]~(?:burn(?:s|ed|t|ing)?|use(?:s|d)|use|consume(?:s|d)|consume|spend|spent)(?: up)? (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
-        place.share_burnt
-    ),
+    "[{s} ]~(?:burn(?:s|ed|t|ing)?|use(?:s|d)|use|consume(?:s|d)|consume|spend|spent)(?: up)? (?P<times>half|third"
+    "|quarter) (?:of )?(?:all |its )?fuel": (place.share_burnt),
     "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"
     "|spent|gone)["
     " up]": place.share_burnt,

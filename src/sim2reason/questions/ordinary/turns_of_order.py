@@ -44,11 +44,13 @@ ORDER_TURNS: Mapping[str, str] = {
     f"(?P<q>{_ASKED})(?: after START)?$": r"how long until \g<c>",
     # engines and fuel
     f"\\b(?:start|starting|ignition|switching on|lighting|firing|start-up) of {_ENGINE}": "start",
-    f"\\b{_ENGINE} (?:has |have |had |is )?(?:been )?(?:running|burning|firing|working|operating|on|in operation|alight|lit|burnt"
+    f"\\b{_ENGINE} (?:has |have |had |is )?(?:been )?(?:running|burning|firing|working|operating|on|in operation"
+    f"|alight|lit|burnt"
     f"|run|worked|fired) (?:for )?(?=#)": "t = ",
-    f"\\b(?:keep|keeps|go on|goes on|continue|continues)(?: on)?(?: to)? (?:running|burning|firing|working|run|burn"
+    "\\b(?:keep|keeps|go on|goes on|continue|continues)(?: on)?(?: to)? (?:running|burning|firing|working|run|burn"
     "|work|fire)$": "burn",
-    "\\bfuel (?P<is>is|remains|are) (?:still |there |left |then )*(?:in|inside|aboard|on board)(?: (?:of )?(?:its |@\\d+@"
+    "\\bfuel (?P<is>is|remains|are) (?:still |there |left |then )*(?:in|inside|aboard|on board)(?: (?:of )?(?:its "
+    "|@\\d+@"
     " 's )?(?:fuel )?(?:tank|tanks))?\\b": "fuel is left",
     "\\bengine 's (?:push|force)\\b|\\b(?:push|force) of (?:its )?engine\\b": "thrust",
     # heat
@@ -56,9 +58,8 @@ ORDER_TURNS: Mapping[str, str] = {
     f"{{t}} {_MAKES}": r"how much heat arises between \g<s> and \g<t>",
     f"^how much {_HEAT} {_DOES} {_MAKES} (?:by|through|because of|due to|in) {_RUBBING} (?:of|between) {{s}}"
     " (?:on|against|over|along|and|with|upon) (?:top of )?{t}": r"how much heat arises between \g<s> and \g<t>",
-    "\\b(?:set free|liberated|caused|given off|evolved|brought about)(?= (?:by|through|due to|because of|in) friction)": (
-        "produced"
-    ),
+    "\\b(?:set free|liberated|caused|given off|evolved|brought about)(?= (?:by|through|due to|because of|in)"
+    " friction)": ("produced"),
     "\\b(?:by|through|due to|because of|from) rubbing\\b": "by friction",
     "\\b(?P<e>energy) (?:goes missing|goes lost|gets lost|is destroyed|goes astray|is used up|is given up)\\b": (
         r"\g<e> is lost"
@@ -77,10 +78,12 @@ ORDER_TURNS: Mapping[str, str] = {
     ),
     "\\b(?P<x>closest|nearest) (?:together|to each other|to one another)\\b": r"\g<x>",
     "\\b(?P<x>farthest|furthest) (?:apart|from each other|from one another)\\b": r"\g<x>",
-    f"(?P<m>(?:by |through )?#\\d+#) from (?:its |@\\d+@ 's |their )?(?:own )?(?:starting|initial|original|launch|release)"
+    "(?P<m>(?:by |through )?#\\d+#) from (?:its |@\\d+@ 's |their )?(?:own )?(?:starting|initial|original|launch"
+    "|release)"
     " (?:level|height)\\b": r"\g<m> from its starting point",
     "\\bslip(?:s|ped)? (?=(?:by |through )?#)": "move ",
-    f"^(?P<take>how (?:long|much time) {_DOES} {{s}} (?:take|need) )(?:to )?{_TIPS} (?:from (?:one|its first|first) face"
+    f"^(?P<take>how (?:long|much time) {_DOES} {{s}} (?:take|need) )(?:to )?{_TIPS} (?:from (?:one|its first"
+    f"|first) face"
     " (?:on )?(?:to|onto) (?:its )?(?:next|second|following|other)(?: face| one)?|(?:on)?to (?:its )?next face)"
     "(?: for)?(?: first time)?$": "how long until edge lands",
     "^how long does (?:its |@\\d+@ 's )?first (?:tipping|tip|step|rocking|topple)(?: over)? (?:take|last)$": (
@@ -92,8 +95,10 @@ ORDER_TURNS: Mapping[str, str] = {
     "\\bhangs? (?:straight|vertically|vertical) down(?:wards?)?\\b": "is vertical",
     "\\bwhere (?:blow|kick|push) (?:was|is|has been) (?:given|struck)\\b": "its starting point",
     "\\bfuel to be (?=used|burnt|burned|exhausted|consumed|spent)": "fuel is ",
-    "\\b(?P<n>ORDINAL) (?P<w>collision|impact) (?:of|between) {s}(?! and| with| (?:hits|strikes))": r"\g<s> 's \g<n> \g<w>",
-    f"^(?P<a>(?:how long|how much time|when|{_ASKED}) (?:(?!\\. ).)*?)(?:climb|rise|get|ascend|go up|fly|lift|go)s? (?:up )?to"
+    "\\b(?P<n>ORDINAL) (?P<w>collision|impact) (?:of|between) {s}(?! and| with| (?:hits"
+    "|strikes))": r"\g<s> 's \g<n> \g<w>",
+    f"^(?P<a>(?:how long|how much time|when|{_ASKED}) (?:(?!\\. ).)*?)(?:climb|rise|get|ascend|go up|fly|lift"
+    f"|go)s? (?:up )?to"
     " (?:height|altitude) of (?=#)": r"\g<a>reach height of ",
     # speeds and accelerations
     "^(?:with|at) what acceleration is {s} (?:slowed|braked|retarded|decelerated)(?: down)?": (
@@ -104,9 +109,8 @@ ORDER_TURNS: Mapping[str, str] = {
     f"^how does {{s}} accelerate(?: (?:along|on|over) (?:{GROUNDS}))?(?= |$)": r"what is acceleration of \g<s>",
     "\\btop (?=speed\\b|velocity\\b)": "greatest ",
     "\\bspeed (?P<d>does|will) {s} have left\\b": r"speed \g<d> \g<s> have",
-    "\\b(?:descend or rise|rise or descend|rise or fall|fall or rise|move up or down|go up or down|ascend or descend)\\b": (
-        "move"
-    ),
+    "\\b(?:descend or rise|rise or descend|rise or fall|fall or rise|move up or down|go up or down|ascend or"
+    " descend)\\b": ("move"),
     "\\bcomponent of (?:{s} 's (?P<q>QUANTITY)|(?P<r>QUANTITY) of {t}) (?:along|in|parallel to)(?: direction of)?"
     " (?:positive )?(?P<a>x|y)(?:[- ](?:axis|direction))?(?= |$)".replace("[- ]", "(?:-| )"): (
         r"\g<a> component of \g<q>\g<r> of \g<s>\g<t>"
@@ -138,18 +142,19 @@ ORDER_TURNS: Mapping[str, str] = {
     "\\bstretching of (?=@)": "extension of ",
     "(?<!angle of )\\belevation (?=above|of @)": "height ",
     f"^how far from (?P<home>{HOME}) (?P<d>does|will) {{s}} (?:get|go|stray|wander|recede|swing)(?: away| off)?"
-    f"(?: at most| at its farthest)?(?: (?:in|during|over) (?:whole )?(?:course of )?(?:its |@\\d+@ 's )?(?:whole )?motion)?$": r"how far does \g<s> get from \g<home> at most",
+    f"(?: at most| at its farthest)?(?: (?:in|during|over) (?:whole )?(?:course of )?(?:its |@\\d+@ 's )?(?:whole"
+    f" )?motion)?$": r"how far does \g<s> get from \g<home> at most",
     f"\\b(?P<w>impact|contact|bounce) (?:with|on|against|off) (?:{GROUNDS})(?= |$)": r"\g<w>",
     "\\b(?:squeezed|pressed together|pushed together)(?= |$)": "compressed",
-    "^(?P<a>(?:what|with what|at what) (?:power|rate) (?:does|is|did) )(?:pulling force|pull of hand|pull) (?=deliver|supply"
+    "^(?P<a>(?:what|with what|at what) (?:power|rate) (?:does|is|did) )(?:pulling force|pull of hand|pull)"
+    " (?=deliver|supply"
     "|do|doing|develop|transfer)": r"\g<a>hand ",
     # forces
-    "^(?:how (?:strongly|much|hard)|with what force) is {s} (?:stressed|loaded|tensioned)(?= when| at| while| just|$)": (
-        r"what is force in \g<s>"
-    ),
+    "^(?:how (?:strongly|much|hard)|with what force) is {s} (?:stressed|loaded|tensioned)(?= when| at| while| just"
+    "|$)": (r"what is force in \g<s>"),
     "\\b(?P<v>push|press|pushes|presses) down (?=on @|on SURFACE)": r"\g<v> ",
     # periods and rounds
-    f"^(?:how long is|(?:ASK|what) (?:length|duration) of) (?:one )?(?:year|full year)(?: (?:on|of|for|of life on))"
+    "^(?:how long is|(?:ASK|what) (?:length|duration) of) (?:one )?(?:year|full year)(?: (?:on|of|for|of life on))"
     " (?:this |that )?{s}": r"what is period of \g<s>",
     "^(?:with|at) what (?P<q>frequency|period|angular frequency) does (?:system|everything|arrangement|set-up"
     "|whole thing) (?:vibrate|oscillate|swing|move)(?: to and fro)?$": r"what is \g<q>",
