@@ -129,6 +129,14 @@ def above_lowest(question: str, clause: str, side: str, heard: Heard) -> Iterato
         yield Main("displacement", who, "vertical"), When(told, AFTER, (*when.ways, (who, GAINED)), when.rank)
 
 
+def _slack(heard: Heard) -> Iterator[tuple[Main, When]]:
+    """Yield the time for which a string is slack."""
+    found = _SLACK.fullmatch(heard.text)
+    if found is not None:
+        line = heard.subject(found["s"])
+        yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
+
+
 def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
     """Yield what a sentence may ask for that lies between two moments, as a main clause and its moment."""
     whole = heard.subject("@0@") if heard.subjects else ""
@@ -143,10 +151,7 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
 
-    slack = _SLACK.fullmatch(heard.text)
-    if slack is not None:
-        line = heard.subject(slack["s"])
-        yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
+    yield from _slack(heard)
     found = _FROM_START.fullmatch(heard.text)
     if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
         number = found["number"] or found["other"] or "first"

@@ -150,8 +150,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
-    for between in (after_bounce, above_lowest):
-        yield from (_with(main, when) for main, when in between(question, clause, side, heard))
+    between = (*after_bounce(question, clause, side, heard), *above_lowest(question, clause, side, heard))
+    yield from (_with(main, when) for main, when in between)
     for main in mains(question, heard):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)

@@ -135,9 +135,9 @@ ORDER_TURNS: Mapping[str, str] = {
     "|reaches)(?: to)?$": r"what is shortest length of \g<s>",
     "^(?:ASK|what) (?:longest|GREATEST) length [that |to which ]{s} (?:takes on|assumes|is stretched|attains"
     "|reaches)(?: to)?$": r"what is longest length of \g<s>",
-    "^how much (?P<x>higher|lower) (?P<is>is|was|does|has) {s} (?P<lie>lie |be |stand |risen )?than (?:it (?:is|was|has"
+    "^how much (?P<x>higher|lower) (?P<is>is|was|does|has) {s}(?P<lie> lie| be| stand| risen)? than (?:it (?:is|was|has"
     f" been) )?(?:at|in|before|from) (?:very )?(?:START|first|beginning|{HOME})": (
-        r"how far vertically \g<x> \g<is> \g<s> \g<lie>"
+        r"how far vertically \g<x> \g<is> \g<s>\g<lie>"
     ),
     "\\bstretching of (?=@)": "extension of ",
     "(?<!angle of )\\belevation (?=above|of @)": "height ",
