@@ -66,7 +66,9 @@ ORDER_TURNS: Mapping[str, str] = {
     ),
     # moments
     "\\b(?:up to|until|till) (?:moment|instant|time|point)(?: of time)? (?:when|at which|where|in which)\\b": "until",
-    "(?<!to )(?<!@ )\\b(?P<q>speed|velocity|kinetic energy|acceleration|tension)(?P<of>(?: of @\\d+@)?(?: (?:is|has|are))?)"
+    "(?<=to )speed up to (?=#)": "reach ",
+    "(?<!to )(?<!@ )\\b(?P<q>speed|velocity|kinetic energy|acceleration|tension)(?P<of>(?: of @\\d+@)?(?: (?:is"
+    "|has|are))?)"
     " (?:come |gone |sunk |fallen )?(?:down|up) to (?=#)": r"\g<q>\g<of> ",
     "^(?P<ask>ASK_TIME|when|after what time|at what time|how soon) (?P<is>is|are) {s} again (?P<x>(?:(?! for first).)+)"
     "(?P<f> for first time)?$".replace("ASK_TIME", _ASKED): r"\g<ask> \g<is> \g<s> \g<x> again\g<f>",
