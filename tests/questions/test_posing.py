@@ -1,6 +1,7 @@
 """Questions in parts instead of a sentence."""
 
-from math import atan, degrees, pi, sqrt
+from math import atan, cos, degrees, pi, radians, sin, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from sim2reason.questions.posing import PosedQuestion, findable, posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
 from sim2reason.recipes import RECIPES
+from sim2reason.scene_files import load
 
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
 FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)
@@ -76,6 +78,16 @@ def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str],
     """The answers agree with closed forms."""
     told = found(scene, **parts)
     assert told.answer == pytest.approx(answer, rel=1e-6), told.reason
+
+
+@pytest.mark.parametrize("when", ["height above the ground of the ball = 5.2 m", "velocity of the ball = 8.446 m/s"])
+def test_the_axis_of_a_question_is_none_of_its_moment(when: str) -> None:
+    """A thrown ball's way along x is asked for at a height, or at a speed, neither of which is along x."""
+    scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "low_passing_throw.yaml")
+    forward, up = 8.9 * cos(radians(26.0)), 8.9 * sin(radians(26.0))
+    rest = sqrt(up**2 - 2.0 * 9.8 * 0.4) if "height" in when else sqrt(8.446**2 - forward**2)
+    told = found(scene, find="displacement", along="x", when=when)
+    assert told.answer == pytest.approx(forward * (up - rest) / 9.8, rel=1e-6), told.reason
 
 
 @pytest.mark.parametrize(

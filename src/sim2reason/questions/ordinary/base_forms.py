@@ -17,7 +17,7 @@ REGULAR = re.split(
     "pick remove drain withdraw rob deviate stray shift settle smash bump slam project depart haul progress"
     " proceed displace double triple halve switch emerge escape impinge jump hop skip tension loosen traverse"
     " experience circle encounter contact intersect incline tilt slant equal shrink clear bear withstand sustain"
-    " fire reel hoist develop arise appear disappear vanish transmit",
+    " fire reel hoist develop arise appear disappear vanish transmit slacken tighten tauten",
 )
 IRREGULAR = {
     "go": "goes went gone going", "slide": "slid", "come": "comes came coming", "fall": "falls fell fallen falling",

@@ -28,6 +28,9 @@ _BETWEEN = tuple(
             " ?between (?P<one>.+) and "
             "(?P<other>.+)"
         ),
+        f"{_LONG} ~(?:take|last|there)? ?from (?:moment )?(?P<one>[^,]+?) (?:to|until|till) (?P<other>.+)".replace(
+            "[^,]", "(?:\\w|@|#| )"
+        ),
         f"{_LONG} after (?P<one>.+?) (?:do|does|did|is|are|will|has|until) (?P<other>.+)",
         (
             f"{_LONG} ~{{s}} ~(?:stay|remain|fly)? ?(?:in air|in flight|airborne|aloft|flying) between (?P<one>.+)"
@@ -108,6 +111,32 @@ _BOUNCE = pattern(
 )
 
 
+_SLACK = pattern("how long ~{s} (?:(?:stay|remain|keep|hang|last) )?~slack(?: FIRST_TIME)?")
+_ABOVE_LOWEST = pattern(
+    "(?:how (?:high|far)|at what height|what is height of {t}) above (?:its |@\\d+@ 's )?BOTTOM(?: of [its |@\\d+@ 's "
+    "]PATH)?(?: ~{s})?(?: vertically)?"
+)
+
+
+def above_lowest(question: str, clause: str, side: str, heard: Heard) -> Iterator[tuple[Main, When]]:
+    """Yield the height of a body above the lowest point of its path at a moment that a clause names."""
+    found = _ABOVE_LOWEST.fullmatch(question) if clause else None
+    if found is None or not heard.subjects:
+        return
+    who = heard.subject(found["s"] or found["t"]) or heard.subject("@0@")
+    for when in whens(clause, heard, who, side):
+        told = f"{when.told.removesuffix(' before')}{MINUS}{who} lowest point"
+        yield Main("displacement", who, "vertical"), When(told, AFTER, (*when.ways, (who, GAINED)), when.rank)
+
+
+def _slack(heard: Heard) -> Iterator[tuple[Main, When]]:
+    """Yield the time for which a string is slack."""
+    found = _SLACK.fullmatch(heard.text)
+    if found is not None:
+        line = heard.subject(found["s"])
+        yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
+
+
 def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
     """Yield what a sentence may ask for that lies between two moments, as a main clause and its moment."""
     whole = heard.subject("@0@") if heard.subjects else ""
@@ -122,6 +151,7 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
 
+    yield from _slack(heard)
     found = _FROM_START.fullmatch(heard.text)
     if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
         number = found["number"] or found["other"] or "first"

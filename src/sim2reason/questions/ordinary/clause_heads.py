@@ -103,6 +103,8 @@ HEADS: Mapping[str, str] = {
     rf"(?:compress|shorten|compression)(?: by| of)? (?P<n>{N})|(?P<m>{N}) (?:compress|compression)"
     rf"|(?P<k>{N}) shorter than (?:its )?natural length": "{s} compressed by {n}",
     rf"(?:length)(?: (?:of|reach|become|pass|equal))? (?P<n>{N})|(?P<m>{N}) long|(?P<k>{N}) in length": "{s} {n} long",
+    "(?:(?:(?:go|become|get|fall|hang|turn) )?(?:slack|loose)|slacken)(?: again)?": "{s} goes slack",
+    "(?:(?:(?:go|become|get|pull|draw) )?(?:taut|tight)|tauten|tighten)(?: again)?": "{s} becomes taut",
     "equilibrium(?: position| point)?|position of equilibrium|rest position": "{s} at its equilibrium position",
     # engines
     "(?:(?:all|last|whole|rest)(?: of)? )?(?:its )?fuel (?:supply )?(?:tank )?(?:use up|run out|go|burn(?: out|"
@@ -177,7 +179,7 @@ HEADS: Mapping[str, str] = {
     rf"(?P<axis>[xy])(?: ?= ?|(?:-| )(?:coordinate|position) (?:of |reach |become |equal"
     rf" )*)(?P<sign>[-−]?)(?P<n>{N})": ("{s} at {axis} = {sign}{n}"),
     rf"(?P<q>QUANTITY)(?: of {S})?(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to"
-    rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}",
+    rf"|decrease to|{_GROWS}))* (?P<n>{N})": "{q} of {s} equals {n}{way}",
     rf"(?:speed|velocity)(?: (?:of|reach|become|equal|equal to|fall to|drop to|rise to|increase to|decrease to"
     rf"|be|go|{_GROWS}))? (?P<n>{N})|(?:reach|attain|acquire|pick up|move at|move with|go at|travel at|have"
     rf"|achieve|gain|get"
@@ -194,10 +196,11 @@ HEADS: Mapping[str, str] = {
         "{s} most compressed"
     ),
     "(?:their )?(?:velocity|velocities) (?:be |become )?(?:equal|same)": "they move together",
-    "(?P<q>speed|velocity|kinetic energy) (?P<times>double|treble|triple|quadruple)|(?P<r>speed|velocity|kinetic"
-    " energy) (?:be |become "
+    "(?P<q>speed|velocity|kinetic energy|acceleration) (?P<times>double|treble|triple|quadruple)|(?P<r>speed"
+    "|velocity|kinetic"
+    " energy|acceleration)(?: of @\\d+@)? (?:be |become "
     "|reach |rise to |grow to |increase to )*(?P<fold>twice|double|three times|four times|ten times) (?:as"
-    " (?:great|large) as (?:at start"
+    " (?:great|large) as (?:at start|at lift-off"
     "|initially)|(?:its |that at )?(?:initial|original|start|starting)(?: value| one| speed| velocity)?|what it"
     " be (?:at start|initially))"
     "|(?P<tripled>double|treble|triple|quadruple) (?:its|@\\d+@ 's) (?P<o>speed|velocity|kinetic"

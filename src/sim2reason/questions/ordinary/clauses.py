@@ -96,7 +96,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,
     "[{s} ]fastest": place.fastest,
     "[{s} ]back at its height": place.back_at_height,
-    "(?P<q>speed|velocity|kinetic energy) of(?: {s})? (?P<times>\\w+)(?: times)+ at first": place.multiple,
+    "(?P<q>speed|velocity|kinetic energy|acceleration|spring force|tension|momentum) of(?: {s})?"
+    " (?P<times>\\w+)(?: times)+ at first": place.multiple,
     "{s} leaves surface": place.lifts_off,
     "[{s} ]~{n}[ away] from origin": place.from_origin,
     "{s} returns to origin": place.back_at_origin,
@@ -119,9 +120,8 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
     "[{s} ]burns {n} of fuel": place.burnt,
-    "[{s} ](?:burn|use up|use|consume|burn up|spend) (?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel": (
-        place.share_burnt
-    ),
+    "[{s} ]~(?:burn(?:s|ed|t|ing)?|use(?:s|d)|use|consume(?:s|d)|consume|spend|spent)(?: up)? (?P<times>half|third"
+    "|quarter) (?:of )?(?:all |its )?fuel": (place.share_burnt),
     "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"
     "|spent|gone)["
     " up]": place.share_burnt,
@@ -138,6 +138,7 @@ CLAUSES: Mapping[str, Reader] = {
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
     "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,
     "{q=QUANTITY} of {s} equals {n}": read.quantity_is,
+    "(?P<q>acceleration|velocity) of {s} equals {n} (?P<up>up|down)": read.directed,
     "{q=QUANTITY} equals {n}": read.quantity_is,
     "[t = |time t = |time ]{n}[ START]": read.at,
     "{n} after START": read.at,

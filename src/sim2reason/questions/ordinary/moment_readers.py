@@ -207,6 +207,12 @@ def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
         yield When(f"height above the ground of {who} = {heard.number(found['n'])}", side)
 
 
+def directed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when the vertical component of a velocity or an acceleration has a value."""
+    sign = "-" if found["up"] == "down" else ""
+    yield When(f"{found['q']} of {subject_of(found, heard, subject)} along up = {sign}{heard.number(found['n'])}", side)
+
+
 def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield a stated time; one that is counted from a lift-off only where the body lifts off at once."""
     number = heard.number(found["n"])
@@ -248,7 +254,7 @@ def apsis(name: str) -> Reader:
     """
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-        named = [heard.subject(found.groupdict().get(key)) for key in "st"]
+        named = [heard.subject(found.groupdict().get(key)).removeprefix(f"{ALL} ") for key in "st"]
         both = " & ".join(said for said in named if said)
         for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):
             yield When(f"{who} {name}".strip(), asked, rank=rank)

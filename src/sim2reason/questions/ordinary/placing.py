@@ -28,6 +28,7 @@ from sim2reason.questions.ordinary.unsaid import (
     is_light_arm,
     line_of,
     relaxed_again,
+    strained,
     velocities_equal,
 )
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
@@ -80,7 +81,7 @@ def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
     late = LATE.match(when)
     told = relaxed_again(when[late.end() :] if late else when, words)
     told = _component(velocities_equal(told, words), words)
-    return f"{late[0] if late else ''}{_met(_collided(told, words, events), words)}"
+    return f"{late[0] if late else ''}{strained(_met(_collided(told, words, events), words), words)}"
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:

@@ -179,7 +179,7 @@ def _across(case: Case) -> bool:
     What oscillates on a level line has been faster on its way than at both ends of it.
     """
     trace = case.followed.study.trace
-    name = named(case.who, case.words) or _swung(case.who, case.words)
+    name = _swung(case.who, case.words) or named(case.who, case.words)
     if not name:
         return False
     scan = trace.scan
@@ -210,14 +210,20 @@ def _sprung(case: Case) -> bool:
 
 
 def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
-    """Return a test of whether a body moves along an axis, with the given sign, at the instant asked about."""
+    """Return a test of whether a body moves along an axis, with the given sign, then, and has not done so before."""
 
     def test(case: Case) -> bool:
         name = named(case.who, case.words)
         senses = Bodies().senses(case.words.mechanism, name) if name else ()
-        way = next((np.array(sense.vector) for sense in senses if sense.axis == axis), None)
-        velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0] if name else None
-        return way is not None and velocity is not None and sign * float(velocity @ way) > 0.0
+        ways = {sense.axis: np.array(sense.vector) for sense in senses}
+        if not {"x", "y"} <= ways.keys():
+            return False
+        trace = case.followed.study.trace
+        along, across = sign * ways[axis], ways["y" if axis == "x" else "x"]
+        before = Velocity.evaluate(trace.scan, name)[trace.scan.times < case.then * (1.0 - STEADY)]
+        turns = np.flatnonzero(np.diff(np.sign(before @ across)))
+        heads = float(Velocity.evaluate(trace.at(case.then), name)[0] @ along) > 0.0
+        return heads and not bool((before[turns] @ along > 0.0).any())
 
     return test
 

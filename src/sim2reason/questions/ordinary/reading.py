@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.changes import after_bounce, changed, differences
+from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
@@ -158,7 +158,8 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
-    yield from (_with(main, when) for main, when in after_bounce(question, clause, side, heard))
+    between = (*after_bounce(question, clause, side, heard), *above_lowest(question, clause, side, heard))
+    yield from (_with(main, when) for main, when in between)
     for main in mains(question, heard):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
@@ -217,7 +218,7 @@ def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Re
 
 def _whole(main: Main) -> Iterator[Reading]:
     """Yield readings of a distance asked for without a moment: up to the landing, the bounce or the body's stop."""
-    way = next((way for _, way in main.ways if way in ("up", "down")), "")
+    way = next((way for _, way in main.ways if way in ("up", "down", "right", "left")), "")
     for rank, when in enumerate(("landed", "bounced", "halted", "stopped")):
         told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
         yield _with(replace(main, rank=main.rank + rank), told)

@@ -6,6 +6,7 @@ from sim2reason.questions.ordinary.turns_of_amount import AMOUNT_TURNS
 from sim2reason.questions.ordinary.turns_of_bodies import BODY_TURNS
 from sim2reason.questions.ordinary.turns_of_course import COURSE_TURNS
 from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
+from sim2reason.questions.ordinary.turns_of_order import ORDER_TURNS
 from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
 from sim2reason.questions.ordinary.turns_of_place import PLACE_TURNS
 from sim2reason.questions.ordinary.vocabulary import pattern
@@ -66,6 +67,7 @@ REWORDINGS: Mapping[str, str] = {
 
 _ALL: Mapping[str, str] = {
     **BODY_TURNS,
+    **ORDER_TURNS,
     **COURSE_TURNS,
     **AMOUNT_TURNS,
     **PLACE_TURNS,

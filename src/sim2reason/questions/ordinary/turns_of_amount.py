@@ -6,7 +6,8 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS
 
 _DOES = "(?:does|do|did|will|is|are|has|have|had|must|can)"
 _UNITS = (
-    "(?:kilometres|kilometers|km|centimetres|centimeters|cm|millimetres|mm|metres|meters|m|kilograms|kg|newtons|n|joules|j"
+    "(?:kilometres|kilometers|km|centimetres|centimeters|cm|millimetres|mm|metres|meters|m|kilograms|kg|newtons|n"
+    "|joules|j"
     "|seconds|s|years|minutes|degrees|radians|m/s|km/s|rad/s|metres per second|watts|w|astronomical units|au)"
 )
 _MOMENT = "(?:when|by time|by moment|at|after|before|until|just|as|once|during|in first|while)"
@@ -118,7 +119,8 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^how far (?:does|will) (?P<s>@\\d+@) (?:swing|move|oscillate|go|vibrate)(?: out)? to (?:each|either) side$": (
         r"what is amplitude of \g<s>"
     ),
-    "(?P<s>@\\d+@) ~(?:(?:at |)|reaches |gets to |arrives at |passes )(?:its )?(?:point|position|place|moment) of"
+    "(?<! of )(?P<s>@\\d+@) ~(?:(?:at |)|reaches |gets to |arrives at |passes )(?:its )?(?:point|position|place"
+    "|moment) of"
     " (?P<most>GREATEST)"
     " (?P<what>compression|extension)": r"\g<most> \g<what>",
     "^how much momentum (?P<does>does|did|will) (?P<s>@\\d+@) (?:pass on|give|transfer|hand over|impart|pass|lose)"

@@ -1,6 +1,7 @@
 """Understanding of a question in ordinary English about a motion: all its readings must have the same answer."""
 
 import re
+from dataclasses import replace
 from math import isclose
 
 from sim2reason.errors import TextError
@@ -16,6 +17,7 @@ from sim2reason.questions.ordinary.numbers_placed import numbers_wanted
 from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reading, readings
+from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.whatif.blows import of_blow
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
@@ -30,6 +32,11 @@ from sim2reason.questions.words import Words
 VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
 SPEEDS = "speed", "speed relative to its carrier"  # which have no sign
 _ORIGIN = re.compile(r"\borigin\b")
+_RESTATED = re.compile(
+    r"(?P<one>.+?) ,? ?\(?(?:i\.e\.?|that is(?: to say)?|in other words|or equivalently) ,? ?"
+    r"(?P<other>(?:how|what|when|after|at|with|find) [^()]+)\)?"
+)
+"""A question that is said a second time in other words."""
 SAME = 1e-6  # relative: answers that differ by less are one
 
 
@@ -42,6 +49,18 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
     heard = hear(sentence, words)
+    said = _RESTATED.fullmatch(heard.text)
+    if said is None:
+        return _meant(heard, motion, words)
+    one, other = (_meant(replace(heard, text=reworded(said[key])), motion, words) for key in ("one", "other"))
+    if one is None or other is None:
+        return None
+    _agree([one, other], words)
+    return other
+
+
+def _meant(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+    """Return the question that a heard sentence asks, and its answer; None if the sentence is not understood."""
     found = (
         of_small_oscillations(heard, motion, words, READER)
         or of_blow(heard, motion, words, READER)

@@ -16,6 +16,7 @@ from sim2reason.questions.words import Words
 
 AMPLITUDE = "amplitude"
 _EQUAL = re.compile(rf"relative velocity of (?P<one>.+) & (?P<other>.+) along {ONLY_LINE} = 0 m/s")
+_NEAREST = re.compile(r"(?P<one>\S+) & (?P<other>\S+) (?P<how>closest|farthest)")
 ENERGIES = "kinetic energy", "rotational kinetic energy"
 ORBITAL = "eccentricity", "semi-major axis"
 DEFLECTIONS = "deflection", "greatest deflection", "least deflection"
@@ -53,6 +54,18 @@ def relaxed_again(told: str, words: Words) -> str:
     assert isinstance(line.law, Elastic)
     strained = abs(float(start(words.mechanism).length(line)) - line.law.length) > EVEN or line.wheels
     return told if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
+
+
+def strained(told: str, words: Words) -> str:
+    """Return the moment when the spring between two bodies is shortest, for when they are closest, or vice versa."""
+    found = _NEAREST.fullmatch(told)
+    ends = {found["one"], found["other"]} if found is not None else set[str]()
+    for name in Springs().names(words.mechanism) if found is not None else ():
+        line = words.mechanism.line[name]
+        tied = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
+        if tied == ends and not line.wheels:
+            return f"{name} {'most compressed' if found and found['how'] == 'closest' else 'most stretched'}"
+    return told
 
 
 def line_of(said: str, words: Words) -> str:

@@ -283,3 +283,9 @@ def potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     way = "up" if found["verb"] in GAINS else "down"
     for of in each(heard, found["s"]):
         yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))
+
+
+def pushes(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the normal force of a body on a face, or the force of a spring, which it exerts on what is at its end."""
+    yield from presses(found, heard)
+    yield from (Main("spring force", of) for of in each(heard, found["s"]))

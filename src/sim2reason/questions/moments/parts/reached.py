@@ -11,6 +11,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
+from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening, Moment
@@ -105,7 +106,8 @@ class Reached(Happening):
 def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tuple[Target, float]:
     """Return the target and the value in *velocity of the ball along y = 2 m/s*; TextError if there is no equation.
 
-    The subject and the axis may be left out: then they are those of the question.
+    The subject and the axis may be left out: then they are those of the question. The axis of a question is none of
+    the quantity of a moment whose subject is named, nor of a quantity without components.
     """
     left, equals, right = said.partition("=")
     left, _, along = (part.strip() for part in left.partition(" along "))
@@ -115,7 +117,8 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     names = (name for name in known if f"{left} ".startswith(f"{name} of ") or left == name)  # which may hold an *of*
     name = max(names, key=len, default=left.partition(" of ")[0])
     find, of = one_of(place, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
-    named = replace(asked, find=find, of=of or asked.of, along=along or asked.along)
+    own = place == "when" and (bool(of) or not QUANTITIES[find].vector)
+    named = replace(asked, find=find, of=of or asked.of, along=along or ("" if own else asked.along))
     target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))
 

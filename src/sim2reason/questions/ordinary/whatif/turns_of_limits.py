@@ -33,6 +33,33 @@ _SET = (
 )
 _EXTRA = "(?:extra|additional|further|more)"
 LIMIT_TURNS: Mapping[str, str] = {
+    rf"\bbe at least (?P<v>multiplied|increased|raised) {_NEXT}": r"be \g<v> ",
+    rf"\bbe (?P<v>multiplied|increased|raised) at least {_NEXT}": r"be \g<v> ",
+    r"(?P<e>\b(?:round|top|circle)\b.*?) (?:with|keeping) (?:string|rope|cord|@\d+@) (?:always |still |staying "
+    r"|remaining "
+    r"|being )?(?:taut|tight)(?: (?:throughout|all (?:the )?(?:time|way)|all along|everywhere))?$": r"\g<e>",
+    r"\b(?P<v>launched|started|set off|set moving|thrown|sent off|set in motion) downwards?(?: along (?:its )?arc)?"
+    r"(?: from (?:this|that|its(?: initial)?) position)? (?=so that|for|in order|to |if )": r"\g<v> ",
+    r"\b(?P<q>constant (?:speed|velocity)) (?:once|after (?:being|having been)) (?:started|moving|in motion"
+    r"|set moving|set in motion|set going)$": r"\g<q>",
+    rf"^what (?P<z>least |minimum |smallest )?{_N} (?:would|will|could|can) (?:just )?(?:prevent|stop|keep)"
+    rf" (?P<s>{_S}) "
+    r"(?:from )?(?:starting )?(?:to )?(?P<v>move|slide|slip|moving|sliding|slipping)(?: at all)?$": (
+        r"what is least \g<n> for which \g<s> not move"
+    ),
+    rf"^what {_N} {_AUX} it take (?:at start )?to (?:send|get|bring|push|drive|throw|carry) (?P<s>{_S}) ": (
+        r"what \g<n> would \g<s> need to move "
+    ),
+    rf"\b(?P<b>blow|kick|push|hammer) (?P<h>have to |need to )?send off (?P<s>{_S}) ": r"\g<b> \g<h>send \g<s> ",
+    rf"\b(?P<c>coefficient of friction|friction coefficient) (?:on|at|of|for) (?:its |{_S} 's )?top(?: surface)?"
+    rf"(?= (?:for|with|at) which (?P<s>{_S}) (?:.*\b)?(?:slip|slide|move)(?: (?:on|over|along|relative to))"
+    rf" (?P<t>{_S})$)": (r"\g<c> between \g<s> and \g<t>"),
+    r"\. \((?:assume|suppose)(?: that)? @\d+@ (?:is |be )?(?:still |always )*(?:heavy|light|large|small|great) enough"
+    r" (?:that|so that|for) [^#]+\)?$": "",
+    r"^by how much (?:does|do) (?P<n>.+?) (?:have|need) to be (?=\w+(?:ed|ered|er) )": r"by how much must \g<n> be ",
+    r"\b(?P<r>(?:stay|remain)s? (?:at rest|still|where (?:it is|they are))) after (?:it|they|system|everything"
+    r"|@\d+@) (?:is"
+    r"|are|has been|have been|has|have) (?:let go|released|set free)": r"\g<r>",
     r" just (?=to (?:keep|hold|make|let|set|get|move|pull|lift|prevent|stop|start|bring|cause)\b)": " ",
     r"^(?P<p>from|at|under|with|for) which (?=(?:[a-z]+ ){1,3}(?:would|must|should|does|is) )": r"\g<p> what ",
     rf"(?P<s>{_S}) (?P<h>have to |need to )?(?:set off|set out) {_NEXT}": r"\g<s> \g<h>start ",
