@@ -192,6 +192,7 @@ FREE = motions.light_rod().told
 X4 = driven(0.4)
 LANDS = Bounced("field.ball", after=False)
 OVER = 3.0 - 2.0 * cos(radians(50.0))  # mg(3 − 2 cos θ₀) in the bowl
+CIRCLE = 4.4 * 2.9 / (2.3 * 0.55)  # m: the radius of the circle of a bead that leaves the origin
 EXTREMES: Sequence[Case] = (
     Case(FREE, "greatest speed", "swing.bob", WholeMotion(), SPEED),
     Case(FREE, "greatest angular speed", "swing.hanger", Stopped("swing.bob"), SPEED / 0.8),
@@ -216,6 +217,42 @@ EXTREMES: Sequence[Case] = (
     Case(cradle().told, "greatest normal force", "hill.block", WholeMotion(), 0.4 * G * OVER),
     Case(lambda: cradle(0.0, 2.0).told(), "least normal force", "hill.block", WholeMotion(), 0.4 * (G - 0.5 * 2.0**2)),
     Case(motions.string_pendulum(6.0).told, "least tension", "swing.hanger", WholeMotion(), 0.5 * G),  # mg(k − 5)
+    Case(
+        stored("origin_circle", 21.8),
+        "greatest x coordinate",
+        "fields.particle",
+        AtTime(21.0),
+        CIRCLE * (sin(radians(199.0)) + 1.0),
+    ),
+    Case(
+        stored("origin_circle", 21.8),
+        "least x coordinate",
+        "fields.particle",
+        AtTime(21.0),
+        CIRCLE * (sin(radians(199.0)) - 1.0),
+    ),
+    Case(
+        stored("origin_circle", 21.8),
+        "greatest y coordinate",
+        "fields.particle",
+        AtTime(21.0),
+        CIRCLE * (1.0 - cos(radians(199.0))),
+    ),
+    Case(
+        stored("origin_circle", 21.8),
+        "least y coordinate",
+        "fields.particle",
+        AtTime(21.0),
+        -CIRCLE * (1.0 + cos(radians(199.0))),
+    ),
+    Case(
+        stored("origin_circle", 21.8),
+        "greatest distance from the origin",
+        "fields.particle",
+        AtTime(21.0),
+        2.0 * CIRCLE,
+    ),
+    Case(stored("dull_carts", 0.5), "least distance from the origin", "track.gliders.0", AtTime(0.1), 1.44 - 0.118),
     Case(
         stored("arm_on_pulled_trolley", 0.75),
         "least deflection",
