@@ -53,7 +53,7 @@ class SemiMajorAxis(OrbitShape):
 class CircularSpeed(OrbitShape):
     """The speed with which the body would go round in a circle at its present distance."""
 
-    name, unit, symbol = "circular speed", "m/s", "v_c"
+    name, unit, symbol = "circular speed", "m/s", "v"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
