@@ -124,10 +124,14 @@ NUMBERS: Mapping[str, NumberKind] = {
 
 
 class NamedNumber(NamedTuple):
-    """A number as a sentence names it: its kind, and the text's phrases for its owners, such as *block A*."""
+    """A number as a sentence names it: its kind, and the text's phrases for its owners, such as *block A*.
+
+    It is `grounded` if the sentence says that it is that of a fixed surface, such as *the floor*.
+    """
 
     kind: str
     owners: tuple[str, ...] = ()
+    grounded: bool = False
 
 
 @cache
@@ -141,7 +145,7 @@ def number_pattern() -> str:
     owner = (
         rf"(?: (?:of|for|between|on|in) (?:both )?(?P<of>@\d+@)(?: and (?:(?P<and>@\d+@)"
         rf"|(?:{GROUNDS})|its (?:{GROUNDS})))?"
-        rf"|(?: (?:of|on|for|between) (?:{GROUNDS}|hand|wall|pulling hand|hand 's pull))(?: and"
+        rf"|(?: (?:of|on|for|between) (?:(?P<ground>{GROUNDS})|hand|wall|pulling hand|hand 's pull))(?: and"
         rf" (?P<too>@\d+@))?)?"
     )
     start = r"(?: (?:at start|at launch|at release|initially))?"
@@ -152,7 +156,7 @@ def named_number(found: re.Match[str], subject: Mapping[str, str]) -> NamedNumbe
     """Return the number that a match of `number_pattern` names; `subject` has the text's phrase for each token."""
     kind = next(name for index, name in enumerate(NUMBERS) if found[f"n{index}"] is not None)
     tokens = (found[key] for key in ("own", "of", "and", "too"))
-    return NamedNumber(kind, tuple(subject[token] for token in tokens if token))
+    return NamedNumber(kind, tuple(subject[token] for token in tokens if token), found["ground"] is not None)
 
 
 def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
@@ -162,6 +166,8 @@ def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
         return tuple(path for path, _ in _of_kind("mass", study.scene))
     every = list(_of_kind(named.kind, study.scene))
     if named.kind == "horizontal speed" and not is_zero("launch angle", study.scene):
+        return ()
+    if named.grounded and named.kind == "friction" and any(_is_carried(study, *held) for held in every):
         return ()
     if not owners:
         return tuple(path for path, _ in every) if len(every) == 1 else ()
@@ -253,6 +259,11 @@ def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
     riders = [a for a, b in ((one, other), (other, one)) if a in mechanism.body and mechanism.body[a].parent == b]
     found = [path for path, value in every if _roughens(study, path, value) == set(riders)]
     return tuple(found) if len(riders) == len(found) == 1 else ()
+
+
+def _is_carried(study: Study, path: str, value: float) -> bool:
+    """Return whether a number is that of a face of a body, rather than of a fixed surface."""
+    return any(study.mechanism.body[name].parent is not None for name in _roughens(study, path, value))
 
 
 def _roughens(study: Study, path: str, value: float) -> set[str]:
