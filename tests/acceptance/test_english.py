@@ -103,7 +103,8 @@ def test_words_that_tell_of_forces_stand_only_where_they_belong(batch: list[Samp
 
 def test_each_string_has_two_ends(batch: list[Sample]) -> None:
     ends = re.compile(
-        r"\btied to\b|\bends (?:at|in)\b|\bto\b|\breaches\b|\bjoins\b|\b[Ff]rom\b|\b(?:by|on) a light string"
+        r"\btied to\b|\bends (?:at|in)\b|\bat its far end\b|\bto\b|\breaches\b|\bjoins\b|\b[Ff]rom\b"
+        r"|\b(?:by|on) a light string"
     )
     for sample in batch:
         for sentence in sample.prose.story:
@@ -122,10 +123,13 @@ def test_the_question_is_one_sentence_at_the_end(batch: list[Sample]) -> None:
         assert not any(VERB.search(sentence) for sentence in sample.prose.story), sample.prose.text
 
 
+SIGNED = "positive", "x component", "y component", "horizontal displacement", "vertical displacement", "gain in"
+
+
 def test_signs_are_defined_where_they_matter_and_nowhere_else(batch: list[Sample]) -> None:
     for sample in batch:
         question, item = sample.prose.question, sample.item
-        told = any(word in question for word in ("positive", "x component", "y component", "gain in"))
+        told = any(word in question for word in SIGNED)
         assert told == bool(item.answer.sign), (question, item.answer.sign)
         assert item.answer.sign or item.answer.value > 0.0, question
 

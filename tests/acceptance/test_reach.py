@@ -25,6 +25,9 @@ ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
     "no string comes on the level to the foot of a prism from the top of a slope; of others the texts are too long": {
         "MassPrismPlane.left_blocks count": ("incline",),
     },
+    "with a second coefficient of restitution pucks are less a problem than a program": {
+        "TwoDCollisionPlane.pairs count": ("collision",),
+    },
     "a prism on its face would lie there": {"TumblingPrism.rate presence": ("rolling",)},
     "an arm's length is said where something hangs from its end": {
         "RotationEntity.reach presence": ("rotation",),
