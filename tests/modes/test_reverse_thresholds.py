@@ -112,7 +112,7 @@ def test_two_open_numbers_need_a_question_about_a_limit() -> None:
         parse_prompt(f"{told.text} What is the tension in the string? {FORM}")
 
 
-@pytest.mark.parametrize(("recipe", "index"), [("pulley", 1), ("box", 0), ("hybrid", 3)])
+@pytest.mark.parametrize(("recipe", "index"), [("pulley", 1), ("box", 5), ("hybrid", 3)])
 def test_items_say_whose_limit_they_give(recipe: str, index: int) -> None:
     """The number has no part in what makes two problems variants of each other, and the solution ends in the answer."""
     weights = (("threshold", 1e6),)
