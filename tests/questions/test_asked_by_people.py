@@ -123,6 +123,9 @@ def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts:
     assert not sentence or parse_question(sentence, followed.study, words) == query
 
 
+COORDINATES = "x coordinate", "y coordinate", "distance from the origin"
+
+
 def test_recipes_ask_none_of_it() -> None:
     """Recipes never draw quantities that are marked as not drawn; the moments and functionals so marked are these."""
     words = words_of(describe(ramp(2.0, 30.0)))
@@ -133,4 +136,5 @@ def test_recipes_ask_none_of_it() -> None:
     assert {name for name, cls in MOMENTS.items() if not cls.drawn_by_recipes} == people
     undrawn = {name for name, held in FUNCTIONALS.items() if not held.drawn_by_recipes}
     least = {"least deflection", "greatest rod pull", "greatest angular acceleration"}
-    assert undrawn == {"amplitude", "greatest spring force", *least}
+    places = {f"{size} {name}" for size in ("greatest", "least") for name in COORDINATES}
+    assert undrawn == {"amplitude", "greatest spring force", *least, *places}

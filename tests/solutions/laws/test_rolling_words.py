@@ -143,7 +143,7 @@ def test_senses_of_turning_are_stated_and_what_is_turned_back() -> None:
 def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
     prompt = (
         r"In this problem g = 9.8 m/s². A fixed horizontal plane carries a thin-walled pipe of radius "
-        r"0.097 m and mass 5.6 kg; it is free to roll along the plane in a straight line. The coefficient "
+        r"0.097 m and mass 5.6 kg, which can roll along it in a straight line. The coefficient "
         r"of friction (static and kinetic) between it and the plane is 0.31. At t = 0 its centre is at "
         r"rest, and it spins at 19 rad/s in the sense in which it would roll to the right. Find the "
         r"angle through which the pipe turns between t = 0 and the moment when it has moved 1.2 m. "
