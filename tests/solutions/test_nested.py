@@ -91,7 +91,7 @@ def test_it_is_said_what_is_inserted_before_the_other_value_is_put_in() -> None:
 
 def test_drawn_comparisons_in_symbols_are_solved_in_symbols() -> None:
     formulas = [
-        found for recipe in ("pulley", "rolling", "incline") for found in drawn("symbolic", "comparison", recipe, 10)
+        found for recipe in ("pulley", "rolling", "incline") for found in drawn("symbolic", "comparison", recipe, 24)
     ]
     assert formulas
     for found in formulas:

@@ -44,7 +44,7 @@ TRACK = (
 )
 FRICTION = (
     "A stationary plane inclined at an angle $\\theta$ to the horizontal carries a uniform thin disc A of "
-    "radius $R_A$ and mass $m_A$; it is free to roll straight up or down the slope. There is no slipping."
+    "radius $R_A$ and mass $m_A$, which can roll straight up or down the slope. There is no slipping."
     " From the axle of A a light string runs up the slope, passes over a pulley fixed in place (a uniform"
     " disc of mass $M$) and runs straight down to block B of mass $m_B$. The bodies are released from "
     "rest with the string taut. The axle is frictionless, no string slips on "
