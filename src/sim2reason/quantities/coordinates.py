@@ -1,5 +1,7 @@
 """Coordinates of bodies on the axes of the text, where the text states where a body starts; never drawn by recipes."""
 
+from typing import ClassVar
+
 import numpy as np
 
 from sim2reason.dsl.mechanism import Coordinate, Mechanism, X, Y
@@ -23,44 +25,49 @@ def _place(axis: str, state: State, name: str) -> Array:
     return np.asarray(found.stated[1] + state.q[:, state.mechanism.number[found.name]])
 
 
-@quantity
-class XCoordinate(Quantity):
-    """The x coordinate of a body whose x coordinate at the start the text states."""
+class AxisCoordinate(Quantity):
+    """Base class of the coordinates of a body along one axis of the text.
 
-    name, unit, symbol = "x coordinate", "m", "x"
-    of = Bodies()
-    sense = Sense("along the x axis", X, "x", fixed=True)
+    Class data:
+        axis: the name of the axis.
+    """
+
+    axis: ClassVar[str]
+    unit, of = "m", Bodies()
     drawn_by_recipes = False
     floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the text states where on the axis the body starts."""
+        return stated_on(self.axis, mechanism, name) is not None
+
+
+@quantity
+class XCoordinate(AxisCoordinate):
+    """The x coordinate of a body whose x coordinate at the start the text states."""
+
+    name, symbol = "x coordinate", "x"
+    axis = "x"
+    sense = Sense("along the x axis", X, "x", fixed=True)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return x in m, (n,)."""
         return _place("x", state, subject)
 
-    def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the text states where on the x axis the body starts."""
-        return stated_on("x", mechanism, name) is not None
-
 
 @quantity
-class YCoordinate(Quantity):
+class YCoordinate(AxisCoordinate):
     """The y coordinate of a body whose y coordinate at the start the text states."""
 
-    name, unit, symbol = "y coordinate", "m", "y"
-    of = Bodies()
+    name, symbol = "y coordinate", "y"
+    axis = "y"
     sense = Sense("along the y axis", Y, "y", fixed=True)
-    drawn_by_recipes = False
-    floor = 0.1
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return y in m, (n,)."""
         return _place("y", state, subject)
-
-    def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the text states where on the y axis the body starts."""
-        return stated_on("y", mechanism, name) is not None
 
 
 @quantity

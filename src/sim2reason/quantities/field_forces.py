@@ -19,6 +19,7 @@ class FieldForce(Quantity):
     """
 
     law: ClassVar[type[Law]]
+    unit, symbol = "N", "F"
     of, vector = Bodies(), True
     drawn_by_recipes = False
     floor, heavy = 0.1, True
@@ -47,7 +48,7 @@ def _total(state: State, subject: str, law: type[Law]) -> Array:
 class ElectricForce(FieldForce):
     """The force of the electric fields on a body."""
 
-    name, unit, symbol = "electric force", "N", "F"
+    name = "electric force"
     law = Push
 
     @staticmethod
@@ -60,7 +61,7 @@ class ElectricForce(FieldForce):
 class MagneticForce(FieldForce):
     """The force of the magnetic fields on a body."""
 
-    name, unit, symbol = "magnetic force", "N", "F"
+    name = "magnetic force"
     law = Magnetic
 
     @staticmethod
@@ -73,10 +74,10 @@ class MagneticForce(FieldForce):
 class ResistingForce(FieldForce):
     """The force with which a medium resists the motion of a body."""
 
-    name, unit, symbol = "resisting force", "N", "F"
+    name = "resisting force"
     law = Resistance
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the force in N, (n, 3), against the velocity."""
+        """Return the force of the medium in N, (n, 3), which is opposite to the velocity."""
         return _total(state, subject, Resistance)

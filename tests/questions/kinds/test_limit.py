@@ -116,15 +116,9 @@ def test_limits_are_drawn_and_solved(mode: str) -> None:
         question = search.ask(MODES[mode], np.random.default_rng(seed), Counter(), "limit", 2)
         found += [question] if question is not None else []
     assert found
-    solved = 0
     for question in found:
         solution = solve(question.setting)
-        if solution.answer is None:
-            assert "the formula for it is too long" in solution.reason
-            continue
         assert solution.answer == pytest.approx(question.question.answer, rel=1e-6), solution.reason
-        solved += 1
-    assert solved >= 0.8 * len(found)
 
 
 def test_a_motion_that_is_not_its_scenes_offers_none() -> None:

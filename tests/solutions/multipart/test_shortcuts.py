@@ -13,7 +13,7 @@ def test_a_tension_follows_from_one_law_once_an_acceleration_is_known() -> None:
 def test_an_acceleration_follows_from_that_of_the_string() -> None:
     text = solution_text("pulley-medium-multipart-301917-0")
     later = text.partition("\n\n(c) ")[2]
-    assert r"So $a_A = \tfrac{1}{2} a_B = 0.75385\ \text{m/s}^2$." in later
+    assert r"As in part (a), $a_A = \tfrac{1}{2} a_B = 0.75385\ \text{m/s}^2$." in later
     assert "(1)" not in later
     assert r"$T_1 = \tfrac{1}{2} m_A \left(2\,g + a_B\right)" in text
 

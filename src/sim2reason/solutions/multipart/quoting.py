@@ -13,6 +13,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step
 
 DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # what it is about may have formulas
 _INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
+SO = "So "  # before a result that follows from the last equations
 SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
@@ -69,7 +70,7 @@ class _Told:
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
         labels = {label for step in left for label in referred(step.text)}
-        left = [self._shorter(step, labels) for step in left]
+        left = [self._shorter(self._solved_again(step), labels) for step in left]
         if dropped == [] and [step.text for step in left] == [step.text for step in steps]:
             return [*steps]
         quoted = [*self._quoted(dropped, left)]
@@ -78,6 +79,13 @@ class _Told:
         given = [given_for(step, used) for step in left if step.kind == "givens"]
         recalled = [step for step in rest if step.kind == EARLIER]
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
+
+    def _solved_again(self, step: Step) -> Step:
+        """Return a step that gives the left side of an equation of an earlier part, with a reference to that part."""
+        first = self._parts.get(step.relations[0].latex()) if step.relations else None
+        if first is None or not step.text.startswith(SO):
+            return step
+        return replace(step, text=f"As in part ({first}), {step.text.removeprefix(SO)}")
 
     def _integrated(self, part: str, step: Step) -> Step:
         """Return an integration reduced to its results if an earlier part has integrated the same problem."""
@@ -119,7 +127,8 @@ class _Told:
         needed = {need for step in left for need in step.needs}
         names = spoken(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
         laws = [r for step in dropped if step.id in needed for r in step.relations if r not in by_label.values()]
-        laws = [relation for relation in laws if names.issuperset(relation.left.symbols())]
+        again = {relation.latex() for step in left for relation in step.relations}  # given in numbers by these steps
+        laws = [r for r in laws if names.issuperset(r.left.symbols()) and r.latex() not in again]
         for part in sorted({*self._parts.values()}):
             own = [label for label in labels if self._parts.get(label) == part]
             plain = [r for r in laws if self._parts.get(r.latex()) == part]
