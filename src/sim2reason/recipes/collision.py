@@ -100,7 +100,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     meeting = tier.meetings[int(rng.integers(len(tier.meetings)))]
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
     restitution = _restitution(tier, rng)
-    pucks = MEETINGS[meeting](radius, restitution, tier, rng)
+    pucks = MEETINGS[meeting](radius, tier, rng)
     moving = all(puck.vx or puck.vy for puck in pucks)
     tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if moving and rng.random() < tier.tilt else 0.0
     entity = TwoDCollisionPlane(table=Table(tilt=tilt), radius=radius, pucks=pucks, restitution=restitution)
@@ -139,23 +139,20 @@ def _beside(radius: float, rng: np.random.Generator) -> float:
     return float(rng.choice([-1.0, 1.0])) * _any(OFFSET, rng) * radius
 
 
-def _at_rest(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+def _at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that moves along the x axis, and one at rest that it does not hit quite head-on."""
-    del restitution
     place = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
     return _puck(tier, rng, place, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
 
 
-def _head_on(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+def _head_on(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return two pucks that move towards each other on parallel paths."""
-    del restitution
     place, toward = (2.0 * radius + _any(APART, rng), _beside(radius, rng)), (-_any(tier.speed, rng), 0.0)
     return _puck(tier, rng, ORIGIN, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, place, toward)
 
 
-def _crossing(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+def _crossing(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return two pucks on perpendicular paths; the second is a little early or late where the paths cross."""
-    del restitution
     ahead = _any(tier.speed, rng)
     up = _any(ALIKE, rng) * ahead
     time = (2.0 * radius + _any(APART, rng)) / min(ahead, up)
@@ -164,9 +161,9 @@ def _crossing(radius: float, restitution: float, tier: CollisionTier, rng: np.ra
     return first, _puck(tier, rng, (0.0, late - up * time), (0.0, up))
 
 
-def _in_turn(radius: float, restitution: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+def _in_turn(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that hits one at rest, which then hits another at rest: it moves off along the line of centres."""
-    first, second = _at_rest(radius, restitution, tier, rng)
+    first, second = _at_rest(radius, tier, rng)
     across = -first.y / (2.0 * radius)
     along = sqrt(1.0 - across**2)
     way, beside = 2.0 * radius + _any(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius

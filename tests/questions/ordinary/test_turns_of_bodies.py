@@ -1,4 +1,4 @@
-"""Turns of phrase about values, ways and what bodies share, each with a plainer equivalent."""
+"""Phrases such as *their common velocity*, about values, paths and pairs of bodies, and the plainer ones in their place."""
 
 import pytest
 

@@ -173,7 +173,7 @@ def test_on_a_slope_the_velocity_up_the_slope_vanishes_at_the_top() -> None:
 def test_discs_that_touch_after_an_inelastic_collision_move_apart_unless_it_is_head_on() -> None:
     """Each keeps its velocity perpendicular to the line of centres; head-on there is none."""
     found = after(scene(A, B, restitution=0.0), 0, 2.0)
-    assert "keep only a relative velocity perpendicular to their line of centres, so they move apart" in found.text
+    assert "keep only a relative velocity perpendicular to their line of centres, which takes them apart" in found.text
     place = scene((0.02, 0.03, 0.6, 0.35), (0.92, 0.48, -0.4, -0.15), restitution=0.0)
     headlong = solve(asked(place, Query("state", Target("velocity", PUCKS[0]), AtTime(2.0))))
     assert "move on together at the same velocity" in headlong.text

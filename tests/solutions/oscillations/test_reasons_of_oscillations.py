@@ -161,7 +161,7 @@ def test_in_equilibrium_the_net_force_is_zero_whatever_acts() -> None:
 
 
 def test_on_a_rough_track_displacements_count_from_where_the_net_force_is_zero() -> None:
-    """The place of zero net force is no equilibrium, as friction on a body at rest there would be static."""
+    """The text calls the place where friction and spring force cancel no equilibrium: at rest, friction is static."""
     text = solution_text("chain-medium-multipart-301930-0")
     assert "The displacement from the point at which the net force is zero is $A \\cos(\\omega t - \\varphi)$" in text
     assert "equilibrium" not in text

@@ -132,7 +132,7 @@ def _lettered(text: str, form: Form, said: Content) -> str:
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """Yield the divisions of a sentence into two clauses; none if the sentence is too long."""
+    """Yield each pair of clauses into which a sentence can be cut at *and* or a comma; none of a very long sentence."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

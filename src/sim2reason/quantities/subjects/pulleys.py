@@ -11,7 +11,7 @@ from sim2reason.quantities.subjects import Subject, all_said
 from sim2reason.quantities.subjects.paths import EVEN, rim_of
 
 DIRECTIONS = "directions of the string's parts"
-"""What a text gives of a pulley if it says how the parts of a string that leave the pulley lie to each other."""
+"""Name of a fact about a pulley: the text fixes the angle between the parts of a string that leave the pulley."""
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ MEASURES = {
 }
 PENDULUM = "equivalent pendulum length"
 PEOPLE = {PENDULUM: Measured("length of a simple pendulum of the same period", "m", least=1e-3)}
-"""What only people ask for: the length of the simple pendulum whose small swings have the same period."""
+"""Measures that recipes never ask for: the length of the simple pendulum whose small swings have the same period."""
 OFTEN = (0.6, 0.25, 0.15)
 EVEN = 0.5
 MANY = 3  # modes: of more, no number can be found on paper

@@ -16,7 +16,7 @@ _SUPPOSES = re.compile(
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
 )
 _MATTERS = re.compile(rf"\babove (?:{GROUNDS})|\bby how much\b|\bmeasured along\b")
-"""What is no height above the start, and no value."""
+"""Phrases that name no height above the start: *above the ground*, *by how much*, *measured along*."""
 _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(

@@ -1,4 +1,4 @@
-"""Turns of phrase about what bodies share, the circles and slides they make, and what lies between them."""
+"""Phrases such as *their common velocity*, about pairs of bodies, circles and slides, with plainer equivalents."""
 
 from collections.abc import Mapping
 

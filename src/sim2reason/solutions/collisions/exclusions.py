@@ -67,7 +67,9 @@ def _part_in_line(held: Sequence[Excluded]) -> str:
 
 def _slide_off(held: Sequence[Excluded]) -> str:
     """Return the clause about discs that have only slid past each other since an inelastic collision."""
-    return f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, so they move apart"
+    return (
+        f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
+    )
 
 
 def _go_together(held: Sequence[Excluded]) -> str:

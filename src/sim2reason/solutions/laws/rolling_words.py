@@ -87,7 +87,10 @@ def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
 
 
 def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
-    """Return a clause such as *when the string runs onto pulley P* for a sense of rotation; empty without a string."""
+    """Return words for the positive sense in which a pulley turns, such as *when the string runs onto pulley P*.
+
+    They are empty if no string runs over the pulley.
+    """
     newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the pace is that of what is wound up
     for onto, to in ((True, "onto"), (False, "off")):
         for line in newton.lines:

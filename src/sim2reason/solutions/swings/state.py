@@ -193,5 +193,5 @@ class SwingState(SwingAngle):
 
     @property
     def who(self) -> str:
-        """Return the noun phrase of the body that swings."""
+        """Return what the text calls the swinging body, such as *the ball*."""
         return self.setting.called(self.body)

@@ -1,4 +1,4 @@
-"""What a mechanism alone tells of bodies that move freely: that two collide once at most, that one goes straight up."""
+"""Tests of a mechanism, before its motion is known: do two free bodies collide at most once, does one go straight up?"""
 
 from math import inf
 

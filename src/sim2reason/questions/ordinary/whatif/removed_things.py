@@ -1,4 +1,4 @@
-"""What is removed during a motion, as a sentence names it, and the moment at which that happens."""
+"""Phrases that name a string, spring, hand or field removed during a motion, and the moment of the removal."""
 
 import re
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a question for a number tells of the number beforehand: that it is to be greater or less than in the scene."""
+"""Hints such as *a heavier block*, by which a question for a number says that it is greater or less than now."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -67,7 +67,7 @@ _SUPPOSED = (
 
 
 class ToldDirection(NamedTuple):
-    """A question without what it tells of the number beforehand, and what that is.
+    """A question stripped of its hint that the number is greater or less than in the scene, and that hint.
 
     `grows` is None if the sentence does not tell whether the number is to be greater or less than it is. The `kind` of
     the number and the token of the `thing` that has it are empty if they are not told.

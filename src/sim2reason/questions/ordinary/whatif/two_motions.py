@@ -69,7 +69,7 @@ _UP = re.compile(r"^how far up (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go
 
 
 class RemovedThings(NamedTuple):
-    """What a sentence supposes to be removed during the motion: names, times to try, s, and the question that is left.
+    """The removal that a sentence supposes: names of lines and fields, times to try, s, and the question that remains.
 
     If the sentence does not say when, there are several times, for which the answers must agree.
     """
