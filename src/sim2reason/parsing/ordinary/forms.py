@@ -58,7 +58,7 @@ def forms() -> tuple[Form, ...]:
 
 
 def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
-    """Yield settings for drawing scenes of an entity, so many that each special word, such as *smooth*, is once needed."""
+    """Yield settings for drawing scenes of an entity, enough to need each special word, such as *smooth*, once."""
     fields = [(model, name, held) for model in reachable(cls) for name, held in field_types(model).items()]
     told = {f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)}
     few = {

@@ -1,4 +1,4 @@
-"""Tests of a mechanism, before its motion is known: do two free bodies collide at most once, does one go straight up?"""
+"""Tests of a mechanism before its motion is known: whether two bodies collide at most once, or one goes straight up."""
 
 from math import inf
 
