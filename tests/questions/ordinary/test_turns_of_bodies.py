@@ -1,4 +1,4 @@
-"""Phrases such as *their common velocity*, about values, paths and pairs of bodies, and the plainer ones in their place."""
+"""Phrases such as *their common velocity*, about values, paths and pairs of bodies, with plainer equivalents."""
 
 import pytest
 
