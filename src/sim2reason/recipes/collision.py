@@ -22,7 +22,7 @@ GRAZING = 0.4  # radii: how far beside the path of a struck puck the centre of t
 ALIKE = Range(0.6, 1.6)  # times a speed: another one on a perpendicular path
 ORIGIN = (0.0, 0.0)
 
-Vector = tuple[float, float]
+PlaneVector = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
     return held.measure.draw(rng, found.low, found.high)
 
 
-def _puck(tier: CollisionTier, rng: np.random.Generator, place: Vector, velocity: Vector = ORIGIN) -> Puck:
+def _puck(tier: CollisionTier, rng: np.random.Generator, place: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
     """Return a puck of any mass."""
     x, y, vx, vy = (as_said(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
