@@ -3,19 +3,22 @@
 import pytest
 
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.prose.description import describe
 from sim2reason.questions import Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import nouns
+from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.targets import Target, targets
 
 BEFORE = "from t = 0 until {} first "
 
@@ -59,3 +62,26 @@ def test_a_pronoun_stands_for_what_a_phrase_is_about_alone() -> None:
         assert again(moment, phrase, when, words) == when
     speeds = [noun.phrase for target, noun in targets(words).items() if target.quantity == "velocity"]
     assert any(block in phrase for phrase in speeds)
+
+
+@pytest.mark.parametrize(
+    ("place", "noun"),
+    [
+        (LevelGround(), "the height of the rocket above the ground"),
+        (AirlessPlanet(radius=2000.0, gravity=2.0), "the height of the rocket above the ground"),
+        (DeepSpace(), "the distance between the rocket and its starting point"),
+    ],
+)
+def test_a_rocket_that_starts_from_the_ground_has_a_height(
+    place: AirlessPlanet | LevelGround | DeepSpace, noun: str
+) -> None:
+    """And *it* is the rocket, not the ground."""
+    entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=200.0), place=place, exhaust=2.0, rate=8.0)
+    words, moment = words_of(describe(Scene(entities=(Named(name="pad", entity=entity),)))), BurnedOut("pad.rocket")
+    said = targets(words)[Target("displacement", "pad.rocket")].phrase
+    assert said.replace("probe", "rocket") == noun
+    assert [again(moment, said, when, words) for when in moment.phrases(words)] == [
+        "when it has burnt all its fuel",
+        "when it runs out of fuel",
+        "at the moment when it has used up its fuel",
+    ]

@@ -106,7 +106,7 @@ class Released(BeadStart):
     nouns = ("start",)
     lone = (
         "is released from rest at the origin of the x-y plane",
-        "is let go from rest at the origin of the x-y plane",
+        "starts from rest at the origin of the x-y plane",
     )
 
     @property

@@ -35,7 +35,7 @@ from sim2reason.questions.targets import Target, targets
 from sim2reason.questions.unknown import Unknown, far_from, range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
-DIGITS = (2, 3)  # of what is given: as few as do
+DIGITS = 3  # of what is given, as of the answer
 DRAWS = 3  # of queries of one kind, at most, until one suits
 EXACT = 15  # digits of a result that the motion has as it was drawn
 NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
@@ -213,15 +213,13 @@ def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tu
     rate = dependence.rate(drawn)
     if not rate:
         return None
-    for digits in DIGITS:
-        given = StatedResult.rounded(result, unit, digits)
-        if given is None:
-            return None
-        if given.half <= FIXED * abs(rate * drawn):
-            answer = dependence.solved(given.value, drawn)
-            if answer is not None and abs(answer - drawn) <= FIXED * abs(drawn):
-                return given, answer, rate * drawn / result
-    return None
+    given = StatedResult.rounded(result, unit, DIGITS)
+    if given is None or given.half > FIXED * abs(rate * drawn):
+        return None
+    answer = dependence.solved(given.value, drawn)
+    if answer is None or abs(answer - drawn) > FIXED * abs(drawn):
+        return None
+    return given, answer, rate * drawn / result
 
 
 def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str]]:
@@ -239,21 +237,18 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Su
     if drawn is None or drawn.target is None or time is None:
         return None
     value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + STEP)))
-    for digits in DIGITS:
-        given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), digits) if isfinite(value) else None
-        if given is None or given.half > FIXED * abs(later - value) / STEP:
-            continue
-        query = Query("time_to_event", None, Reached(drawn.target, given))
-        answer = KINDS[query.kind].answer(query, study)
-        if (
-            answer is not None
-            and abs(answer - time) <= FIXED * time
-            and not _nearly_before(drawn.target, given, answer, study)
-            and suits(query, "", given)
-        ):
-            text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
-            return Question("reverse", query, text, answer, words.units.time, given=given)
-    return None
+    given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), DIGITS) if isfinite(value) else None
+    if given is None or given.half > FIXED * abs(later - value) / STEP:
+        return None
+    query = Query("time_to_event", None, Reached(drawn.target, given))
+    answer = KINDS[query.kind].answer(query, study)
+    fixed = answer is not None and abs(answer - time) <= FIXED * time
+    if answer is None or not fixed or _nearly_before(drawn.target, given, answer, study):
+        return None
+    if not suits(query, "", given):
+        return None
+    text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
+    return Question("reverse", query, text, answer, words.units.time, given=given)
 
 
 def _nearly_before(target: Target, given: StatedResult, time: float, study: Study) -> bool:

@@ -88,10 +88,10 @@ TOUCHING = 1e-9  # m; a gap that is none
 RELEASES = (
     "everything is released from rest{taut}.",
     "everything starts from rest{taut}.",
-    "everything is let go from rest{taut}.",
+    "all bodies are released from rest{taut}.",
     "everything is held at rest{taut}, and then released.",
     "the motion starts from rest{taut}.",
-    "the system is let go from rest{taut}.",
+    "the system is released from rest{taut}.",
     "all bodies are held at rest{taut}, and let go together.",
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",

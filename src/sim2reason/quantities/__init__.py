@@ -124,6 +124,11 @@ class Quantity(ABC):
         del mechanism, name
         return True
 
+    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str]:
+        """Return the templates for the size: by default `magnitude`, `how` and `indirect`, whatever the subject."""
+        del mechanism, name
+        return self.magnitude, self.how, self.indirect
+
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return the template for the component along a sense; by default `signed`, whatever the sense."""
         del sense, mechanism, name

@@ -28,6 +28,13 @@ class Displacement(Quantity):
     floor = 0.1
     panel, order = "displacement", 0
 
+    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str]:
+        """Return *the height above the ground* for a rocket that starts from the ground."""
+        if not _launched(mechanism, name):
+            return super().size_phrases(mechanism, name)
+        high = "how high above the ground"
+        return "the height of {body} above the ground", f"{high} is {{body}} {{when}}?", f"{high} {{body}} is"
+
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return *the horizontal displacement* or *the vertical displacement* in a vertical plane with gravity."""
         ways = [way[2] for way in center_path(mechanism, name).ways]
@@ -129,3 +136,9 @@ class CenterOffset(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """R c, (n, 3)."""
         return state.vector(state.frames[subject].turned(state.mechanism.body[subject].center))
+
+
+def _launched(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body burns fuel and starts at the lower end of its way, on the ground."""
+    burns = any(burn.body == name for burn in mechanism.burns)
+    return burns and [coordinate.lower for coordinate in mechanism.body[name].coordinates] == [0.0]

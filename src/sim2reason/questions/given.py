@@ -1,4 +1,4 @@
-"""Results that a question states, with two or three digits."""
+"""Results that a question states, with three digits."""
 
 import re
 from collections.abc import Iterator

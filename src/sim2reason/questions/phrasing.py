@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.bounced import GROUND
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
@@ -86,8 +87,8 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
     """Return `when` with a pronoun for the moment's subject, *when it stops*, if `noun` names that subject alone.
 
-    `noun` must name no other body or agent: after *the energy that the dashpot beside spring 2 dissipates*, *it* would
-    refer to the dashpot.
+    `noun` must name no other body or agent but the ground: after *the energy that the dashpot beside spring 2
+    dissipates*, *it* would refer to the dashpot.
     """
     subject, pronoun = moment.subject(words), moment.pronoun
     part, of, whole = subject.rpartition(" of ")
@@ -95,7 +96,7 @@ def again(moment: Moment, noun: str, when: str, words: Words) -> str:
         pronoun = f"its {part.removeprefix('the ')}"
     elif not (subject and pronoun and subject in noun):
         return when
-    others = any(said for said in words.mentions.values() if said in noun and said not in subject)
+    others = any(said in noun and said not in subject for said in words.mentions.values() if said != GROUND)
     named = whole if subject not in noun else subject
     return when if others or _OTHER.search(noun.replace(named, "…")) else when.replace(subject, pronoun, 1)
 

@@ -175,9 +175,8 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
     filler = _Filler(name, words)
     for quantity in asked:
         if quantity.magnitude:
-            how, indirect = filler.of(quantity, quantity.how), filler.of(quantity, quantity.indirect)
-            over = filler.of(quantity, quantity.over)
-            noun = Noun(filler.of(quantity, quantity.magnitude), how, indirect, quantity.timeless, over)
+            size, how, indirect = (filler.of(quantity, said) for said in quantity.size_phrases(words.mechanism, name))
+            noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over))
             yield Target(quantity.name, name), noun
     signed = [quantity for quantity in asked if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []

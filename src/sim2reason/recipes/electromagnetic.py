@@ -24,9 +24,9 @@ IDEAS = {
     "easy": (
         Idea(KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}),
         Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 0.0}),
-        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}),
     ),
-    "medium": (  # a field that depends on the place, or that has an end
+    "medium": (  # crossed fields, and a field that depends on the place, or that has an end
+        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}),
         Idea(
             KIND,
             {**PLAIN, "electric?": 1.0, "magnetic?": 0.0, "electric": ("LinearElectric",)},

@@ -14,7 +14,7 @@ BOX = (
     "same coefficient, $\\mu$. Block C of mass 3.2 kg slides in a smooth vertical guide on the left side of the box; "
     "from it a light string runs up and over a light pulley at the edge to A. Over a light pulley at the right edge a "
     "light string joins B to block D of mass 8.6 kg, which can only slide in a smooth vertical guide on that side of "
-    "the box. The system is let go from rest with all strings taut. Friction at pulleys is negligible, and there is "
+    "the box. The system is released from rest with all strings taut. Friction at pulleys is negligible, and there is "
     "ample room to move. Here g = 9.8 m/s². Find the value of $\\mu$ below which block A slips on the box. State the "
     "answer to three significant figures, inside \\boxed{}."
 )

@@ -20,7 +20,7 @@ ROW = r"""Blocks A (8.2 kg) and B (6.0 kg) lie on a fixed smooth plane inclined 
 horizontal, with A lower down and a light string between them. Block C of mass 4.0 kg is tied by a light \
 string to the axle of a light hanging pulley P. A third light string tied to block B runs up the slope, \
 passes over a light pulley Q fixed in place, goes straight down, under P and straight up again and ends \
-at a fixed hook. Everything is let go from rest with all strings taut. Block B takes 0.563 s to move 1.1 \
+at a fixed hook. All bodies are released from rest with all strings taut. Block B takes 0.563 s to move 1.1 \
 m, counted from release. Find the angle $\theta$. Friction at pulleys is negligible, and no body reaches \
 a pulley. Take g = 9.8 m/s². Write the answer in degrees, to three significant figures, in \boxed{}."""
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
@@ -21,16 +21,15 @@ class BurnedOut(Occurrence):
     kinds = ("burn-out",)
     of = Bodies()
     most = 0
-    pronoun = ""
-    verb = Verb("burns out", "burn out")
+    verb = Verb("runs out of fuel", "run out of fuel")
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the engine of the rocket burns out."""
+        """As in: when the rocket runs out of fuel."""
         rocket = self.subject(words)
         return (
             f"when {rocket} has burnt all its fuel",
-            f"when the engine of {rocket} burns out",
-            f"at the moment when the fuel of {rocket} is used up",
+            f"when {rocket} runs out of fuel",
+            f"at the moment when {rocket} has used up its fuel",
         )
 
     @property
@@ -42,7 +41,3 @@ class BurnedOut(Occurrence):
         """Fuel and rate give the time."""
         del study
         return True
-
-    def clause(self, words: Words) -> Clause | None:
-        """As in: the engine of the rocket burns out."""
-        return self.verb.clause(f"the engine of {self.subject(words)}", None)

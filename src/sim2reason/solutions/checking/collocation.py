@@ -77,6 +77,18 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
         length *= min(3.0, 0.9 * max(ratio, 1e-12) ** (-1.0 / DEGREE))
 
 
+def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
+    """Return the state at a time in a step, (n,), from a step that ends there.
+
+    Rates may have a kink at that time, as the rate of a path has where the speed is zero.
+    """
+    begin, length = piece.state(piece.begin), time - piece.begin
+    if length <= SHORTEST * piece.length:
+        return begin
+    found = _step(slope, Piece(piece.begin, length, np.tile(begin, (DEGREE + 1, 1))), begin, count)
+    return piece.state(time) if found is None else found.states[-1]
+
+
 def _sizes(states: Array, count: int) -> Array:
     """By how much errors of places, rates and sums count, (n,)."""
     sizes = np.maximum(np.abs(states).max(axis=0), LEAST)

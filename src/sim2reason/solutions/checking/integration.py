@@ -8,7 +8,7 @@ import numpy as np
 from numpy.polynomial.chebyshev import chebroots
 
 from sim2reason.solutions.checking.bracket import zero
-from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
+from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, state_at, tail
 from sim2reason.solutions.checking.instant import Instant
 from sim2reason.solutions.checking.trees import (
     Array,
@@ -129,10 +129,13 @@ class _Phase:
     def _excess_at(self, time: float) -> float:
         return float(self._excess(np.array([time]), self._state(time))[0])
 
+    def _piece(self, time: float) -> Piece:
+        """Return that of the last two pieces in which a time lies."""
+        return self._held[-1] if time >= self._held[-1].begin else self._held[0]
+
     def _state(self, time: float) -> Array:
         """The state at a time in one of the last two pieces, (1, n)."""
-        piece = self._held[-1] if time >= self._held[-1].begin else self._held[0]
-        return piece.state(time)[None]
+        return self._piece(time).state(time)[None]
 
     def _fits(self, piece: Piece) -> bool:
         """Whether the condition is a polynomial within a step."""
@@ -181,6 +184,7 @@ class _Phase:
 
     def _found(self, time: float) -> dict[str, float]:
         """The values at the end, by the names that they get."""
-        self._slope(np.array([time]), self._state(time))
+        state = state_at(self._slope, self._piece(time), time, len(self._instant.places))
+        self._slope(np.array([time]), state[None])
         self._instant.examine()
         return {str(name): float(np.ravel(self._instant.at[str(symbol)])[0]) for symbol, name in self._ends}

@@ -9,8 +9,12 @@ from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, Word,
 from sim2reason.dsl.model import Model
 from sim2reason.registry import Registry
 
-ElectricStrength = Annotated[float, LEAST, Le(1e9), Measure("electric field", "N/C", "E"), Range(0.4, 2.0)]
-MagneticStrength = Annotated[float, Ge(1e-12), Le(1e6), Measure("magnetic field", "T", "B"), Range(0.4, 1.2)]
+ElectricStrength = Annotated[
+    float, LEAST, Le(1e9), Measure("electric field", "N/C", "E", called="strength"), Range(0.4, 2.0)
+]
+MagneticStrength = Annotated[
+    float, Ge(1e-12), Le(1e6), Measure("magnetic field", "T", "B", called="strength"), Range(0.4, 1.2)
+]
 Direction = Literal["positive x", "negative x", "positive y", "negative y"]
 Trend = Literal["increases", "decreases"]
 AXES: Mapping[str, Vector] = {"x": X, "y": Y, "z": Z}
