@@ -278,9 +278,8 @@ class _Burning(Burning):
                 powered = "While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and"
                 said = f"{powered} {self.name} can come to rest only after burnout. {said}"
             return self.book.told("distance", said, name, high + Power(fast, 2) / fall, METRES)
-        away = "height of {} above the ground" if self.gravity else "distance of {} from its starting point"
-        said = f"The {away.format(self.name)} is then"
-        return self.book.told("distance", said, name, self._thrown(self.coast), METRES)
+        said = "height above the ground" if self.gravity else "distance from its starting point"
+        return self.book.told("distance", f"Its {said} is then", name, self._thrown(self.coast), METRES)
 
     @property
     def _now(self) -> Expression:
