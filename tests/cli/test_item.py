@@ -1,6 +1,7 @@
 """One problem by its coordinates, its scene, and questions about a scene of one's own."""
 
 import json
+import re
 from itertools import islice
 from pathlib import Path
 
@@ -106,3 +107,16 @@ def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:
     assert all(f"Answer: {item.answer.shown}\n" in told for item in asked)
     assert all("".join(item.prompt.split()) in "".join(told.split()) for item in asked), "its scene hides the unknown"
     assert listed[0].keys() == problem.model_dump(mode="json").keys()
+
+
+def test_ask_says_in_words_why_questions_were_refused(tmp_path: Path) -> None:
+    """Nothing passes about a pendulum of 10 m on the Moon."""
+    pendulum = "{bob: {mass: 1.0}, hanger: {kind: cord, length: 10.0}, angle: 10.0}"
+    entity = f"{{name: pendulum, type: Pendulum, parameters: {pendulum}}}"
+    text = f"scene: {{name: moon, entities: [{entity}], world: {{gravity: 1.62}}}}"
+    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
+    told = call("ask", tmp_path / "scene.yaml", "--items", 1)
+    assert told.exit_code == 1
+    assert "sim2reason: 0 of 1 questions; others were refused (--all asks those, too):\nnumber  reason" in told.stderr
+    meaning = "The answer is negative, nothing, one of the stated numbers, or what it was at the start."
+    assert re.search(rf"\d+  degenerate +{re.escape(meaning)}\n", told.stderr)

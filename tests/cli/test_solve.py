@@ -10,6 +10,14 @@ from sim2reason.cli import main
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 
+FLOOR = """scene:
+  name: floor
+  entities:
+  - name: floor
+    type: TwoSideMassPlane
+    parameters: {plane: {angle: 0.0, friction: 0.05}, blocks: [{mass: 1.0}], speed: 5.0}
+"""
+
 
 def call(*args: object) -> Result:
     return CliRunner().invoke(main, ["solve", *map(str, args)])
@@ -163,3 +171,16 @@ def test_a_question_in_ordinary_english_is_answered_and_told_back(scene: Path) -
     assert told.exit_code == 0, told.output
     assert "Read as: How fast is the block moving at t = 0.50 s?" in told.output
     assert "From the motion: " in told.output
+
+
+@pytest.mark.parametrize(
+    ("option", "typed", "offered"),
+    [("--of", "floor.bl", "floor.blocks.0"), ("--find", "velo", "velocity"), ("--when", "mov", "moved")],
+)
+def test_names_are_completed_from_the_scene(tmp_path: Path, option: str, typed: str, offered: str) -> None:
+    """While an option has no value yet, click has not assigned the path of the scene."""
+    path = tmp_path / "floor.yaml"
+    path.write_text(FLOOR)
+    words = {"COMP_WORDS": f"sim2reason solve {path} {option} {typed}", "COMP_CWORD": "4"}
+    told = CliRunner(env={"_SIM2REASON_COMPLETE": "bash_complete", **words}).invoke(main, [], prog_name="sim2reason")
+    assert f"plain,{offered}" in told.stdout.split("\n")

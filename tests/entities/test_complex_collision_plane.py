@@ -82,7 +82,7 @@ def test_galperin_counts_the_digits_of_pi(power: int, count: int) -> None:
 def test_bounces_on_a_slope() -> None:
     """The k-th of them at t₁ + (2v₁/a) e (1 − e^(k−1))/(1 − e), with a = g sin θ, v₁ = a t₁ (a geometric series)."""
     e, a = 0.7, G * sin(radians(30.0))
-    scene = track([(1.0, 1.0, 0.0), (1.0, 50.0, 0.0)], e, left=0.0, track={"tilt": 30.0})
+    scene = track([(1.0, 1.0, 0.0), (1.0, 50.0, 0.0)], e, left=0.0, track={"angle": 30.0})
     first = sqrt(2.0 / a)
     expected = [first + 2.0 * first * e * (1.0 - e**k) / (1.0 - e) for k in range(6)]
     found = moved(scene, [0.0, expected[-1] + 0.01])

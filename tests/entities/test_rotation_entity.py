@@ -87,7 +87,7 @@ def test_small_balls_on_both_sides() -> None:
     """The angular acceleration at release is g sin θ (m₁d₁ − m₂d₂)/(m₁d₁² + m₂d₂²), back to the vertical."""
     pieces = (
         BallPiece(body=FixedBall(mass=3.0), distance=0.8),
-        BallPiece(body=FixedBall(mass=2.0), distance=0.5, side="from the axle, on the other side"),
+        BallPiece(body=FixedBall(mass=2.0), distance=0.5, side="on the other side"),
     )
     trace = followed(RotationEntity(pieces=pieces, angle=40.0), 1.0, 3)
     expected = G * sin(radians(40.0)) * (3.0 * 0.8 - 2.0 * 0.5) / (3.0 * 0.8**2 + 2.0 * 0.5**2)
@@ -181,7 +181,7 @@ def test_each_piece_turns_as_its_points_do(piece: AnyPiece, turn: Array) -> None
 def test_beyond_the_axle() -> None:
     """A dumb-bell: I = Σ m(d² + ⅖r²), and the moment is the difference of both sides."""
     one = RoundPiece(body=Sphere(mass=3.0, radius=0.1), distance=0.5)
-    other = RoundPiece(body=Sphere(mass=1.0, radius=0.1), distance=0.7, side="from the axle, on the other side")
+    other = RoundPiece(body=Sphere(mass=1.0, radius=0.1), distance=0.7, side="on the other side")
     trace = followed(RotationEntity(pieces=(one, other), angle=40.0), 1.0, 11)
     inertia, moment = 3.0 * (0.5**2 + 0.004) + 1.0 * (0.7**2 + 0.004), 3.0 * 0.5 - 0.7
     angle = radians(40.0) - trace.state.q[:, 0]
@@ -276,7 +276,7 @@ def test_engines_agree(seed: int) -> None:
     ("fields", "says"),
     [
         ({"angle": 0.0}, "hangs at rest"),
-        ({"angle": 9.0, "side": "from the axle, on the other side"}, "begin with a piece on the side"),
+        ({"angle": 9.0, "side": "on the other side"}, "begin with a piece on the side"),
         ({"angle": 9.0, "twice": True}, "overlap"),
     ],
 )
@@ -289,7 +289,7 @@ def test_what_makes_no_sense_is_refused(fields: dict[str, object], says: str) ->
 
 def test_two_small_balls_have_places_of_their_own() -> None:
     ball = BallPiece(body=FixedBall(mass=1.0), distance=0.5)
-    across = ball.model_copy(update={"side": "from the axle, on the other side"})
+    across = ball.model_copy(update={"side": "on the other side"})
     with pytest.raises(ValueError, match="overlap"):
         RotationEntity(pieces=(ball, ball), angle=9.0)
     assert len(RotationEntity(pieces=(ball, across), angle=9.0).pieces) == 2

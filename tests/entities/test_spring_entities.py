@@ -98,7 +98,7 @@ def test_a_chain_between_walls(ends: str, tilt: float, damping: float | None) ->
     used = {"left": stiffness[:3], "right": stiffness[1:], "both": stiffness}[ends]
     strain = {"spring": 1, "way": "compressed", "by": 0.12}
     blow = {"cart": 2, "toward": "left", "speed": 0.9}
-    scene = chain(masses, used, ends=ends, damping=damping, strain=strain, blow=blow, track={"tilt": tilt})
+    scene = chain(masses, used, ends=ends, damping=damping, strain=strain, blow=blow, track={"angle": tilt})
     k = np.array(stiffness) * [ends != "right", 1.0, 1.0, ends != "left"]
 
     def joined(part: np.ndarray) -> np.ndarray:

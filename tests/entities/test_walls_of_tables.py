@@ -20,7 +20,7 @@ E = 0.8
 def table(walls: str, tilt: float = 0.0) -> Scene:
     """A disc of radius 0.1 m that leaves the origin with (2, 1) m/s, and another one at rest far away."""
     pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 2.0, vy: 1.0}, {mass: 1.0, x: -1.0, y: -1.0, vx: 0.0, vy: 0.0}"
-    parameters = f"table: {{tilt: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
+    parameters = f"table: {{angle: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
     return loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
 
 
@@ -59,7 +59,7 @@ CHASED = "{mass: 2.0, x: -1.0, y: -1.0, vx: 0.1, vy: -0.3}"
 def moving(walls: str, tilt: float = 0.0) -> Scene:
     """The first disc as above; another one slides away from it."""
     pucks = f"{{mass: 1.0, x: 0.0, y: 0.0, vx: 2.0, vy: 1.0}}, {CHASED}"
-    parameters = f"table: {{tilt: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
+    parameters = f"table: {{angle: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
     return loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
 
 
@@ -95,7 +95,7 @@ def test_a_wall_down_the_slope_is_solved_in_steps() -> None:
     """Off which a disc rebounds up the slope, and to which it comes back only later."""
     slope = 9.8 * sin(radians(5.0))
     pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 0.2, vy: -1.0}, {mass: 2.0, x: -1.0, y: 1.0, vx: 0.1, vy: 0.3}"
-    parameters = f"table: {{tilt: 5.0}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], bottom: -0.5"
+    parameters = f"table: {{angle: 5.0}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], bottom: -0.5"
     held = loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
     found = solve(held, find="velocity", of="it.pucks.0", when="0.6 s")
     hit = sqrt(1.0 + 2.0 * slope * 0.4)

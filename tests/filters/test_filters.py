@@ -283,7 +283,7 @@ def test_a_wrong_idea_about_nothing_but_a_marked_part_is_not_paid() -> None:
     assert {effect.subject for effect in effects(found, part=True) if effect.close} == {"table.pucks.2"}
     assert {e.simplification.name for e in effects(found, part=False) if e.close} == {"elastic collisions"}
     assert not reason("simplification", found)
-    tilted = candidate(scene.having("table.table.tilt", 5.0), hit, None)
+    tilted = candidate(scene.having("table.table.angle", 5.0), hit, None)
     assert reason("simplification", tilted).startswith("gravity left out: "), "which is about all three"
 
 

@@ -21,6 +21,12 @@ MARKS = [
     ("<|channel>thought\n", "<channel|>"),
     ("<|channel|>analysis<|message|>", "<|end|><|start|>assistant<|channel|>final<|message|>"),
     ("analysis", "assistantfinal"),
+    ("<reason>", "</reason>"),
+    ("<|think_start|>", "<|think_end|>"),
+    ("[unused16]", "[unused17]"),
+    ("Here are my reasoning steps:\n", "\n[BEGIN FINAL RESPONSE]\n"),
+    ("Here is my thought process:\n", "\n\nHere is my response:\n"),
+    ("Here's my thought process: ", " Here's my response: "),
 ]
 
 
@@ -66,5 +72,5 @@ def test_thinking_may_have_been_opened_in_the_prompt() -> None:
 
 
 def test_a_flood_of_marks_takes_no_time_and_earns_nothing() -> None:
-    for piece in ("<", "</", "<think>", "</think", "[THINK]", "<|channel|>", "assistantfinal"):
+    for piece in ("<", "</", "<think>", "</think", "[THINK]", "[unused16]", "<|channel|>", "assistantfinal"):
         assert not number(piece * (900_000 // len(piece)), 9.6).reward

@@ -407,7 +407,7 @@ def test_a_sum_that_is_squared_turns_its_sign_too() -> None:
     Else it is greatest at the start, and nothing tells which. Multiplied out, the square is a sum that keeps its sign.
     """
     chain = SpringMassChain(
-        track=RoughTrack(tilt=34.0, friction=0.12),
+        track=RoughTrack(angle=34.0, friction=0.12),
         carts=(Cart(mass=4.6),),
         ends="left",
         springs=(Coil(stiffness=77.0),),

@@ -89,7 +89,7 @@ def test_a_component_is_taken_along_the_axes_of_the_motion_at_hand() -> None:
     scene = table()
     name = next(named.name for named in scene.entities)
     target = next(t for phrase, t in offered(scene).items() if phrase.startswith("the y component of the velocity"))
-    tilted = scene.having(f"{name}.table.tilt", 40.0).mechanism
+    tilted = scene.having(f"{name}.table.angle", 40.0).mechanism
     assert target.way(tilted) == pytest.approx((0.0, cos(radians(40.0)), sin(radians(40.0))))
 
 

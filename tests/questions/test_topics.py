@@ -147,7 +147,7 @@ def turned(rate: float | None) -> Scene:
     """A sphere and a small ball on an arm, 70° to the right at first, and maybe already turning."""
     pieces = (
         RoundPiece(body=Sphere(mass=20.0, radius=0.35), distance=0.4),
-        BallPiece(body=FixedBall(mass=10.0), distance=0.3, side="from the axle, on the other side"),
+        BallPiece(body=FixedBall(mass=10.0), distance=0.3, side="on the other side"),
     )
     return Scene(entities=(Named(name="it", entity=RotationEntity(pieces=pieces, angle=70.0, rate=rate)),))
 
@@ -220,7 +220,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
 def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
     """Return two carts between springs on a slope, of which the highest is compressed at first, by a length in m."""
     chain = SpringMassChain(
-        track=RoughTrack(tilt=33.0),
+        track=RoughTrack(angle=33.0),
         carts=(Cart(mass=3.2), Cart(mass=2.4)),
         ends=ends,
         springs=tuple(Coil(stiffness=k) for k in (143.0, 85.0, 56.0)[: 3 if ends == "both" else 2]),

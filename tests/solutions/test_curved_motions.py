@@ -246,7 +246,7 @@ def test_the_angle_of_an_arm_is_that_of_its_centre_of_mass() -> None:
     light, heavy = UniformRod(mass=1.0, length=0.6), UniformRod(mass=3.0, length=LENGTH)
     pieces = (
         AxialPiece(distance=0.2, body=light, axis="along the arm"),
-        AxialPiece(distance=0.5, side="from the axle, on the other side", body=heavy, axis="along the arm"),
+        AxialPiece(distance=0.5, side="on the other side", body=heavy, axis="along the arm"),
     )
     inertia = 0.6**2 / 12.0 + 0.2**2 + 3.0 * (LENGTH**2 / 12.0 + 0.5**2)
     fallen = cos(radians(30.0)) + cos(radians(60.0))

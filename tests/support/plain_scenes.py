@@ -107,7 +107,7 @@ def _joined(one: Named, other: Named, free: float = FREE) -> Scene:
 def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Scene:
     """A puck that meets one twice as heavy, head on, after (1 − 0.2) m."""
     pucks = (Puck(mass=1.0, x=0.0, y=0.0, vx=speed, vy=0.0), Puck(mass=2.0, x=1.0, y=0.0, vx=0.0, vy=0.0))
-    entity = TwoDCollisionPlane(table=Table(tilt=tilt), radius=0.1, pucks=pucks, restitution=restitution)
+    entity = TwoDCollisionPlane(table=Table(angle=tilt), radius=0.1, pucks=pucks, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
@@ -153,7 +153,7 @@ def row(
     by_how_much = Strained(spring=at, by=strain) if strain else Strained()
     blow = Blow(cart=len(masses) - 1, toward="right", speed=speed) if speed else None
     chain = SpringMassChain(
-        track=RoughTrack(tilt=tilt, friction=friction),
+        track=RoughTrack(angle=tilt, friction=friction),
         carts=tuple(Cart(mass=mass) for mass in masses),
         ends=ends,  # type: ignore[arg-type]
         springs=tuple(Coil(stiffness=stiffness) for stiffness in stiffnesses),

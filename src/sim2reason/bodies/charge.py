@@ -14,7 +14,7 @@ BeadMass = Annotated[float, Ge(1e-26), Le(1e6), Measure("mass", "mg", "m"), Rang
 Charge = Annotated[
     float, Ge(1e-14), Le(1e6), Measure("charge", "uC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
 ]
-Heading = Annotated[float, Ge(0), Lt(360), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 359.0)]
+Heading = Annotated[float, Ge(0), Lt(360), Measure("angle", "deg", r"\theta", decimals=0), Range(2.0, 358.0)]
 
 
 @body

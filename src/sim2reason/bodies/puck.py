@@ -44,15 +44,15 @@ class Puck(Body):
 class Table(Body):
     """A smooth table, level or tilted."""
 
-    tilt: Annotated[float, Ge(0), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 70.0)] = 0.0
+    angle: Annotated[float, Ge(0), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 70.0)] = 0.0
 
     nouns = ("table",)
     letters = ""
     lone = ("a smooth {lie}", "a frictionless {lie}")
     words = {
-        "lie": Word("tilt", {0.0: "horizontal table"}, "table tilted at {tilt} to the horizontal"),
+        "lie": Word("angle", {0.0: "horizontal table"}, "table tilted at {angle} to the horizontal"),
         "axes": Word(
-            "tilt",
+            "angle",
             {0.0: "x points to the right and y away from you"},
             "x points horizontally to the right and y straight up the slope",
         ),
@@ -61,4 +61,4 @@ class Table(Body):
     @property
     def look(self) -> Tabletop:
         """A sheet seen from above."""
-        return Tabletop(self.tilt)
+        return Tabletop(self.angle)

@@ -16,7 +16,6 @@ Example:
     sim2reason ask scene.yaml -n 5 --seed 0
 """
 WIDTH = 100
-LONG = 3  # reasons, and more: a table
 
 
 @click.command("ask", epilog=EXAMPLE)
@@ -39,23 +38,26 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
     else:
         _tell(result)
     if len(result.found) < items:
-        _explain(result, items)
+        _explain(result, items, all=all)
     return 0 if result.found else 1
 
 
-def _explain(result: "AskedScene", items: int) -> None:
-    """Print how many questions were found and which reasons refused others, three reasons or more as a table."""
+def _explain(result: "AskedScene", items: int, *, all: bool) -> None:  # noqa: A002
+    """Print how many questions were found, and a table of the reasons that refused others, each in words."""
+    from sim2reason.registries import members
+
     if result.reason:
         console.explain(f"sim2reason: there is nothing to ask: {result.reason}")
         return
-    refused = result.refused.most_common()
+    hint = "" if all else " (--all asks those, too)"
     found = f"sim2reason: {len(result.found)} of {items} questions"
-    if len(refused) < LONG:
-        said = ", ".join(f"{number} {name}" for name, number in refused)
-        console.explain(f"{found}; refused: {said or 'none'}")
+    if not result.refused:
+        console.explain(found)
         return
-    console.explain(f"{found}; refused:")
-    console.table(["number", "reason"], [[number, name] for name, number in refused], err=True)
+    console.explain(f"{found}; others were refused{hint}:")
+    meanings = {filter.name: filter.summary for filter in members("filters")["filters"]}
+    rows = [[number, name, meanings.get(name.partition(":")[0], "")] for name, number in result.refused.most_common()]
+    console.table(["number", "reason", "meaning"], rows, err=True)
 
 
 def _tell(result: "AskedScene") -> None:

@@ -43,7 +43,7 @@ def _words(ctx: click.Context) -> "Words | None":
     from sim2reason.prose.description import describe
     from sim2reason.questions.prompt import words_of
 
-    path = ctx.params.get("scene")
+    path = ctx.params.get("scene") or next(iter(ctx.args), None)  # click leaves it there while an option has no value
     with suppress(Sim2ReasonError, OSError):
         return words_of(describe(source.scene(Path(path)))) if path is not None else None
     return None

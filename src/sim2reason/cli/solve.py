@@ -35,6 +35,7 @@ Example:
     help="What to find: a quantity, as list quantities has them, a functional, time, or an address.",
     metavar="NAME",
     default="",
+    shell_complete=completion.findable,
 )
 @click.option(
     "--of",

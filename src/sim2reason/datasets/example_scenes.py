@@ -81,7 +81,7 @@ OWN = (
   - name: rail
     type: SpringMassChain
     parameters:
-      track: {tilt: 0.0}
+      track: {angle: 0.0}
       carts: [{mass: 1.0}]
       ends: left
       springs: [{stiffness: 20.0}]

@@ -129,7 +129,7 @@ class ComplexCollisionPlane(Entity):
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
         """From left to right, on firm springs; at the top of a slope there is no wall, which nothing would reach."""
-        right = None if drawn["track"].tilt else drawn.get("right")
+        right = None if drawn["track"].angle else drawn.get("right")
         gliders = alike(drawn["gliders"]) if rng.random() < ALIKE else drawn["gliders"]
         return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 

@@ -87,7 +87,7 @@ class SpringMassChain(Entity):
 
     @model_validator(mode="after")
     def _moves(self) -> Self:
-        if self.strain.by == 0.0 and self.blow is None and (self.track.tilt == 0.0 or self.ends == "free"):
+        if self.strain.by == 0.0 and self.blow is None and (self.track.angle == 0.0 or self.ends == "free"):
             raise ValueError("strain, blow: no spring is ever strained; strain one or strike a cart")
         return self
 

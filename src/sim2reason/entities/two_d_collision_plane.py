@@ -190,7 +190,7 @@ class TwoDCollisionPlane(Entity):
 
     def build(self, room: Frame) -> None:
         """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""
-        tilt = radians(self.table.tilt)
+        tilt = radians(self.table.angle)
         upslope = (0.0, cos(tilt), sin(tilt))
         special = {(pair.first, pair.second): pair.restitution for pair in self.pairs}
         frames: list[Frame] = []

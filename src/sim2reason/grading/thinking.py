@@ -1,7 +1,8 @@
 r"""Removal of the thinking in a response, by the marks that public models put around it.
 
 Tags such as ``<think>``, ``<thinking>`` and ``<seed:think>``; ``[THINK]`` (Mistral); ``◁think▷`` (Kimi); the tokens of
-Cohere, Sky-T1, MedGemma, Apertus and Gemma; the channels of gpt-oss, with their tokens or without.
+Cohere, Sky-T1, MedGemma, Apertus, Gemma and openPangu; the phrases of Granite 3.2 and Apriel; the channels of gpt-oss,
+with their tokens or without.
 """
 
 import re
@@ -14,21 +15,32 @@ __all__ = ["OPENING", "without_thinking"]
 OPENING: Final = "<think>"
 MOST: Final = 20_000  # of the signs "<" that are looked at, so that no text takes long
 FEW: Final = 8  # marks that a text may speak of
-_WORDS: Final = "think|thinking|thoughts?|reasoning|reflection|scratchpad|analysis"
+_WORDS: Final = "think|thinking|thoughts?|reason|reasoning|reflection|scratchpad|analysis"
 _TAG: Final = rf"(?:[a-z]{{1,12}}[:_])?(?:{_WORDS})\s{{0,8}}>"
 _CHANNEL: Final = r"<\|channel\|>\s{0,8}"
 _CLOSE: Final = (
-    rf"</{_TAG}|<\|end_of_thought\|>|<\|END_THINKING\|>|<unused95>|<\|inner_suffix\|>|<channel\|>"
+    rf"</{_TAG}|<\|end_of_thought\|>|<\|think_end\|>|<\|END_THINKING\|>|<unused95>|<\|inner_suffix\|>|<channel\|>"
     rf"|{_CHANNEL}final[^<\n]{{0,40}}(?:<\|constrain\|>[^<\n]{{0,40}})?<\|message\|>"
 )
 _TOKEN: Final = (
-    r"<\|begin_of_thought\|>|<\|START_THINKING\|>|<unused94>|<\|inner_prefix\|>|<\|channel>thought"
+    r"<\|begin_of_thought\|>|<\|think_start\|>|<\|START_THINKING\|>|<unused94>|<\|inner_prefix\|>|<\|channel>thought"
     rf"|{_CHANNEL}(?:analysis|commentary)"
 )
 _ANGLED: Final = re.compile(rf"(?P<close>{_CLOSE})|(?P<token>{_TOKEN})|<{_TAG}", re.IGNORECASE)
-_PLAIN: Final = (("[/THINK]", "[THINK]"), ("◁/think▷", "◁think▷"), ("assistantfinal", ""))
-_ANALYSIS: Final = re.compile(r"\s{0,8}(?:assistant)?(?:analysis|commentary)(?=[^\s:,.;\-–—'’])")
-"""How a transcript of gpt-oss begins whose tokens were dropped, where it begins with thinking."""
+_PLAIN: Final = (
+    ("[/THINK]", "[THINK]"),
+    ("◁/think▷", "◁think▷"),
+    ("[unused17]", "[unused16]"),
+    ("[BEGIN FINAL RESPONSE]", ""),
+    ("Here is my response:", ""),
+    ("Here's my response:", ""),
+    ("assistantfinal", ""),
+)
+_BEGINNING: Final = re.compile(
+    r"\s{0,8}(?:(?:assistant)?(?:analysis|commentary)(?=[^\s:,.;\-–—'’])"
+    r"|Here are my reasoning steps:|Here(?: is|'s) my thought process:)"
+)
+"""How a response begins that begins with thinking: of gpt-oss without its tokens, of Apriel, of Granite 3.2."""
 
 
 def without_thinking(text: str) -> str:
@@ -37,8 +49,8 @@ def without_thinking(text: str) -> str:
     Raises `Refused`: no answer where thinking is open at the end. A mark that is only quoted, within a line and with no
     box after it, opens no thinking.
     """
-    begins = _ANALYSIS.match(text) is not None
-    if not begins and "<" not in text and "THINK]" not in text and "◁" not in text and "assistantfinal" not in text:
+    begins = _BEGINNING.match(text) is not None
+    if not begins and "<" not in text and not any(mark in text for pair in _PLAIN for mark in pair if mark):
         return text
     end, tags, tokens = _angled(text)
     for close, opening in _PLAIN:

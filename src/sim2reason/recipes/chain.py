@@ -9,7 +9,7 @@ from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND, RING = "SpringMassChain", "SpringMassRing"
 EVEN = {"stiffness": Range(40.0, 160.0), "mass": Range(0.5, 2.0)}  # so that each of them counts
-LEVEL = {**EVEN, "Cart.mass": Range(1.0, 5.0), "tilt?": 0.0, "friction?": 0.0, "damping?": 0.0}
+LEVEL = {**EVEN, "Cart.mass": Range(1.0, 5.0), "angle?": 0.0, "friction?": 0.0, "damping?": 0.0}
 IDEAS = {
     "easy": (  # one cart on one or two springs, or two carts on one
         Idea(KIND, {**LEVEL, "carts": Count(1, 1), "ends": ("left", "right", "both")}),
@@ -17,18 +17,18 @@ IDEAS = {
     ),
     "medium": (  # two modes, a slope, or friction
         Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both")}, 2.0),
-        Idea(KIND, {**LEVEL, "carts": Count(1, 2), "ends": ("left", "right"), "tilt?": 1.0}),
+        Idea(KIND, {**LEVEL, "carts": Count(1, 2), "ends": ("left", "right"), "angle?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(1, 1), "ends": ("left", "right"), "friction?": 1.0}),
         Idea(RING, {**EVEN, "beads": Count(2, 3), "damping?": 0.0}, 0.7),
     ),
     "hard": (
-        Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both"), "tilt?": 1.0}, 2.0),
+        Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both"), "angle?": 1.0}, 2.0),
         Idea(KIND, {**LEVEL, "carts": Count(3, 3), "ends": ("free",)}, 2.0),  # two modes beside the common motion
         Idea(KIND, {**LEVEL, "carts": Count(3, 3)}, 0.3),  # most questions about three modes or more need a computer
         Idea(KIND, {**LEVEL, "carts": Count(4, 4), "ends": ("free", "left", "right")}, 0.1),
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}, 0.2),
         Idea(KIND, {**LEVEL, "carts": Count(2, 2), "friction?": 1.0}),
-        Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "tilt?": 1.0}),
+        Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "angle?": 1.0}),
         Idea(RING, {**EVEN, "beads": Count(3, 3)}, 0.7),
         Idea(RING, {**EVEN, "beads": Count(4, 4)}, 0.1),
     ),

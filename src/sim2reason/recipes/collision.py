@@ -40,7 +40,7 @@ class CollisionTier:
 
 ELASTIC = 0.4  # of the scenes on a straight track have elastic collisions
 PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for one or for zero
-PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
+PLAIN: Choices = {"angle?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
     "easy": CollisionTier(
         ("at rest", "head-on"),
@@ -55,7 +55,7 @@ TIERS = {
         Range(0.5, 5.0),
         Range(0.5, 3.0),
         ("elastic", "partial", "partial"),
-        {**PLAIN, "tilt?": 0.6, "tilt": Range(5.0, 30.0), "gliders": Count(2, 3), "left?": 0.4, "right?": 0.4},
+        {**PLAIN, "angle?": 0.6, "angle": Range(5.0, 30.0), "gliders": Count(2, 3), "left?": 0.4, "right?": 0.4},
     ),
     "hard": CollisionTier(
         ("in turn", "in turn", "crossing"),
@@ -63,7 +63,7 @@ TIERS = {
         Range(1.0, 5.0),
         ("elastic", "partial", "partial", "partial", "dead"),
         {
-            "tilt": Range(5.0, 30.0),
+            "angle": Range(5.0, 30.0),
             "gliders": Count(3, 3),
             "left?": 0.3,
             "right?": 0.2,
@@ -102,8 +102,8 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     restitution = _restitution(tier, rng)
     pucks = MEETINGS[meeting](radius, tier, rng)
     moving = all(puck.vx or puck.vy for puck in pucks)
-    tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if moving and rng.random() < tier.tilt else 0.0
-    entity = TwoDCollisionPlane(table=Table(tilt=tilt), radius=radius, pucks=pucks, restitution=restitution)
+    tilt = _drawn(Table, "angle", rng, Range(2.0, 30.0)) if moving and rng.random() < tier.tilt else 0.0
+    entity = TwoDCollisionPlane(table=Table(angle=tilt), radius=radius, pucks=pucks, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
 
 

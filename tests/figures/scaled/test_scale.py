@@ -69,7 +69,7 @@ def test_a_projectile_shows_height_speed_and_angle_and_its_axes() -> None:
 
 def table(tilt: float = 0.0) -> TwoDCollisionPlane:
     pucks = (Puck(mass=1.0, x=-1.0, y=0.5, vx=1.0, vy=-2.0), Puck(mass=2.0, x=1.0, y=1.5, vx=0.1, vy=0.0))
-    return TwoDCollisionPlane(table=Table(tilt=tilt), radius=0.25, pucks=pucks, restitution=0.5)
+    return TwoDCollisionPlane(table=Table(angle=tilt), radius=0.25, pucks=pucks, restitution=0.5)
 
 
 @pytest.mark.parametrize("tilt", [0.0, 40.0])
@@ -260,6 +260,6 @@ def test_a_slab_lies_on_the_one_below() -> None:
 
 def test_a_velocity_to_the_left_has_its_size_at_its_arrow() -> None:
     balls = (SlidingBall(mass=1.0, x=-0.9, v=2.23), SlidingBall(mass=1.0, x=1.84, v=-0.35))
-    entity = ComplexCollisionPlane(track=Track(tilt=0.0), gliders=balls, restitution=0.76)
+    entity = ComplexCollisionPlane(track=Track(angle=0.0), gliders=balls, restitution=0.76)
     drawn = drawing(Scene(entities=(Named(name="track", entity=entity),)))
     assert {text for text in texts(drawn) if text.endswith("m/s")} == {"2.23 m/s", "0.35 m/s"}, "no scale is needed"

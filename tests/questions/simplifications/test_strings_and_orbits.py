@@ -5,7 +5,7 @@ from math import cos, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from motions import orbit
+from motions import Motion, orbit
 from plain_scenes import G, atwood, bight, half_atwood, ramp
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.pulley import FixedPulley, MovablePulley
@@ -169,6 +169,14 @@ def test_at_the_aphelion(name: str, quantity: str, expected: float) -> None:
     """At r = a(1 + e) = 3/2, half a year after the perihelion at 1/2."""
     study, _ = orbit().told()
     assert Target(quantity, PLANET).value(slipped(name, study, quantity).at(0.5)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("name", ["constant orbital speed", "circular orbit speed"])
+def test_what_falls_from_rest_has_no_direction_at_the_start(name: str) -> None:
+    """A planet at rest: 0/0 at the start, and a warning, which fails a test."""
+    falling = orbit(-1.0)
+    study, _ = Motion(falling.mechanism, falling.mentions, 0.3).told()
+    assert Target("velocity", PLANET).value(slipped(name, study, "velocity").at(0.0)) == 0.0
 
 
 def test_a_movable_disc_whose_rotation_is_forgotten() -> None:

@@ -152,7 +152,7 @@ def tilted() -> Scene:
     """Pucks A, B and C on a slope, of which A and B meet on their way up."""
     places = (A, B, (0.3, -2.0, 0.01, 1.0))
     held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy + 3.0) for x, y, vx, vy in places)
-    entity = TwoDCollisionPlane(table=Table(tilt=20.0), radius=RADIUS, pucks=held, restitution=0.5)
+    entity = TwoDCollisionPlane(table=Table(angle=20.0), radius=RADIUS, pucks=held, restitution=0.5)
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
@@ -210,7 +210,7 @@ def test_velocities_after_a_collision_are_told_before_the_next_one_is_looked_for
 def test_on_a_slope_relative_velocities_are_those_just_after_the_collision() -> None:
     """No term is left that gravity adds since the start to one velocity alone."""
     held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy) for x, y, vx, vy in (A, SLOW, AHEAD))
-    entity = TwoDCollisionPlane(table=Table(tilt=20.0), radius=RADIUS, pucks=held, restitution=0.5)
+    entity = TwoDCollisionPlane(table=Table(angle=20.0), radius=RADIUS, pucks=held, restitution=0.5)
     place = Scene(entities=(Named(name="table", entity=entity),))
     found = after(place, 0, 2.0)
     relative = [r for r in found.relations if r.left.latex().startswith(("x_{", "y_{", "u_{"))]

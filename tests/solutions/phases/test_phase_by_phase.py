@@ -46,7 +46,7 @@ STICKING_PUCKS = """scene:
   - name: table
     type: TwoDCollisionPlane
     parameters:
-      table: {tilt: 29.0}
+      table: {angle: 29.0}
       radius: 0.3
       pucks:
       - {mass: 7.6, x: 1.42, y: 1.22, vx: 0.5, vy: -0.63}

@@ -50,7 +50,7 @@ def test_a_hemisphere_is_told_by_whole_fractions_and_from_where_it_is_counted() 
 
 def test_of_a_tilted_rod_its_extension_across_the_axle_counts_and_a_ball_is_a_point_mass() -> None:
     rod = TiltedPiece(body=UniformRod(mass=MASS, length=1.2), tilt=51.0, distance=0.3)
-    found = released(rod, BallPiece(body=FixedBall(mass=1.4), distance=0.36, side="from the axle, on the other side"))
+    found = released(rod, BallPiece(body=FixedBall(mass=1.4), distance=0.36, side="on the other side"))
     assert inertia(found) == pytest.approx(MASS * 1.2**2 * cos(radians(51.0)) ** 2 / 12.0, rel=1e-9)
     assert (
         r"Only the extension of the rod perpendicular to the axle matters, its length times $\cos\beta$." in found.text

@@ -10,7 +10,7 @@ from typing import Annotated, Literal, Self
 from annotated_types import Gt, Le, Lt
 from pydantic import model_validator
 
-from sim2reason.authoring import LEAST, Chance, Measure, Part, Range, X, Y, Z, either, outer, scale
+from sim2reason.authoring import LEAST, Chance, Measure, Part, Range, Word, X, Y, Z, either, outer, scale
 from sim2reason.bodies.ball import FixedBall
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import Bowl, SphericalCap
@@ -29,16 +29,16 @@ from sim2reason.dsl.solids import Axes, axes_along, seen
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
 Side = Literal[
     "from the axle",
-    "from the axle, on the same side",
-    "from the axle, on the other side",
-    "from the axle, on the same side as the first body",
-    "from the axle, on the opposite side from the first body",
+    "on the same side",
+    "on the other side",
+    "on the same side as the first body",
+    "on the opposite side from the first body",
 ]
 FIRST: Side = "from the axle"
-SAME: Side = "from the axle, on the same side"
-OTHER: Side = "from the axle, on the other side"
-LIKE_FIRST: Side = "from the axle, on the same side as the first body"
-UNLIKE_FIRST: Side = "from the axle, on the opposite side from the first body"
+SAME: Side = "on the same side"
+OTHER: Side = "on the other side"
+LIKE_FIRST: Side = "on the same side as the first body"
+UNLIKE_FIRST: Side = "on the opposite side from the first body"
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
 Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
@@ -47,6 +47,8 @@ WAYS = {"along the arm": X, "parallel to the axle": Y, "at right angles to both 
 
 class WeldedPiece(Part):
     """A body on an arm; `distance` is that of what the text calls its centre."""
+
+    words = {"where": Word("side", {FIRST: FIRST}, f"{FIRST}, {{side}}")}
 
     distance: Distance
     side: Annotated[Side, Chance(0.3)] = FIRST
@@ -94,9 +96,9 @@ class BallPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm, {distance} {side}.",
-            "rigidly attached to the arm is {body}, {distance} {side}.",
-            "the arm carries {body}, fixed to it at {distance} {side}.",
+            "{body} is fixed to the arm, {distance} {where}.",
+            "rigidly attached to the arm is {body}, {distance} {where}.",
+            "the arm carries {body}, fixed to it at {distance} {where}.",
         ),
     )
 
@@ -118,9 +120,9 @@ class RoundPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed with its centre on the arm, {distance} {side}.",
-            "rigidly attached to the arm is {body}, centred {distance} {side}.",
-            "the arm carries {body}, welded to it and centred {distance} {side}.",
+            "{body} is fixed with its centre on the arm, {distance} {where}.",
+            "rigidly attached to the arm is {body}, centred {distance} {where}.",
+            "the arm carries {body}, welded to it and centred {distance} {where}.",
         ),
     )
 
@@ -143,9 +145,9 @@ class AxialPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed with its centre on the arm, {distance} {side}, and its {body.axis} {axis}.",
-            "rigidly attached to the arm is {body}, centred {distance} {side}, its {body.axis} {axis}.",
-            "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} {axis}.",
+            "{body} is fixed with its centre on the arm, {distance} {where}, and its {body.axis} {axis}.",
+            "rigidly attached to the arm is {body}, centred {distance} {where}, its {body.axis} {axis}.",
+            "the arm carries {body}, welded to it and centred {distance} {where}, its {body.axis} {axis}.",
         ),
     )
 
@@ -171,9 +173,9 @@ class TiltedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed with its centre on the arm, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
-            "rigidly attached to the arm is {body}, centred {distance} {side}, its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
-            "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
+            "{body} is fixed with its centre on the arm, {distance} {where}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
+            "rigidly attached to the arm is {body}, centred {distance} {where}, its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
+            "the arm carries {body}, welded to it and centred {distance} {where}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
         ),
     )
 
@@ -196,9 +198,9 @@ class CappedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm so that its axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
-            "rigidly attached to the arm is {body}, whose axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
-            "the arm carries {body}, welded to it with its axis of symmetry along the arm, its {body.front} facing {faces} and centred {distance} {side}.",
+            "{body} is fixed to the arm so that its axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {where}.",
+            "rigidly attached to the arm is {body}, whose axis of symmetry lies along the arm; its {body.front} faces {faces} and is centred {distance} {where}.",
+            "the arm carries {body}, welded to it with its axis of symmetry along the arm, its {body.front} facing {faces} and centred {distance} {where}.",
         ),
     )
 
@@ -221,9 +223,9 @@ class HoledPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm, its own centre {distance} {side}; the {body.gap} lies on the line of the arm, {hole}.",
-            "{body} is welded to the arm with its own centre {distance} {side} and its {body.gap} on the line of the arm, {hole}.",
-            "the arm carries {body}, welded to it and centred {distance} {side}, with its {body.gap} on the line of the arm and {hole}.",
+            "{body} is fixed to the arm, its own centre {distance} {where}; the {body.gap} lies on the line of the arm, {hole}.",
+            "{body} is welded to the arm with its own centre {distance} {where} and its {body.gap} on the line of the arm, {hole}.",
+            "the arm carries {body}, welded to it and centred {distance} {where}, with its {body.gap} on the line of the arm and {hole}.",
         ),
     )
 
@@ -247,9 +249,9 @@ class BarPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its centre {distance} {side}, its {along} along the arm and its {across} parallel to the axle.",
-            "welded to the arm, with its centre {distance} {side}, is {body}: its {along} is along the arm, its {across} parallel to the axle.",
-            "the arm carries {body}, welded to it and centred {distance} {side}, its {along} along the arm, its {across} parallel to the axle.",
+            "{body} is fixed to the arm with its centre {distance} {where}, its {along} along the arm and its {across} parallel to the axle.",
+            "welded to the arm, with its centre {distance} {where}, is {body}: its {along} is along the arm, its {across} parallel to the axle.",
+            "the arm carries {body}, welded to it and centred {distance} {where}, its {along} along the arm, its {across} parallel to the axle.",
         ),
     )
 

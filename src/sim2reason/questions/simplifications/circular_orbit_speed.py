@@ -8,7 +8,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
-from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, orbits, with_velocities
+from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, directed, orbits, with_velocities
 from sim2reason.questions.study import Study
 
 
@@ -30,5 +30,5 @@ class CircularOrbitSpeed(OtherReading):
 
 
 def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
-    distance, speed = (np.linalg.norm(vector, axis=1, keepdims=True) for vector in (place, velocity))
-    return velocity * np.sqrt(orbit.gravitational_parameter / distance) / speed
+    distance = np.linalg.norm(place, axis=1, keepdims=True)
+    return directed(velocity, np.sqrt(orbit.gravitational_parameter / distance))

@@ -3,13 +3,11 @@
 from collections.abc import Iterable
 from math import hypot
 
-import numpy as np
-
 from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
-from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, orbits, with_velocities
+from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, directed, orbits, with_velocities
 from sim2reason.questions.study import Study
 
 
@@ -32,4 +30,4 @@ class ConstantOrbitalSpeed(OtherReading):
 
 def _as_at_first(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
     del place
-    return velocity * hypot(*orbit.velocity) / np.linalg.norm(velocity, axis=1, keepdims=True)
+    return directed(velocity, hypot(*orbit.velocity))

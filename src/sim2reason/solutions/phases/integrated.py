@@ -84,8 +84,8 @@ class IntegratedPhases:
 
     @staticmethod
     def _refuse_unread(names: Iterable[str]) -> None:
-        if unread := sorted({name for name in names if name.startswith(UNREAD)}):
-            raise UnsolvedError(f"the text has no numbers for {', '.join(unread)}")
+        if unread := sorted({name.removeprefix(UNREAD) for name in names if name.startswith(UNREAD)}):
+            raise UnsolvedError(f"the text does not give {', '.join(unread)}, which the equations hold")
 
     def _introduce(self) -> None:
         book, constant = self.book, self.setting.lexicon.constant

@@ -142,3 +142,9 @@ def _told(state: State, found: Iterable[PlanetOrbit], told: Told) -> Array:
 def _read(trace: Trace, sample: Callable[[Array], State]) -> Trace:
     end = float(trace.state.times[-1])
     return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))
+
+
+def directed(velocity: Array, speed: Array | float) -> Array:
+    """Return velocities of a given size in the directions of others, (n, 3); at rest, where there is none, zero."""
+    now = np.linalg.norm(velocity, axis=1, keepdims=True)
+    return np.divide(velocity * speed, now, out=np.zeros_like(velocity), where=now > 0.0)
