@@ -32,6 +32,16 @@ WEDGE = scene(
     "SpringOnWedge",
     "wedge: {mass: 1.0, angle: 30.0}, block: {mass: 1.0e-6}, spring: {stiffness: 1.0e6, length: 0.5}, start: 0.500001",
 )
+HUNG = scene(
+    "AnchoredSpring",
+    "support: ceiling, spring: {stiffness: 1.0e5, length: 0.5}, block: {mass: 0.001}, start: 0.5",
+)
+CHAIN = scene(
+    "SpringMassChain",
+    "track: {}, carts: [{mass: 0.001}, {mass: 1.0}], springs: [{stiffness: 1.0e5}, {stiffness: 10.0}], ends: left, "
+    "strain: {spring: 1, way: stretched, by: 0.1}",
+)
+HUNG_QUESTION, CHAIN_QUESTION = (HUNG, "it.block"), (CHAIN, "it.carts.1")
 
 
 DAMPED = (
@@ -85,6 +95,53 @@ def test_it_is_asked_about_after_a_second() -> None:
     """|v| = A ω |sin ω t|."""
     answer = solve(HELD, find="speed", of="it.block", when="1 s").answer
     assert answer == pytest.approx(0.1 * RATE * abs(sin(RATE)), rel=1e-8)
+
+
+@pytest.mark.parametrize("duration", [0.002, 1.0, 60.0])
+def test_a_small_mass_on_a_stiff_spring_is_followed_to_the_last_digits(duration: float) -> None:
+    """X = A (1 − cos ω t) and A = m g/k, 98 nm, from the start on: an integrator's steps are too coarse for that."""
+    trace = simulate(HUNG, duration)
+    times, size, rate = trace.state.times, LIGHT * 9.8 / 1e5, sqrt(1e5 / LIGHT)
+    assert abs(trace.state.q[:, 0]) == pytest.approx(size * (1.0 - np.cos(rate * times)), abs=1e-9 * size)
+    assert abs(trace.state.v[:, 0]) == pytest.approx(size * rate * abs(np.sin(rate * times)), abs=1e-9 * size * rate)
+    assert len(trace.state.times) == 101
+    assert sum(event.kind == "turn" for event in trace.events) == int(duration * rate / np.pi)
+
+
+def test_a_chain_of_a_small_and_a_large_mass_has_its_normal_modes_for_half_a_minute() -> None:
+    """Squares of rates λ of which the sum is (k₁ + k₂)/m + k₂/M and the product k₁ k₂/(m M); one is 10⁷ of the other.
+
+    Of each mode, x₂/x₁ = ((k₁ + k₂) − m λ)/k₂ = k₂/(k₂ − M λ), in the form that does not cancel.
+    """
+    k1, k2, m, big = 1e5, 10.0, 1e-3, 1.0
+    total = (k1 + k2) / m + k2 / big
+    fast = 0.5 * (total + sqrt(total**2 - 4.0 * k1 * k2 / (m * big)))
+    slow = k1 * k2 / (m * big) / fast
+    ratios = np.array([k2 / (k2 - big * fast), (k1 + k2 - m * slow) / k2])
+    size = 0.1 / (ratios[1] - ratios[0])
+    trace = simulate(CHAIN, 30.0)
+    assert stretches(trace) == 1
+    swing = size * np.array([-1.0, 1.0]) * np.cos(np.sqrt([fast, slow]) * trace.state.times[:, None])
+    assert trace.state.q[:, 0] == pytest.approx(swing.sum(axis=1), abs=2e-9 * size)
+    assert trace.state.q[:, 1] == pytest.approx(swing @ ratios - 0.1, abs=1e-9 * 0.1)
+
+
+@pytest.mark.parametrize("damping", [1e-4, 0.5, 20.0])
+def test_a_damped_stiff_motion_is_followed_to_nine_digits(damping: float) -> None:
+    """X = A e^(−γ t) (cos ν t + γ/ν sin ν t) with ν² = k/m − γ² and γ = b/2m."""
+    trace = simulate(scene("SpringMassChain", DAMPED.format(damping)), 10.0)
+    decay = damping / (2.0 * LIGHT)
+    rate, times = sqrt(STIFF / LIGHT - decay**2), trace.state.times
+    left = np.exp(-decay * times) * (np.cos(rate * times) + decay / rate * np.sin(rate * times))
+    assert abs(trace.state.q[:, 0]) == pytest.approx(0.001 * (1.0 - left), abs=1e-9 * 0.001)
+
+
+@pytest.mark.parametrize(("asked", "after"), [(HUNG_QUESTION, "60 s"), (CHAIN_QUESTION, "30 s")])
+def test_questions_about_late_instants_have_worked_solutions(asked: tuple[Scene, str], after: str) -> None:
+    """The formulas of the solution lead to the answer of the motion."""
+    solved = solve(asked[0], find="speed", of=asked[1], when=after)
+    assert solved.answer is not None
+    assert solved.solution.text
 
 
 def test_what_would_take_too_many_pieces_is_refused_at_once() -> None:
