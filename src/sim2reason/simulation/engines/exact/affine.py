@@ -12,6 +12,8 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Number
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 
 Affine = dict[int, Fraction]
@@ -33,6 +35,12 @@ class LinearEquations:
         """Return whether any acceleration depends on a rate."""
         n = len(self.base)
         return any(part for row in self.slopes for part in row[n:])
+
+    @cached_property
+    def squares(self) -> tuple[Complex, Complex]:
+        """Squares of angular frequencies, 1/s², and their modes of the coordinates, where nothing is damped."""
+        n = len(self.base)
+        return eigenpairs([[-part for part in row[:n]] for row in self.slopes])
 
     def accelerations(self, values: Sequence[float]) -> Array:
         """Return the accelerations at coordinates and rates (2n,), each rounded once."""

@@ -48,6 +48,11 @@ class DampedModes:
         decayed = self.begins * self.rates * np.exp(np.multiply.outer(times - self.time, self.rates))
         return np.real(decayed @ self.ways[n:].T)
 
+    def bend(self, slopes: Array) -> Array:
+        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        found: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
+        return found
+
     def moves_until(self, span: float) -> float:
         """Return for how much of `span`, s, some speed can exceed what counts as rest."""
         n = len(self.start) // 2

@@ -15,12 +15,13 @@ from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.damped_modes import SOUND, DampedModes, found_damped
 from sim2reason.simulation.engines.exact.dop853 import Values
-from sim2reason.simulation.engines.exact.eigenpairs import eigenpairs
 
 TURNED = 1e-9  # of the largest eigenvalue: an imaginary part that is none
 STILL = 1e-13  # of the largest eigenvalue: less is none
 SHARE = 8  # pieces of the fastest period
 HALVINGS = 30
+FINE = 64  # the same where margins are looked at on each piece
+LONGEST = 2500 * FINE  # pieces that are looked at in one stretch
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 POLISHES = 60  # corrections of the time of a turn
 SHARP = 4e-16  # of a time: no need to know it better
@@ -73,6 +74,12 @@ class Modes:
         """Return the accelerations at times (m,), of shape (m, n)."""
         phase = (times - self.time)[:, None] * self.rate
         found: Array = (self.force * np.cos(phase) - self.speed * self.rate * np.sin(phase)) @ self.ways.T
+        return found
+
+    def bend(self, slopes: Array) -> Array:
+        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        size = np.hypot(self.force, self.speed * self.rate)
+        found: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
         return found
 
     def moves_until(self, span: float) -> float:
@@ -136,7 +143,7 @@ def found_modes(linear: LinearEquations, time: float, values: Values) -> Modes |
     n, here, base = len(linear.base), np.array(values), linear.accelerations(values)
     if linear.damped:
         return found_damped(time, here, linear.slopes, base)
-    found, vectors = eigenpairs([[-part for part in row[:n]] for row in linear.slopes])
+    found, vectors = linear.squares
     squares, ways = np.real(found), np.real(vectors)
     largest = float(np.abs(found).max())
     if not largest or np.abs(np.imag(found)).max() > TURNED * largest or squares.min() < -STILL * largest:
@@ -153,13 +160,32 @@ def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array,
 
     `left` is what is left of all margins (m,) at its beginning, and `slopes` are theirs, (m, 2n).
     """
+    within = span
     for _ in range(HALVINGS):
-        if span < shortest:
-            return None
-        if (left + modes.least(slopes, span) > 0.0).all():
-            return Stretch(modes, span)
-        span *= 0.5
-    return None
+        if (left + modes.least(slopes, within) > 0.0).all():
+            break
+        within *= 0.5
+    if within < span:
+        within = max(within, _certain(modes, span, left, slopes))
+    return Stretch(modes, within) if within >= shortest else None
+
+
+def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array) -> float:
+    """Return for how long no margin is used up, s, by their values at ends of short pieces and by how much they bend.
+
+    A function f is nowhere on a piece of length h less than at one of its ends less h²/8 max |f″|.
+    """
+    h = 2.0 * pi / modes.fastest / FINE
+    sag = modes.bend(slopes) * h * h / 8.0
+    done, count = 0, FINE
+    while done < LONGEST and done * h < span:
+        at: Array = modes.time + h * np.arange(done, done + count + 1, dtype=np.float64)
+        values = left + (modes.at(at) - modes.start) @ slopes.T
+        spent = (np.minimum(values[:-1], values[1:]) <= sag).any(axis=1)
+        if spent.any():
+            return min(span, h * (done + int(spent.argmax())))
+        done, count = done + count, 2 * count
+    return min(span, h * done)
 
 
 def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:

@@ -117,7 +117,10 @@ class Flow:
         budget = self._equations.system.budget
         if steps < MANY and steps * self.formulas.cost < budget.left and (self.stretches or not self._is_small()):
             return False
-        return (not self.stretches and self._take(self.steps[0], end)) or self._take(None, end)
+        took = not self.stretches and self._take(self.steps[0], end)
+        while self.time < end and self._take(None, end):
+            took = True
+        return took
 
     def _is_small(self) -> bool:
         """Whether all places that it was at are so near each other that steps are too coarse."""
