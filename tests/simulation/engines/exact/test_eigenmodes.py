@@ -1,5 +1,6 @@
 """Linear stretches at once, against closed forms; what is not linear is not taken for it."""
 
+from collections.abc import Callable
 from math import cos, radians, sin, sqrt
 
 import numpy as np
@@ -7,10 +8,11 @@ import pytest
 
 from sim2reason.datasets.solve import solve
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.scene_files import loads
 from sim2reason.simulation.engines.exact.motion import Motion
-from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.scenes import simulate, whole
 from sim2reason.simulation.trace import Trace
 
 STIFF, LIGHT = 1e6, 1e-3
@@ -32,8 +34,10 @@ WEDGE = scene(
     "SpringOnWedge",
     "wedge: {mass: 1.0, angle: 30.0}, block: {mass: 1.0e-6}, spring: {stiffness: 1.0e6, length: 0.5}, start: 0.500001",
 )
-
-
+HUNG = scene(
+    "AnchoredSpring",
+    "support: ceiling, spring: {stiffness: 1.0e5, length: 0.5}, block: {mass: 0.001}, start: 0.5",
+)
 DAMPED = (
     "track: {{}}, carts: [{{mass: 0.001}}], springs: [{{stiffness: 1.0e6}}], ends: left, damping: {}, "
     "strain: {{spring: 0, way: stretched, by: 0.001}}"
@@ -85,6 +89,86 @@ def test_it_is_asked_about_after_a_second() -> None:
     """|v| = A ω |sin ω t|."""
     answer = solve(HELD, find="speed", of="it.block", when="1 s").answer
     assert answer == pytest.approx(0.1 * RATE * abs(sin(RATE)), rel=1e-8)
+
+
+@pytest.mark.parametrize("duration", [0.002, 1.0, 60.0])
+def test_a_small_mass_on_a_stiff_spring_is_followed_to_the_last_digits(duration: float) -> None:
+    """X = A (1 − cos ω t) and A = m g/k, 98 nm, from the start on: an integrator's steps are too coarse for that."""
+    trace = simulate(HUNG, duration)
+    times, size, rate = trace.state.times, LIGHT * 9.8 / 1e5, sqrt(1e5 / LIGHT)
+    assert abs(trace.state.q[:, 0]) == pytest.approx(size * (1.0 - np.cos(rate * times)), abs=1e-9 * size)
+    assert abs(trace.state.v[:, 0]) == pytest.approx(size * rate * abs(np.sin(rate * times)), abs=1e-9 * size * rate)
+    assert len(trace.state.times) == 101
+    assert sum(event.kind == "turn" for event in trace.events) == int(duration * rate / np.pi)
+
+
+def chain(soft: float, by: float) -> tuple[Scene, Callable[[Array], Array]]:
+    """1 g on 10⁵ N/m and 1 kg on a soft spring, stretched at first, and the displacements at times, (m, 2).
+
+    Squares λ of the rates of its normal modes have the sum (k₁ + k₂)/m + k₂/M and the product k₁ k₂/(m M). Of each mode
+    x₂/x₁ = ((k₁ + k₂) − m λ)/k₂ = k₂/(k₂ − M λ), in the form that does not cancel.
+    """
+    k1, m, big = 1e5, 1e-3, 1.0
+    total = (k1 + soft) / m + soft / big
+    fast = 0.5 * (total + sqrt(total**2 - 4.0 * k1 * soft / (m * big)))
+    slow = k1 * soft / (m * big) / fast
+    ratios = np.array([soft / (soft - big * fast), (k1 + soft - m * slow) / soft])
+    size = by / (ratios[1] - ratios[0]) * np.array([-1.0, 1.0])
+    springs = f"[{{stiffness: 1.0e5}}, {{stiffness: {soft}}}]"
+    carts = f"track: {{}}, carts: [{{mass: 0.001}}, {{mass: 1.0}}], springs: {springs}, ends: left"
+    made = scene("SpringMassChain", f"{carts}, strain: {{spring: 1, way: stretched, by: {by}}}")
+
+    def displaced(times: Array) -> Array:
+        swing = size * np.cos(np.sqrt([fast, slow]) * times[:, None])
+        return np.stack([swing.sum(axis=1), swing @ ratios - by], axis=1)
+
+    return made, displaced
+
+
+def test_a_chain_of_a_small_and_a_large_mass_has_its_normal_modes_for_half_a_minute() -> None:
+    """The squares of its rates differ by a factor of 10⁷."""
+    made, displaced = chain(10.0, 0.1)
+    trace = simulate(made, 30.0)
+    assert stretches(trace) == 1
+    off = abs(trace.state.q - displaced(trace.state.times)).max(axis=0)
+    assert off[0] < 1e-9 * 2e-5
+    assert off[1] < 1e-9 * 0.1
+
+
+def test_an_event_after_thousands_of_periods_is_found() -> None:
+    """The large mass reaches the small one, 3 m away, after 20000 of its periods; nothing is missed before."""
+    made, displaced = chain(0.01, 2.9)
+    trace = whole(made, 20.0)
+    assert stretches(trace) > 1
+    assert trace.cut == "reach"
+    end = trace.stable_until
+
+    def gap(times: Array) -> Array:
+        return 3.0 + displaced(times) @ np.array([-1.0, 1.0])
+
+    assert gap(np.array([end])) == pytest.approx([1e-9], abs=1e-10)  # at which they count as met
+    assert (gap(np.linspace(0.0, end - 1e-9, 1_000_000)) > 1e-9).all()
+
+
+@pytest.mark.parametrize("damping", [1e-4, 0.5, 20.0])
+def test_a_damped_stiff_motion_is_followed_to_nine_digits(damping: float) -> None:
+    """X = A e^(−γ t) (cos ν t + γ/ν sin ν t) with ν² = k/m − γ² and γ = b/2m."""
+    trace = simulate(scene("SpringMassChain", DAMPED.format(damping)), 10.0)
+    decay = damping / (2.0 * LIGHT)
+    rate, times = sqrt(STIFF / LIGHT - decay**2), trace.state.times
+    left = np.exp(-decay * times) * (np.cos(rate * times) + decay / rate * np.sin(rate * times))
+    assert abs(trace.state.q[:, 0]) == pytest.approx(0.001 * (1.0 - left), abs=1e-9 * 0.001)
+
+
+LATE = [(HUNG, "it.block", "60 s"), (chain(10.0, 0.1)[0], "it.carts.1", "30 s")]
+
+
+@pytest.mark.parametrize(("asked", "body", "after"), LATE)
+def test_questions_about_late_instants_have_worked_solutions(asked: Scene, body: str, after: str) -> None:
+    """The formulas of the solution lead to the answer of the motion."""
+    solved = solve(asked, find="speed", of=body, when=after)
+    assert solved.answer is not None
+    assert solved.solution.text
 
 
 def test_what_would_take_too_many_pieces_is_refused_at_once() -> None:

@@ -1,19 +1,16 @@
 """Eigenmodes of a linear motion with damping: each is an exponential, of a complex rate if it oscillates."""
 
 from dataclasses import dataclass
-from itertools import chain
-from math import pi
+from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
 from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.exact.eigenpairs import Complex, Exact, eigenpairs, rounded
 
-STILL = 1e-9  # of the largest rate: less is none
+STILL = 1e-13  # of the largest rate: less is none
 SOUND = 1e8  # condition of the eigenvectors, at most: at critical damping there are too few
 REST = 1e-11  # m/s or rad/s; what moves no faster turns back no more
-EARLY, LATE = 16, 8  # instants at which is tried whether a motion is linear: of two fast periods, and of the whole
-Complex = npt.NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -22,8 +19,6 @@ class DampedModes:
 
     time: float
     start: Array  # x, (2n,)
-    slopes: Array  # of the accelerations with respect to x, (n, 2n)
-    base: Array  # the accelerations at the start, (n,)
     rest: Array  # (2n,)
     ways: Complex  # a column for each mode, (2n, 2n)
     rates: Complex  # 1/s
@@ -47,44 +42,47 @@ class DampedModes:
         found: Array = np.where(real, np.minimum(sinks, 0.0), -np.abs(weights) - np.real(weights)).sum(axis=1)
         return found
 
-    def changes(self, span: float) -> list[Array]:
-        """Return changes of coordinates and rates, (2n,) each, of the size of those during the first `span`, s."""
-        early = (2.0 * 2.0 * pi / self.fastest * number / EARLY for number in range(1, EARLY + 1))
-        late = (span * number / LATE for number in range(1, LATE + 1))
-        found = self.at(self.time + np.array([*chain(early, late)])) - self.start
-        return [*found, *-found]
+    def accelerations(self, times: Array) -> Array:
+        """Return the accelerations at times (m,), of shape (m, n)."""
+        n = len(self.start) // 2
+        decayed = self.begins * self.rates * np.exp(np.multiply.outer(times - self.time, self.rates))
+        return np.real(decayed @ self.ways[n:].T)
 
-    def accelerations(self, change: Array) -> Array:
-        """Return the accelerations after a change of coordinates and rates, (n,)."""
-        return self.base + self.slopes @ change
-
-    def load(self, change: Array) -> float:
-        """Return the largest share of a coordinate or rate in the accelerations after a change."""
-        moved = np.abs(self.start) + np.abs(change)  # since the start of the motion, too, for what rounding leaves
-        return float((np.abs(self.base) + np.abs(self.slopes) @ moved).max())
+    def bend(self, slopes: Array) -> Array:
+        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        found: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
+        return found
 
     def moves_until(self, span: float) -> float:
         """Return for how much of `span`, s, some speed can exceed what counts as rest."""
-        n = len(self.base)
+        n = len(self.start) // 2
         size = float(np.abs(self.ways[n:] * self.begins).sum())
         slowest = float(-np.real(self.rates).max())
         return min(span, float(np.log(size / REST)) / slowest) if size > REST else 0.0
 
 
-def found_damped(time: float, start: Array, slopes: Array, base: Array) -> DampedModes | None:
-    """Return the eigenmodes of a damped motion, all of which decay; None if it has none, or too few."""
-    n = len(base)
-    matrix = np.block([[np.zeros((n, n)), np.eye(n)], [slopes]])
-    size = float(np.abs(np.linalg.eigvals(matrix)).max())
+def found_damped(time: float, start: Array, slopes: Exact, base: Array) -> DampedModes | None:
+    """Return the eigenmodes of a damped motion, all of which decay; None if it has none, or too few.
+
+    `slopes` are those of the accelerations with respect to x, (n, 2n), and `base` the accelerations at the start, (n,).
+    """
+    n, plain = len(base), rounded(slopes)
+    size = float(np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [plain]]))).max())
     if not size:
         return None
-    scale = np.repeat([1.0, size], n)  # rates beside coordinates
-    rates, vectors = np.linalg.eig(matrix * scale / scale[:, None])
+    rates, vectors = eigenpairs(_scaled(slopes, Fraction(size)))
     if np.linalg.cond(vectors) > SOUND or np.abs(rates).min() <= STILL * size or np.real(rates).max() >= 0.0:
         return None
-    ways: Complex = np.asarray(vectors * scale[:, None], dtype=np.complex128)
+    ways: Complex = np.repeat([1.0, size], n)[:, None] * vectors
     rest = start.copy()
-    rest[:n] -= np.linalg.solve(slopes[:, :n], base - slopes[:, n:] @ start[n:])
+    rest[:n] -= np.linalg.solve(plain[:, :n], base - plain[:, n:] @ start[n:])
     rest[n:] = 0.0
     begins: Complex = np.asarray(np.linalg.solve(ways, (start - rest).astype(np.complex128)), dtype=np.complex128)
-    return DampedModes(time, start, slopes, base, rest, ways, np.asarray(rates, dtype=np.complex128), begins)
+    return DampedModes(time, start, rest, ways, rates, begins)
+
+
+def _scaled(slopes: Exact, size: Fraction) -> list[list[Fraction]]:
+    """Return the matrix of the rates of change of coordinates and of rates divided by `size`."""
+    n = len(slopes)
+    above = [[size * (column == n + row) for column in range(2 * n)] for row in range(n)]
+    return [*above, *([*(part / size for part in row[:n]), *row[n:]] for row in slopes)]

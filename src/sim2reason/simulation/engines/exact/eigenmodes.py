@@ -2,31 +2,29 @@
 
 Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves independently: as a
 cosine, or with a constant acceleration; with damping, each eigenvector of coordinates and rates together does, as an
-exponential. Whether they are affine is tested at corners of the box that contains the whole stretch. A stretch is short
-enough that no margin can be used up on it, whatever the phases of the modes.
+exponential. The equations on the tape say whether they are affine. A stretch is short enough that no margin can be used
+up on it, whatever the phases of the modes.
 """
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import islice, product
 from math import pi
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.exact.damped_modes import DampedModes, found_damped
-from sim2reason.simulation.engines.exact.dop853 import Rate, Values
+from sim2reason.simulation.engines.exact.affine import LinearEquations
+from sim2reason.simulation.engines.exact.damped_modes import SOUND, DampedModes, found_damped
+from sim2reason.simulation.engines.exact.dop853 import Values
 
-Margins = Callable[[float, Values], Sequence[float]]
-
-EXACT = 1e-9  # of the largest acceleration, or margin: by how much what is affine may be off
-STILL = 1e-9  # of the largest eigenvalue: less is none
-SOUND = 1e8  # condition of the eigenvectors, at most
-CORNERS = 16  # of the box, at which is tried
+TURNED = 1e-9  # of the largest eigenvalue: an imaginary part that is none
+STILL = 1e-13  # of the largest eigenvalue: less is none
 SHARE = 8  # pieces of the fastest period
-SHORTEST = 10  # fastest periods, fewer of which are no stretch
 HALVINGS = 30
-POLISHES = 60  # bisections of the time of a turn
+FINE = 64  # the same where margins are looked at on each piece
+LONGEST = 2500 * FINE  # pieces that are looked at in one stretch
+REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
+POLISHES = 60  # corrections of the time of a turn
+SHARP = 4e-16  # of a time: no need to know it better
 
 
 @dataclass(frozen=True)
@@ -61,8 +59,8 @@ class Modes:
         swings = w > 0.0
         divisor = np.where(swings, w, 1.0)
         middle, size = self.force / divisor**2, self.speed / divisor
-        cosine, sine = np.cos(since * divisor), np.sin(since * divisor)
-        s = np.where(swings, middle * (1.0 - cosine) + size * sine, since * (self.speed + 0.5 * since * self.force))
+        cosine, sine, half = np.cos(since * divisor), np.sin(since * divisor), np.sin(0.5 * since * divisor)
+        s = np.where(swings, 2.0 * middle * half * half + size * sine, since * (self.speed + 0.5 * since * self.force))
         u = np.where(swings, divisor * (middle * sine + size * cosine), self.speed + since * self.force)
         return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
 
@@ -72,21 +70,17 @@ class Modes:
         found: Array = effects.min(axis=2).sum(axis=1)
         return found
 
-    def changes(self, span: float) -> list[Array]:
-        """Return changes of coordinates and rates, (2n,) each, of the size of those during the first `span`, s."""
-        ranges = self._ranges(span)
-        found: list[Array] = [self._spread @ np.array(corner) for corner in islice(product(*ranges), CORNERS)]
-        return found + [self._spread @ ranges[:, side] for side in (0, 1)]
-
-    def accelerations(self, change: Array) -> Array:
-        """Return the accelerations after a change of coordinates and rates, (n,)."""
-        n = len(self.place)
-        found: Array = self.ways @ (self.force - self.square * (np.linalg.inv(self.ways) @ change[:n]))
+    def accelerations(self, times: Array) -> Array:
+        """Return the accelerations at times (m,), of shape (m, n)."""
+        phase = (times - self.time)[:, None] * self.rate
+        found: Array = (self.force * np.cos(phase) - self.speed * self.rate * np.sin(phase)) @ self.ways.T
         return found
 
-    def load(self, change: Array) -> float:
-        """Return the largest acceleration after a change of coordinates and rates."""
-        return float(np.abs(self.accelerations(change)).max())
+    def bend(self, slopes: Array) -> Array:
+        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        size = np.hypot(self.force, self.speed * self.rate)
+        found: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
+        return found
 
     def moves_until(self, span: float) -> float:
         """Return for how much of `span`, s, it moves: all of it."""
@@ -144,69 +138,54 @@ def pieces(modes: Modes | DampedModes, span: float) -> int:
     return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SHARE)))
 
 
-def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes | DampedModes | None:
-    """Return the eigenmodes at an instant, or None; `sizes` (2n,) are the changes for differences."""
-    n = len(values) // 2
-    here = np.array(values)
-    base = np.array(rate(time, values))[n:]
-    slopes = _slopes(lambda at: rate(time, at)[n:], here, sizes)
-    load = float(np.abs(slopes * sizes).max(initial=0.0))
-    if not load:
+def found_modes(linear: LinearEquations, time: float, values: Values) -> Modes | DampedModes | None:
+    """Return the eigenmodes of linear equations from an instant on; None if there are none, or too few."""
+    n, here, base = len(linear.base), np.array(values), linear.accelerations(values)
+    if linear.damped:
+        return found_damped(time, here, linear.slopes, base)
+    found, vectors = linear.squares
+    squares, ways = np.real(found), np.real(vectors)
+    largest = float(np.abs(found).max())
+    if not largest or np.abs(np.imag(found)).max() > TURNED * largest or squares.min() < -STILL * largest:
         return None
-    if np.abs(slopes[:, n:] * sizes[n:]).max() > EXACT * load:
-        return found_damped(time, here, slopes, base)
-    eigenvalues, vectors = np.linalg.eig(-slopes[:, :n])
-    largest, turned = float(np.abs(eigenvalues).max()), float(np.abs(np.imag(eigenvalues)).max())
-    squares: Array = np.asarray(np.real(eigenvalues), dtype=np.float64)
-    ways: Array = np.asarray(np.real(vectors), dtype=np.float64)
-    if turned > STILL * largest or squares.min() < -STILL * largest or np.linalg.cond(ways) > SOUND:
+    if np.linalg.cond(ways) > SOUND:
         return None
-    inverse: Array = np.asarray(np.linalg.inv(ways), dtype=np.float64)
     kept = np.where(squares > STILL * largest, squares, 0.0)
-    return Modes(time, here[:n], ways, kept, inverse @ base, inverse @ here[n:])
+    force, speed = np.linalg.solve(ways, np.array([base, here[n:]]).T).T
+    return Modes(time, here[:n], ways, kept, force, speed)
 
 
-def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array) -> Array:
-    """Return the derivatives of numbers with respect to values by central differences, of shape (numbers, values)."""
-    columns: list[Array] = []
-    for number, size in enumerate(sizes):
-        change = np.zeros(len(here))
-        change[number] = size
-        after, before = (np.array(code(tuple((here + sign * change).tolist()))) for sign in (1.0, -1.0))
-        columns.append((after - before) / (2.0 * size))
-    return np.array(columns).T
+def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array, shortest: float) -> Stretch | None:
+    """Return a linear stretch of at most `span`, s, on which no event can be due; None if it were below `shortest`, s.
 
-
-def stretch(modes: Modes | DampedModes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
-    """Return a linear stretch of at most `span`, s, on which no event can be due; None if no stretch is worthwhile."""
-    shortest = SHORTEST * 2.0 * pi / modes.fastest
-    values: Values = tuple(modes.start.tolist())
-    left = np.array(margins(modes.time, values))
-    slopes = _slopes(lambda at: margins(modes.time, at), modes.start, sizes) if len(left) else np.zeros((0, len(sizes)))
+    `left` is what is left of all margins (m,) at its beginning, and `slopes` are theirs, (m, 2n).
+    """
+    within = span
     for _ in range(HALVINGS):
-        if span < shortest:
-            return None
-        if (left + modes.least(slopes, span) > 0.0).all():
-            is_affine = _is_affine(modes, (rate, margins), (left, slopes), span)
-            return Stretch(modes, span) if is_affine else None
-        span *= 0.5
-    return None
+        if (left + modes.least(slopes, within) > 0.0).all():
+            break
+        within *= 0.5
+    if within < span:
+        within = max(within, _certain(modes, span, left, slopes))
+    return Stretch(modes, within) if within >= shortest else None
 
 
-def _is_affine(modes: Modes | DampedModes, code: tuple[Rate, Margins], known: tuple[Array, Array], span: float) -> bool:
-    """Return whether rates and margins agree with the eigenmodes at far corners, at both ends of a stretch."""
-    n = len(modes.start) // 2
-    for change in modes.changes(span):
-        values: Values = tuple((modes.start + change).tolist())
-        wanted = modes.accelerations(change)
-        for time in (modes.time, modes.time + span):
-            found, left = np.array(code[0](time, values))[n:], np.array(code[1](time, values))
-            if np.abs(found - wanted).max() > EXACT * modes.load(change):
-                return False
-            expected = known[0] + known[1] @ change
-            if len(left) and (np.abs(left - expected) > EXACT * np.abs(known[1] * change).sum(axis=1) + EXACT).any():
-                return False
-    return True
+def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array) -> float:
+    """Return for how long no margin is used up, s, by their values at ends of short pieces and by how much they bend.
+
+    A function f is nowhere on a piece of length h less than at one of its ends less h²/8 max |f″|.
+    """
+    h = 2.0 * pi / modes.fastest / FINE
+    sag = modes.bend(slopes) * h * h / 8.0
+    done, count = 0, FINE
+    while done < LONGEST and done * h < span:
+        at: Array = modes.time + h * np.arange(done, done + count + 1, dtype=np.float64)
+        values = left + (modes.at(at) - modes.start) @ slopes.T
+        spent = (np.minimum(values[:-1], values[1:]) <= sag).any(axis=1)
+        if spent.any():
+            return min(span, h * (done + int(spent.argmax())))
+        done, count = done + count, 2 * count
+    return min(span, h * done)
 
 
 def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
@@ -218,11 +197,26 @@ def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
     found: list[tuple[float, int]] = []
     for number in range(n):
         own = speeds[:, number]
-        at = np.flatnonzero(own[:-1] * own[1:] < 0.0)
-        low, high, sign = times[at], times[at + 1], np.sign(own[at])
-        for _ in range(POLISHES if len(at) else 0):
-            middle = 0.5 * (low + high)
-            before = sign * modes.at(middle)[:, n + number] > 0.0
-            low, high = np.where(before, middle, low), np.where(before, high, middle)
-        found += [(time, number) for time in low.tolist()]
+        fast = np.maximum(np.abs(own[:-1]), np.abs(own[1:])) > REST
+        at = np.flatnonzero((own[:-1] * own[1:] < 0.0) & fast)
+        if len(at):
+            found += [(time, number) for time in _turns(modes, number, times[at], times[at + 1]).tolist()]
     return sorted(found)
+
+
+def _turns(modes: Modes | DampedModes, number: int, low: Array, high: Array) -> Array:
+    """Return when a coordinate turns back within each of some intervals: by Newton's steps, else by bisection."""
+    n = len(modes.start) // 2
+    sign, time = np.sign(modes.at(low)[:, n + number]), 0.5 * (low + high)
+    for _ in range(POLISHES):
+        speed = modes.at(time)[:, n + number]
+        before = sign * speed > 0.0
+        low, high = np.where(before, time, low), np.where(before, high, time)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = speed / modes.accelerations(time)[:, number]
+        done = np.abs(step) <= SHARP * time
+        if done.all():
+            break
+        guess = time - step
+        time = np.where(done, time, np.where((low < guess) & (guess < high), guess, 0.5 * (low + high)))
+    return time

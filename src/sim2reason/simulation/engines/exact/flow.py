@@ -1,7 +1,7 @@
 """The motion of a mechanism whose equations change as it moves: integrated, with events located on the steps."""
 
 from collections.abc import Sequence
-from math import inf, isfinite
+from math import inf, isfinite, pi
 
 import numpy as np
 
@@ -12,10 +12,10 @@ from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.crossings import Crossing, Watch
 from sim2reason.simulation.engines.exact.eigenmodes import Stretch, found_modes, pieces, stretch, turns
+from sim2reason.simulation.engines.exact.flow_steps import FlowStep, StepTable
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.margins import StopReason
-from sim2reason.simulation.engines.exact.mode_code import Formulas
 from sim2reason.simulation.engines.exact.roots import bracketed_root
 from sim2reason.simulation.engines.exact.system import Instant
 
@@ -25,61 +25,11 @@ OFF = 1e-6  # m; a row that acts is no longer kept
 TIE = 1e-10  # of the duration: events that are no further apart are simultaneous
 POLISHES = 4  # corrections of an event's time by a step of the integrator itself
 PATIENCE = 200  # steps after which is asked whether there will be too many of them
-PIECE = 100  # operations that a piece of a linear stretch costs, for each coordinate
+MANY = 20_000  # steps to go: where the equations are linear, those would cost more and err more than the eigenmodes
+FAINT, SMALL = 1e-12, 1e-4  # m or rad; of a motion in between, `ABSOLUTE` is too much, and of less nothing is known
+SHORTEST_LEAP = 10  # fastest periods, fewer of which are not worth it
+PIECE = 20  # operations that a piece of a linear stretch costs, for each coordinate
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
-
-
-class FlowStep:
-    """One step of the integrator, and what lies between its ends."""
-
-    __slots__ = ("_polynomial", "formulas", "length", "new", "stages", "time", "values")
-
-    def __init__(
-        self, formulas: Formulas, time: float, length: float, values: dop853.Values, to: dop853.Advance
-    ) -> None:
-        """`values` are coordinates, then rates, at its beginning."""
-        self.formulas, self.time, self.length, self.values = formulas, time, length, values
-        self.new, self.stages = to.values, to.stages
-        self._polynomial: tuple[dop853.Values, ...] | None = None
-
-    @property
-    def polynomial(self) -> tuple[dop853.Values, ...]:
-        """The coefficients of its unknowns."""
-        if self._polynomial is None:
-            rate = self.formulas.rate
-            self._polynomial = dop853.dense(rate, self.time, self.values, self.length, self.new, self.stages)
-        return self._polynomial
-
-    def at(self, x: float) -> dop853.Values:
-        """Coordinates and rates at a fraction of the step."""
-        return dop853.interpolated(self.values, self.polynomial, x)
-
-    def margins(self, x: float) -> tuple[float, ...]:
-        """All margins at a fraction of the step."""
-        return self.formulas.margins(self.time + x * self.length, self.at(x))
-
-    def closing(self, x: float) -> tuple[float, ...]:
-        """How fast what may pass comes together at a fraction of the step, and what is left between."""
-        return self.formulas.closing(self.time + x * self.length, self.at(x))
-
-
-class StepTable:
-    """All steps of a flow in arrays; the polynomials of those that were looked at."""
-
-    def __init__(self, steps: Sequence[FlowStep]) -> None:
-        """The flow is at its end."""
-        self.starts = np.array([step.time for step in steps])
-        self.lengths = np.array([step.length for step in steps])
-        self.values = np.array([step.values for step in steps])
-        self.polynomials = np.empty((dop853.COEFFICIENTS, *self.values.shape))
-        self._filled = set[int]()
-
-    def fill(self, steps: Sequence[FlowStep], numbers: set[int]) -> None:
-        """Look at some steps."""
-        new = sorted(numbers - self._filled)
-        if new:
-            self._filled.update(new)
-            self.polynomials[:, new] = np.array([steps[number].polynomial for number in new]).transpose(2, 0, 1)
 
 
 class Flow:
@@ -98,6 +48,11 @@ class Flow:
         self.stretches: list[Stretch] = []  # between steps, where the motion is linear and steps would be too many
         self._watch = Watch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
+
+    @property
+    def moves(self) -> bool:
+        """Return whether it got anywhere."""
+        return bool(self.steps or self.stretches)
 
     @cached_property
     def table(self) -> StepTable:
@@ -147,27 +102,54 @@ class Flow:
             first, before = tried.stages[-1], after
             self._watch.passed(after)
             length *= dop853.factor(tried.error)
-            if len(self.steps) % PATIENCE == 0 and self._leap(end, length):
+            if len(self.steps) % PATIENCE == 0 and self._leap(end, (end - self.time) / length):
                 first, before = rate(self.time, self.values), self.formulas.margins(self.time, self.values)
                 self._watch.passed(before)
+        if self.steps and not self.stretches and self._is_small():
+            self._take(self.steps[0], end, 0.0)
         return StopReason(duration, ())
 
-    def _leap(self, end: float, length: float) -> bool:
-        """Take a linear stretch at once if steps of `length` would exceed the budget; return whether this was done."""
+    def _leap(self, end: float, steps: float) -> bool:
+        """Take a linear stretch at once if so many more steps are too many or too coarse; return whether this was done.
+
+        It begins where the first step did, whose errors would stay in all that follows, or at least here.
+        """
         budget = self._equations.system.budget
-        if self.formulas.held is not None or (end - self.time) / length * self.formulas.cost < budget.left:
+        if steps < MANY and steps * self.formulas.cost < budget.left and (self.stretches or not self._is_small()):
             return False
-        rate, margins, n = self.formulas.rate, self.formulas.margins, self._equations.system.size
-        seen = np.array([step.values for step in self.steps[-PATIENCE:]])
-        sizes = np.ptp(seen, axis=0)
-        sizes = np.where(sizes > 0.0, sizes, np.repeat([sizes[:n].max(), sizes[n:].max()], n))
-        modes = found_modes(rate, self.time, self.values, sizes) if sizes.all() else None
-        found = stretch(modes, end - self.time, rate, margins, sizes) if modes is not None else None
-        if found is None:
+        took = not self.stretches and self._take(self.steps[0], end)
+        while self.time < end and self._take(None, end):
+            took = True
+        return took
+
+    def _is_small(self) -> bool:
+        """Whether all places that it was at are so near each other that steps are too coarse."""
+        here, n = self.values[: self._equations.system.size], self._equations.system.size
+        far = 0.0
+        for step in reversed(self.steps):  # an ordinary motion is known by the first of them
+            far = max(far, *(abs(a - b) for a, b in zip(here, step.values[:n], strict=False)), 0.0)
+            if far > SMALL:
+                return False
+        return far > FAINT
+
+    def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
+        """Take a linear stretch from where the first step begins, in place of all steps, or from here."""
+        linear = self.formulas.linear
+        if linear is None:
             return False
-        budget.spend(PIECE * n * pieces(found.modes, found.length))
+        time, values = (begin.time, begin.values) if begin else (self.time, self.values)
+        modes = found_modes(linear, time, values)
+        if modes is None:
+            return False
+        left = np.array(self.formulas.margins(time, values))
+        found = stretch(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
+        if found is None or found.time + found.length < self.time:
+            return False
+        self._equations.system.budget.spend(PIECE * self._equations.system.size * pieces(modes, found.length))
+        if begin:
+            self.steps, self.turns = [], []
         self.stretches.append(found)
-        self.turns += turns(found.modes, found.length)
+        self.turns += turns(modes, found.length)
         self.time, self.values = found.time + found.length, found.new
         return True
 
@@ -267,6 +249,17 @@ class Flow:
 
 def sampled(flow: Flow, times: Array) -> Array:
     """Coordinates and rates at times within a flow, (m, 2n)."""
+    found = _on_steps(flow, times) if flow.steps else np.empty((len(times), len(flow.values)))
+    for linear in flow.stretches:
+        inside = (times >= linear.time) & (times <= linear.time + linear.length)
+        if inside.any():
+            found = np.broadcast_to(found, (len(times), found.shape[1])).copy()
+            found[inside] = linear.modes.at(times[inside])
+    return found
+
+
+def _on_steps(flow: Flow, times: Array) -> Array:
+    """Coordinates and rates at times within the steps of a flow, (m, 2n), or (1, 2n) if there is one step for all."""
     table = flow.table
     at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
     numbers = set[int](at.tolist())
@@ -278,9 +271,4 @@ def sampled(flow: Flow, times: Array) -> Array:
     a, b, c, d, e, f, g = table.polynomials[:, at]
     rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
     found: Array = table.values[at] + rise
-    for linear in flow.stretches:
-        inside = (times >= linear.time) & (times <= linear.time + linear.length)
-        if inside.any():
-            found = np.broadcast_to(found, (len(times), found.shape[1])).copy()
-            found[inside] = linear.modes.at(times[inside])
     return found

@@ -12,6 +12,7 @@ from math import inf
 from sim2reason.dsl.constancy import straight
 from sim2reason.dsl.frames import Frames
 from sim2reason.dsl.triples import Number, minus, product
+from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.linear import Row
@@ -106,7 +107,8 @@ class _Recorded:
         names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
         due = tuple(margin for margin, _ in braced)
         write = partial(tape.code, forces)
-        return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, due)
+        linear = partial(linear_equations, tape, found.x, [number for _, number in watched])
+        return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
     def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
         """How the margins of forces change with forces that the motion leaves open."""

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.bracing import greatest_least
 from sim2reason.simulation.engines.exact.dop853 import Rate
 from sim2reason.simulation.engines.exact.margins import Margin
@@ -28,12 +29,18 @@ class Formulas:
     passing: tuple[int, ...]  # the margins of straight pieces whose ends may pass each other aside
     closing: Callable[..., tuple[float, ...]]  # Δr·Δv of these, then themselves
     cost: int  # operations of a step that is tried
+    find_linear: Callable[[], LinearEquations | None]
     braced: tuple[Margin, ...] = ()
 
     @cached_property
     def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
         """For arrays of samples: a, rows, normal, friction. Few motions are asked for them."""
         return self.write_forces()(np)
+
+    @cached_property
+    def linear(self) -> LinearEquations | None:
+        """The equations as linear ones; None if they are not, or if the motion leaves forces open."""
+        return None if self.braced or self.held else self.find_linear()
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
         """All margins, in the order of `watched`."""

@@ -115,14 +115,14 @@ class Motion:
         numbers: list[int] = at.tolist()
         for number in dict.fromkeys(numbers):
             segment = self.segments[number]
-            if segment.flow is not None and segment.flow.steps:
+            if segment.flow is not None and segment.flow.moves:
                 yield segment, segment.flow, at == number
 
     def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
         """Coordinates and their rates."""
         n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
         flow = self.segments[0].flow if lone else None
-        if flow is not None and flow.steps:
+        if flow is not None and flow.moves:
             values = sampled(flow, np.minimum(times, flow.time))
             return values[:, :n], values[:, n:]
         table = self._table if lone else self._table[at]

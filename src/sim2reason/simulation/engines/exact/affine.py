@@ -1,0 +1,125 @@
+"""Numbers on a tape that are affine in its inputs: their coefficients, exact for the constants that the tape holds.
+
+Equations of springs along fixed lines, dashpots and constant forces are of this kind. What is found here is a proof,
+and it loses no digit: differences of numbers of unlike size, as of a stiff and of a soft spring, would.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.dsl.triples import Number
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs
+from sim2reason.simulation.engines.exact.tape import Symbol, Tape
+
+Affine = dict[int, Fraction]
+"""The coefficients of inputs by their numbers, those that are not zero; the constant term stands at −1."""
+CONSTANT = -1
+TIME = 0  # the number of the input that is the time
+
+
+@dataclass(frozen=True)
+class LinearEquations:
+    """Accelerations and margins `base` + `slopes` · x, with x the coordinates, then their rates, (2n,)."""
+
+    base: list[Fraction]  # (n,)
+    slopes: list[list[Fraction]]  # (n, 2n)
+    margins: Array  # the slopes of all margins, (m, 2n)
+
+    @property
+    def damped(self) -> bool:
+        """Return whether any acceleration depends on a rate."""
+        n = len(self.base)
+        return any(part for row in self.slopes for part in row[n:])
+
+    @cached_property
+    def squares(self) -> tuple[Complex, Complex]:
+        """Squares of angular frequencies, 1/s², and their modes of the coordinates, where nothing is damped."""
+        n = len(self.base)
+        return eigenpairs([[-part for part in row[:n]] for row in self.slopes])
+
+    def accelerations(self, values: Sequence[float]) -> Array:
+        """Return the accelerations at coordinates and rates (2n,), each rounded once."""
+        x = [Fraction(value) for value in values]
+        totals = zip(self.base, self.slopes, strict=True)
+        return np.array([float(base + sum(map(_times, row, x), Fraction())) for base, row in totals])
+
+
+def linear_equations(tape: Tape, accelerations: Sequence[Number], margins: Sequence[Number]) -> LinearEquations | None:
+    """Return accelerations and margins with their slopes; None if any is not affine or depends on the time itself."""
+    found = _coefficients(tape, [*accelerations, *margins])
+    if found is None or any(TIME in each for each in found):
+        return None
+    n, width = len(accelerations), len(tape.names) - 1
+    rows = [[each.get(number + 1, Fraction()) for number in range(width)] for each in found]
+    slopes = np.array([[float(part) for part in row] for row in rows[n:]]).reshape(len(margins), width)
+    return LinearEquations([each.get(CONSTANT, Fraction()) for each in found[:n]], rows[:n], slopes)
+
+
+def _times(one: Fraction, other: Fraction) -> Fraction:
+    return one * other if one else one
+
+
+def _coefficients(tape: Tape, numbers: Sequence[Number]) -> list[Affine] | None:
+    known: dict[int, Affine | None] = {}
+    for number in sorted(_needed(tape, numbers)):
+        known[number] = _of_node(tape, number, known)
+    found = [known[n.id] if isinstance(n, Symbol) else {CONSTANT: Fraction(float(n))} for n in numbers]
+    affine = [each for each in found if each is not None]
+    return affine if len(affine) == len(found) else None
+
+
+def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
+    """Return the nodes that some numbers are made of; each comes after those that it is made of."""
+    waiting, found = [number.id for number in numbers if isinstance(number, Symbol)], set[int]()
+    while waiting:
+        number = waiting.pop()
+        if number not in found:
+            found.add(number)
+            operation, a, b = tape.nodes[number]
+            if operation not in ("input", "constant"):
+                waiting += [a] if b < 0 else [a, b]
+    return found
+
+
+def _of_node(tape: Tape, number: int, known: dict[int, Affine | None]) -> Affine | None:
+    """Return the coefficients of a node from those of the nodes that it is made of; None if it is not affine."""
+    operation, a, b = tape.nodes[number]
+    if operation == "input":
+        return {a: Fraction(1)}
+    if operation == "constant":
+        return {CONSTANT: Fraction(tape.constants[a])}
+    one, other = known[a], known[b] if b >= 0 else {}
+    return _result(operation, one, other) if one is not None and other is not None else None
+
+
+def _result(operation: str, one: Affine, other: Affine) -> Affine | None:
+    match operation:
+        case "+" | "-":
+            return _sum(one, other if operation == "+" else _scaled(other, Fraction(-1)))
+        case "neg":
+            return _scaled(one, Fraction(-1))
+        case "*" if _is_constant(one) or _is_constant(other):
+            number, factor = (other, one) if _is_constant(one) else (one, other)
+            return _scaled(number, factor.get(CONSTANT, Fraction()))
+        case "/" if _is_constant(other) and other:
+            return _scaled(one, 1 / other[CONSTANT])
+        case _:
+            return None
+
+
+def _is_constant(one: Affine) -> bool:
+    return not one.keys() - {CONSTANT}
+
+
+def _sum(one: Affine, other: Affine) -> Affine:
+    total = {key: one.get(key, Fraction()) + other.get(key, Fraction()) for key in one.keys() | other.keys()}
+    return {key: part for key, part in total.items() if part}
+
+
+def _scaled(one: Affine, factor: Fraction) -> Affine:
+    return {key: part * factor for key, part in one.items()} if factor else {}

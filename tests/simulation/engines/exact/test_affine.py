@@ -1,0 +1,56 @@
+"""Which numbers on a tape are affine, and with which coefficients."""
+
+from fractions import Fraction
+
+import pytest
+
+from sim2reason.dsl.triples import Number
+from sim2reason.simulation.engines.exact.affine import LinearEquations, linear_equations
+from sim2reason.simulation.engines.exact.tape import Symbol, Tape
+
+
+def inputs() -> tuple[Tape, Symbol, Symbol, Symbol]:
+    """A tape of the time, a coordinate and its rate."""
+    tape = Tape(["t", "q0", "v0"])
+    return tape, *tape.inputs.values()  # type: ignore[return-value]
+
+
+def found(tape: Tape, acceleration: Number, margin: Number = 1.0) -> LinearEquations | None:
+    """What a tape says of one acceleration and one margin."""
+    return linear_equations(tape, [acceleration], [margin])
+
+
+def test_sums_and_multiples_are_affine() -> None:
+    """A spring, a dashpot and a constant force."""
+    tape, _, q, v = inputs()
+    linear = found(tape, (3.0 - 4.0 * (q - 0.25) - v) / 2.0, 1.0 - q)
+    assert linear is not None
+    assert (linear.base, linear.slopes) == ([Fraction(2)], [[Fraction(-2), Fraction(-1, 2)]])
+    assert linear.margins.tolist() == [[-1.0, 0.0]]
+    assert linear.damped
+    assert linear.accelerations([1.0, 2.0]).tolist() == [-1.0]
+
+
+def test_no_digit_is_lost_beside_a_large_number() -> None:
+    """In floating point 1e17 + 1 − 1e17 is no 1."""
+    tape, _, q, _ = inputs()
+    linear = found(tape, (1e17 * q + q) - 1e17 * q)
+    assert linear is not None
+    assert linear.slopes == [[Fraction(1), Fraction(0)]]
+
+
+@pytest.mark.parametrize("kind", ["product", "quotient", "root", "sine", "time"])
+def test_what_bends_or_changes_with_time_is_not(kind: str) -> None:
+    """Neither products of unknowns nor functions of them, nor a force that changes."""
+    tape, t, q, v = inputs()
+    numbers = {"product": q * v, "quotient": 1.0 / q, "root": tape.sqrt(q), "sine": tape.sin(q), "time": q + t}
+    assert found(tape, numbers[kind]) is None
+    assert found(tape, q, numbers[kind]) is None
+
+
+def test_what_cancels_has_no_part_in_it() -> None:
+    """The time that is taken away again, and a product with what is zero."""
+    tape, t, q, _ = inputs()
+    linear = found(tape, (q + t) - t)
+    assert linear is not None
+    assert not linear.damped
