@@ -17,7 +17,7 @@ import re
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import count as counted
 from itertools import islice
@@ -33,6 +33,7 @@ from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
+from sim2reason.solutions.multipart.in_sequence import results_of
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import SAME, WELL
 from sim2reason.solutions.verification import refusal
@@ -95,6 +96,7 @@ class Solved:
     setting: Setting
     solution: Solution
     whole: str  # the text that is graded as an answer to the problem
+    earlier: Mapping[str, float]  # the answers to earlier parts by name
 
 
 def requests(seed: int, recipes: list[str], modes: list[str], units: str, kept: str) -> Iterator[Request]:
@@ -121,11 +123,11 @@ def solved(request: Request) -> Iterator[Solved]:
         return
     item, solution = item_of(request, found), worked(request, found)
     if not found.parts:
-        yield Solved(item, found.setting, solution, solution.text)
+        yield Solved(item, found.setting, solution, solution.text, {})
         return
     parts = worked_parts(request, found) if solution.answer is not None else [solution] * len(found.parts)
-    for part, held in zip(found.parts, parts, strict=True):
-        yield Solved(item, part.certified.setting, held, solution.text)
+    for number, (part, held) in enumerate(zip(found.parts, parts, strict=True)):
+        yield Solved(item, part.certified.setting, held, solution.text, results_of(parts[:number]))
 
 
 def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
@@ -171,7 +173,7 @@ def main(
             why[recipe, setting.query.kind, held.solution.reason[:160]] += 1
             continue
         wrong = [*_wrong(held, tally), *_reading(held.item, held.solution, tally, rng)]
-        wrong += _recomputed(forward(setting), held.solution, tally, rng)
+        wrong += _recomputed(held, tally, rng)
         outcomes[recipe]["faulty" if wrong else held.solution.strategy] += 1
         for fault in wrong:
             print(f"{held.item.id} {setting.query.kind}: {fault}", flush=True)
@@ -232,16 +234,19 @@ def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -
         tally.count.update({f"planted {kind}": 1, f"caught {kind}": caught})
 
 
-def _recomputed(setting: Setting, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
+def _recomputed(solved: Solved, tally: Tally, rng: random.Random) -> Iterator[str]:
     """Yield what is wrong when a solution is recomputed from its data, and count which planted faults are refused."""
+    setting = forward(solved.setting)
     assert setting.answer is not None
-    begin, data = time.process_time(), as_data(solution)
+    begin, data = time.process_time(), as_data(solved.solution)
     found = recompute(data)
     tally.checks.append(time.process_time() - begin)
     tally.count.update(recomputed=found.agrees(setting.answer, SAME))
     yield from (f"recomputed: {fault}" for fault in found.faults)
+    if reason := refusal(data, setting, solved.earlier):
+        yield f"refused: {reason}"
     for kind, spoiled in planted_faults(data, found.values, rng, PLANTED):
-        tally.count.update({f"planted: {kind}": 1, f"refused: {kind}": bool(refusal(spoiled, setting))})
+        tally.count.update({f"planted: {kind}": 1, f"refused: {kind}": bool(refusal(spoiled, setting, solved.earlier))})
 
 
 def _tell(tallies: dict[str, Tally]) -> int:

@@ -1,6 +1,7 @@
 """Problems with several parts in every export: as one prompt, or part by part with the earlier answers given."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -11,8 +12,10 @@ from sim2reason.cli import main
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.plan import Config
+from sim2reason.datasets.separate import separated
 from sim2reason.errors import DatasetError
 from sim2reason.exports.parts.export import export
+from sim2reason.questions.choice_prompts import MINUS
 
 
 @pytest.fixture(scope="module")
@@ -52,6 +55,21 @@ def test_the_reward_reads_the_rows_of_either_form(parted: Path, tmp_path: Path) 
     for number, row in enumerate(single):
         assert rewards.score(row["ground_truth"], row["target"]).reward == 1.0
         assert row["prompt"].count("Answer: ") == number
+
+
+def test_a_later_part_is_given_the_numbers_that_its_solution_starts_from(parted: Path) -> None:
+    """To five digits: from three, the later answer would differ in the third."""
+    (item,) = (item for item in Dataset(parted) if item.parts)
+    for number, part in enumerate(separated(item)):
+        told = re.findall(r"Answer: (\S+)", part.prompt)
+        assert [float(said.replace(MINUS, "-")) for said in told] == pytest.approx(
+            [answer.value for answer in item.answer.parts[:number]], rel=5e-5
+        )
+        assert part.solution is not None
+        recalled = re.findall(r"From part \([a-h]\), .*", part.solution.text)
+        numbers = re.findall(r"= -?(\d+\.\d{2,})", " ".join(recalled))
+        assert all(any(said in given for given in told) for said in numbers)
+        assert bool(numbers) == bool(item.parts[number].uses)
 
 
 def test_commands_know_parts_and_options(parted: Path, tmp_path: Path) -> None:

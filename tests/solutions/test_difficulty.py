@@ -9,12 +9,21 @@ import pytest
 from sim2reason.datasets.items import made
 from sim2reason.datasets.request import Request
 from sim2reason.filters import FILTERS
+from sim2reason.questions import MODES
 from sim2reason.questions.need import MEANINGS, Need
 from sim2reason.recipes import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.difficulty import LABELS, SolutionDifficulty, different_laws, measured, unknowns_together
+from sim2reason.solutions.difficulty import (
+    IN_PARTS,
+    IN_SYMBOLS,
+    LABELS,
+    SolutionDifficulty,
+    different_laws,
+    measured,
+    unknowns_together,
+)
 from sim2reason.solutions.solution import Condition, Coordinate, Integration, Phase, Relation
 
 PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"
@@ -57,12 +66,21 @@ def test_a_law_that_holds_for_another_body_is_the_same() -> None:
 def test_the_score_adds_up() -> None:
     """Two laws, a second unknown, and two points for each further phase but the fifth and later ones."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
-    assert measured(whole) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
-    assert measured(whole).score == 3
-    assert measured(whole, events=2).score == measured(solution(*whole.steps, phases=3)).score == 7
-    assert measured(whole, events=9).score == 9
+    assert measured((whole, 0)) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
+    assert measured((whole, 0)).score == 3
+    assert measured((whole, 2)).score == measured((solution(*whole.steps, phases=3), 0)).score == 7
+    assert measured((whole, 9)).score == 9
     rooted = solution(GIVEN, TOGETHER, step(Relation(A, Root(F), "result"), gives=("a_A",)))
-    assert measured(rooted).score == 4
+    assert measured((rooted, 0)).score == 4
+
+
+def test_parts_are_measured_together() -> None:
+    """A law counts once in all, phases and unknowns as in the part that has most, and the most advanced need."""
+    whole = solution(GIVEN, TOGETHER, SOLVED)
+    later = solution(GIVEN, TOGETHER, step(law(V, Root(A * F)), gives=("v",)))
+    both = measured((whole, 3), (later, 1))
+    assert both == SolutionDifficulty(laws=3, phases=4, unknowns=2, needs=Need.QUADRATIC)
+    assert measured((later, 1), (whole, 3)) == both
 
 
 def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
@@ -85,12 +103,23 @@ def test_the_page_has_the_tables_of_the_code() -> None:
         assert lines[first : first + len(rows) + 1] == [*rows, ""]
     assert tuple(LABELS) == DIFFICULTIES
     assert set(MEANINGS) == set(Need)
+    page, parts = " ".join(" ".join(lines).split()), [IN_PARTS[name].told for name in DIFFICULTIES]
+    assert f"In the mode `symbolic` hard problems have {IN_SYMBOLS['hard'].told}, since" in page
+    assert "easy problems have {}, medium ones {} and hard ones {} for all parts together".format(*parts) in page
 
 
 def test_bands_ascend_and_overlap() -> None:
     bands = [LABELS[name] for name in DIFFICULTIES]
     for easier, harder in pairwise(bands):
         assert easier.least < harder.least <= easier.most < harder.most
+    assert LABELS["easy"].most < LABELS["hard"].least  # so that no score has all labels
+
+
+def test_problems_in_symbols_are_hard_with_fewer_laws() -> None:
+    """Their answers are short formulas; what is easy or medium is the same."""
+    assert IN_SYMBOLS["hard"].least < LABELS["hard"].least
+    assert all(IN_SYMBOLS[name] == LABELS[name] for name in ("easy", "medium"))
+    assert [name for name, mode in MODES.items() if mode.in_symbols] == ["symbolic"]
 
 
 @pytest.mark.parametrize("recipe", ["pulley", "incline", "projectile"])

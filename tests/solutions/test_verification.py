@@ -12,8 +12,8 @@ from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Role
-from sim2reason.solutions.verification import WHY, verified
-from worked import asked
+from sim2reason.solutions.verification import WHY, refusal, verified
+from worked import asked, settings_of
 
 TENSION = "What is the tension in the string just after release?"
 
@@ -57,6 +57,39 @@ def test_a_number_that_is_only_asserted_is_no_solution(role: Role) -> None:
     refused = verified(Solution("claims", (bare,), {"X": held.answer}, "X", held.answer), held)
     assert refused.answer is None
     assert refused.reason.startswith(WHY)
+
+
+@pytest.mark.parametrize("name", ["Z_hidden", "T"])
+def test_an_invented_given_is_no_solution(name: str) -> None:
+    """A number that neither the text nor the question says, be it the answer or its name, leads to nothing."""
+    held = setting()
+    data = as_data(solve(held))
+    goal = data["goal"]
+    for step in data["steps"]:
+        step["relations"] = []
+    data["givens"][name] = held.answer
+    data["steps"][-1]["relations"] = [{"role": "law", "left": goal, "right": name, "unit": ""}] if name != goal else []
+    assert f"{name} = {held.answer:g} is not given by the text" in refusal(data, held)
+
+
+@pytest.mark.parametrize("problem", ["pendulum-hard-reverse-301914-0", "rolling-easy-reverse-301921-0"])
+def test_what_a_question_leaves_unknown_is_not_given(problem: str) -> None:
+    """An angle, and the time of a result that is stated."""
+    (held,) = settings_of(problem)
+    data = as_data(solve(held))
+    assert not refusal(data, held)
+    data["givens"][data["goal"]] = data["answer"] / data["scale"]
+    assert "is not given by the text" in refusal(data, held)
+
+
+def test_a_result_of_an_earlier_part_is_given_by_its_name() -> None:
+    held = setting()
+    data = as_data(solve(held))
+    data["givens"] |= {"L": 1.5}
+    assert "L = 1.5 is not given by the text" in refusal(data, held)
+    assert "L = 1.5 is not given by the text" in refusal(data, held, {"K": 1.5})
+    assert "L is 2 in the question, not 1.5" in refusal(data, held, {"L": 2.0})
+    assert not refusal(data, held, {"L": 1.5})
 
 
 def test_what_is_refused_lets_the_next_strategy_try(monkeypatch: pytest.MonkeyPatch) -> None:

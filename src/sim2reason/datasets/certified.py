@@ -43,10 +43,12 @@ class CertifiedQuestion:
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """Return the difficulty by the shortest solution; None if no solution leads to the answer."""
-        found, study = self.shortest, self.candidate.study
-        events = number_of_events(study.trace, self.candidate.time)
-        return measured(found, events) if found.answer is not None else None
+        """Return the difficulty by the shortest solutions of all parts; None if there is one without."""
+        parts = [part.certified for part in self.parts] or [self]
+        if any(part.shortest.answer is None for part in parts):
+            return None
+        studied = [(part.shortest, part.candidate) for part in parts]
+        return measured(*((found, number_of_events(of.study.trace, of.time)) for found, of in studied))
 
     @property
     def setting(self) -> Setting:

@@ -244,8 +244,7 @@ class Item(Record):
     needs: str = ""
     """The most advanced mathematics of its shortest solution, ``arithmetic`` to ``integration``; empty: unknown."""
     measured: MeasuredDifficulty | None = None
-    """How difficult it is by its shortest solution; None where there is none."""
-    """Where there are several parts, by the last one, as are kind and certificate."""
+    """How difficult it is by its shortest solution, or those of all its parts; None where one has none."""
     parts: tuple[QuestionPart, ...] = ()
     """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()

@@ -2,7 +2,8 @@
 
 One part leads to another if its answer is a quantity that the other's worked solution finds on its way, or the time of
 the moment that the other asks about. Candidates are looked for where that is likely: quantities that a solution finds,
-and further questions about the same moments. Each part passes every filter by itself.
+and further questions about the same moments. Each part passes every filter by itself; the difficulty is that of all
+parts, so that a further part may be easier than its label.
 """
 
 from collections import Counter
@@ -106,7 +107,8 @@ class PartSearch:
             if not any(self._joined(question, solution, part) for part in parts):
                 continue
             self._sifts -= 1
-            certified = self._search.certified(question, self._mode, self._rng, self._refused)
+            beside = tuple(part.certified.candidate for part in parts)
+            certified = self._search.certified(question, self._mode, self._rng, self._refused, beside)
             if certified is not None:
                 return _Part(certified, solution)
         return None

@@ -150,25 +150,32 @@ class QuestionSearch:
         return None
 
     def certified(
-        self, question: Question, mode: QuestionMode, rng: np.random.Generator, refused: Counter[str]
+        self,
+        question: Question,
+        mode: QuestionMode,
+        rng: np.random.Generator,
+        refused: Counter[str],
+        beside: tuple[Candidate, ...],
     ) -> CertifiedQuestion | None:
-        """A question about the scene if it passes every filter; else None, and why is counted in `refused`."""
-        found = self._judged(question, mode, rng)
+        """A further part about the scene if it passes every filter; else None, and why is counted in `refused`."""
+        found = self._judged(question, mode, rng, beside)
         if isinstance(found, CertifiedQuestion):
             return found
         refused[found.counted] += 1
         return None
 
-    def _judged(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> CertifiedQuestion | Verdict:
+    def _judged(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...] = ()
+    ) -> CertifiedQuestion | Verdict:
         """The question with its certificate, or the verdict against it."""
-        told = self._told(question, mode, rng)
+        told = self._told(question, mode, rng, beside)
         verdict = self._sift(told.candidate, witnessed=False)
         if verdict.keep:
             completed = mode.completed(question, self.study, self._words(told), rng)
             if completed is None:
                 return Verdict(keep=False, filter=INCOMPLETE)
             if completed is not question:
-                told = self._told(completed, mode, rng)
+                told = self._told(completed, mode, rng, beside)
                 verdict = self._sift(told.candidate, witnessed=False)
         candidate = told.candidate.checked if verdict.keep else told.candidate
         if candidate is not told.candidate:  # it needs other means
@@ -187,7 +194,9 @@ class QuestionSearch:
         idle = (irrelevant(question, self.study, topics) for question in questions)
         return self._leaving_out(frozenset[Topic].intersection(*idle))
 
-    def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
+    def _told(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
+    ) -> "_Told":
         """A question with its prompt, as filters look at it."""
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
@@ -204,6 +213,7 @@ class QuestionSearch:
             tolerance=self._tolerance,
             needs=self._needs,
             labelled=self._difficulty is not None,
+            beside=beside,
         )
         return _Told(candidate, description, prompt.shape)
 

@@ -5,6 +5,7 @@ from sim2reason.dsl.measures import join_unit
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.choice_prompts import MINUS, said
 from sim2reason.questions.part_prompts import PartPrompt
+from sim2reason.solutions.algebra.digits import DIGITS
 
 
 def separated(item: Item) -> tuple[Item, ...]:
@@ -38,5 +39,5 @@ def _single(item: Item, number: int, prompt: str) -> Item:
 
 
 def _told(answer: Answer) -> str:
-    """A number to three digits, with its unit."""
-    return join_unit(said([answer.value])[0].replace("-", MINUS), answer.unit)
+    """A number with its unit, to as many digits as the solutions of later parts take it."""
+    return join_unit(said([answer.value], DIGITS)[0].replace("-", MINUS), answer.unit)

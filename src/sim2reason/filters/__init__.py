@@ -37,6 +37,8 @@ class Candidate:
     """What its solution may need."""
     labelled: bool = False
     """Whether its difficulty was ordered, and must fit."""
+    beside: "tuple[Candidate, ...]" = ()
+    """The parts of the same problem that were found before it."""
 
     @property
     def kind(self) -> Kind:
@@ -78,10 +80,16 @@ class Candidate:
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """How difficult it is by that solution; None where there is none."""
+        """How difficult it is by that solution, with the parts beside it; None where it has none."""
+        held = self.solved
+        return measured(*held, *(part for each in self.beside for part in each.solved)) if held else None
+
+    @property
+    def solved(self) -> tuple[tuple[Solution, int], ...]:
+        """Return that solution with the number of events before what is asked about; nothing where there is none."""
         if self.solution is None or self.solution.answer is None:
-            return None
-        return measured(self.solution, number_of_events(self.study.trace, self.time))
+            return ()
+        return ((self.solution, number_of_events(self.study.trace, self.time)),)
 
     @property
     def until(self) -> float | None:

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.solutions.difficulty import LABELS
+from sim2reason.questions import MODES
+from sim2reason.solutions.difficulty import IN_PARTS, IN_SYMBOLS, LABELS
 
 TOO_EASY, TOO_HARD = "too easy", "too hard"
 COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
@@ -11,7 +12,7 @@ COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
 
 
 class FitsLabel(Filter):
-    """The measured score of the shortest solution lies outside the band of the label.
+    """The measured score of the shortest solution, or those of all parts, lies outside the band of the label.
 
     Nothing is said of a question of no label, or one that only an integration answers.
     """
@@ -26,7 +27,9 @@ class FitsLabel(Filter):
         """Compare the score with the band."""
         if not candidate.labelled or candidate.measured is None:
             return ""
-        score, band = candidate.measured.score, LABELS[candidate.difficulty]
+        mode = MODES[candidate.question.mode]
+        bands = IN_PARTS if mode.several else IN_SYMBOLS if mode.in_symbols else LABELS
+        score, band = candidate.measured.score, bands[candidate.difficulty]
         if score in band:
             return ""
         return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"

@@ -48,6 +48,7 @@ class Symbolic(QuestionMode):
     """What is this as a formula?"""
 
     name = "symbolic"
+    in_symbols = True
 
     @property
     def kinds(self) -> frozenset[str]:

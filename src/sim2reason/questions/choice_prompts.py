@@ -58,17 +58,19 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
     return parse_prompt(f"{question}{between}{form}", rng)
 
 
-def said(values: Sequence[float]) -> list[str]:
-    """Numbers in one style: whole ones as they are, others in three digits, in powers of ten if any needs that."""
-    if all(value == round(value) and abs(value) < 10**DIGITS for value in values):
+def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
+    """Numbers in one style: whole ones as they are, others in so many digits, in powers of ten if any needs that."""
+    if all(value == round(value) and abs(value) < 10**digits for value in values):
         return [str(round(value)) for value in values]
-    if all(_power(value) in PLAIN for value in values):
-        return [f"{float(f'{value:.{DIGITS - 1}e}'):.{max(0, DIGITS - 1 - _power(value))}f}" for value in values]
-    parted = (f"{value:.{DIGITS - 1}e}".split("e") for value in values)
+    powers = [_power(value, digits) for value in values]
+    if all(power in PLAIN for power in powers):
+        pairs = zip(values, powers, strict=True)
+        return [f"{float(f'{value:.{digits - 1}e}'):.{max(0, digits - 1 - power)}f}" for value, power in pairs]
+    parted = (f"{value:.{digits - 1}e}".split("e") for value in values)
     return [f"{mantissa} × 10^{int(power)}" for mantissa, power in parted]
 
 
-def _power(value: float) -> int:
+def _power(value: float, digits: int) -> int:
     """The power of ten of a number that was rounded."""
-    rounded = abs(float(f"{value:.{DIGITS - 1}e}"))
+    rounded = abs(float(f"{value:.{digits - 1}e}"))
     return floor(log10(rounded)) if rounded else 0

@@ -6,10 +6,10 @@ how many unknowns have to be found together, and what mathematics it takes to fi
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 
-from sim2reason.questions.need import Need
+from sim2reason.questions.need import Need, greatest
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.trace import Trace, happened
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
@@ -44,11 +44,19 @@ class Band:
 
 
 LABELS: Mapping[Difficulty, Band] = {
-    "easy": Band(-inf, 9, "a few laws that belong to one idea, few unknowns"),
-    "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
-    "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
+    "easy": Band(-inf, 6, "a few laws that belong to one idea, few unknowns"),
+    "medium": Band(4, 11, "several laws that have to be put together, or two phases of a motion"),
+    "hard": Band(7, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
 """What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
+IN_SYMBOLS: Mapping[Difficulty, Band] = {**LABELS, "hard": replace(LABELS["hard"], least=5)}
+"""What they mean where all numbers are symbols: an answer that is one short formula can hold fewer laws."""
+IN_PARTS: Mapping[Difficulty, Band] = {
+    "easy": replace(LABELS["easy"], most=9),
+    "medium": replace(LABELS["medium"], most=14),
+    "hard": replace(LABELS["hard"], least=5),
+}
+"""What they mean of several parts together: each may bring a law of its own, and one alone may be easy."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,10 +82,18 @@ class SolutionDifficulty:
         return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
 
 
-def measured(solution: Solution, events: int = 0) -> SolutionDifficulty:
-    """Return what a solution takes, of a motion with so many events before what is asked about."""
-    phases = max(len(solution.phases), 1 + events)
-    return SolutionDifficulty(different_laws(solution), phases, unknowns_together(solution), solution.needs)
+def measured(*parts: tuple[Solution, int]) -> SolutionDifficulty:
+    """Return what the solution of a problem takes, or those of all its parts, which count each law once.
+
+    With each solution comes the number of events in the motion before what is asked about.
+    """
+    solutions = [solution for solution, _ in parts]
+    return SolutionDifficulty(
+        different_laws(*solutions),
+        max(max(len(solution.phases), 1 + events) for solution, events in parts),
+        max(map(unknowns_together, solutions)),
+        greatest(solution.needs for solution in solutions),
+    )
 
 
 def number_of_events(trace: Trace, time: float | None) -> int:
@@ -86,9 +102,9 @@ def number_of_events(trace: Trace, time: float | None) -> int:
     return len({event.time for event in happened(trace.events, until)})
 
 
-def different_laws(found: Solution) -> int:
-    """Return how many laws a solution tells that differ by more than subscripts."""
-    return len({_SUBSCRIPT.sub("", law.latex()) for law in _laws(found)})
+def different_laws(*found: Solution) -> int:
+    """Return how many laws solutions tell that differ by more than subscripts."""
+    return len({_SUBSCRIPT.sub("", law.latex()) for solution in found for law in _laws(solution)})
 
 
 def number_of_laws(found: Solution) -> int:

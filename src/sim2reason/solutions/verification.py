@@ -1,33 +1,66 @@
 """Only solutions whose data lead to the answer are shown."""
 
+from collections.abc import Iterator, Mapping
+from math import radians
+
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import Data, as_data
+from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import SAME, WELL, Solution
 
 WHY = "recomputed from what it states, it does not lead to the answer"
 
 
-def verified(solution: Solution, setting: Setting) -> Solution:
+def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] | None = None) -> Solution:
     """Recompute the answer from the data of a solution; give back one without an answer if that fails, saying why.
 
-    The answer must be the engine's, without a fault, and the numbers that are given must be those of the question.
+    The answer must be the engine's, without a fault, and the numbers that are given must be those of the text and the
+    question, or results of `earlier` parts by name.
     """
     if solution.answer is None:
         return solution
-    reason = refusal(as_data(solution), setting)
+    reason = refusal(as_data(solution), setting, earlier)
     return Solution(solution.strategy, reason=f"{WHY}: {reason}") if reason else solution
 
 
-def refusal(data: Data, setting: Setting) -> str:
-    """Why a solution can't be shown, by its data; empty if it can."""
-    said = {given.symbol: given.value for given in setting.lexicon.givens.values()}
+def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = None) -> str:
+    """Why a solution can't be shown, by its data; empty if it can. `earlier` are results of earlier parts by name."""
+    setting = forward(setting)
+    said = named_in_text(setting) | dict(earlier or {})
     for name, value in data["givens"].items():
-        if name in said and abs(value - said[name]) > WELL * abs(said[name]):
+        if name in said and not _same(value, said[name]):
             return f"{name} is {said[name]:g} in the question, not {value:g}"
+        if name not in said and not any(_same(value, number) for number in stated_by_question(setting)):
+            return f"{name} = {value:g} is not given by the text"
     found = recompute(data)
     if found.faults:
         return found.faults[0]
     if setting.answer is None or not found.agrees(setting.answer, SAME):
         return f"it leads to {found.answer}, not to {setting.answer}"
     return ""
+
+
+def named_in_text(setting: Setting) -> dict[str, float]:
+    """Return the numbers that have a name in the text: those of the scene but for the unknown, and of gravitation."""
+    pulls = setting.mechanism.attractions
+    constants = {"G": pulls[0].constant} if pulls else {}
+    givens = setting.lexicon.givens.items()
+    return constants | {given.symbol: given.value for path, given in givens if path != setting.unknown}
+
+
+def stated_by_question(setting: Setting) -> Iterator[float]:
+    """Yield the numbers that a question itself says, of its moment or of a result, also in radians.
+
+    Solutions choose names for them. The time of a moment is none of them where it is what is asked for.
+    """
+    moment, result = setting.query.moment, setting.stated
+    numbers = [number for number, _ in moment.stated] if moment is not None else []
+    if setting.sought is not None and not setting.unknown:
+        numbers = [number for number in numbers if number != setting.sought]
+    for number in [*numbers, *([result.value] if result is not None else [])]:
+        yield from (number, radians(number))
+
+
+def _same(value: float, other: float) -> bool:
+    return abs(value - other) <= WELL * abs(other)

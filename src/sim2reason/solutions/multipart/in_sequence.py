@@ -1,6 +1,6 @@
 """The solutions of all parts of a problem, each of which starts from those of the parts before it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -30,11 +30,12 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
     for label, alone, setting in zip(LABELS, consistent(solutions, fixed), settings, strict=False):
         held = _without_repeated_checks(alone, earlier) if whole else alone
         solution = starting_from(held, earlier, whole=whole)
+        accepted = partial(_accepted, setting=setting, known=results_of(found, whole=whole))
         if whole:
             direct = (starting_from(each, earlier, whole=True) for each in shortened(held, earlier))
-            solution = next((each for each in direct if _accepted(each, setting)), solution)
-        checked = solution if solution is held else verified(solution, setting)
-        found.append(checked if whole else without_unused(checked, partial(_accepted, setting=setting)))
+            solution = next((each for each in direct if accepted(each)), solution)
+        checked = solution if solution is held else verified(solution, setting, results_of(found, whole=whole))
+        found.append(checked if whole else without_unused(checked, accepted))
         earlier.append((label, found[-1]))
     if fault := naming_fault(found):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in found]
@@ -54,5 +55,16 @@ def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, So
     )
 
 
-def _accepted(solution: Solution, setting: Setting) -> bool:
-    return verified(solution, setting).answer is not None
+def _accepted(solution: Solution, setting: Setting, known: Mapping[str, float]) -> bool:
+    return verified(solution, setting, known).answer is not None
+
+
+def results_of(earlier: Iterable[Solution], *, whole: bool = False) -> dict[str, float]:
+    """Return the numbers by name that a later part may start from: answers, with `whole` all results on the way."""
+    found: dict[str, float] = {}
+    for solution in earlier:
+        if solution.answer is None:
+            continue
+        names = [solution.goal, *(name for step in solution.steps for name in step.gives if whole)]
+        found |= {name: solution.values[name] for name in names if name in solution.values}
+    return found

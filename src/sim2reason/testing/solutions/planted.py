@@ -3,28 +3,32 @@
 How they are counted. A law is dropped with every other law that states the same, letter by letter; of a phase each
 equation is one. A phase is left out: of an integration everything at its end is as it was at its beginning; of several
 phases all steps of one are missing. A jump is wrong: what a law says an event does is 0.9 times as large. A given is
-left out if a relation or a phase uses it. A sign is turned: that of one term of a sum, or of a product behind a minus.
-A number other than zero and exponents is 7 % larger. What nothing depends on is left as it is: a sign or number with
-which its relation holds as well (a term is zero), or a formula in a phase is the same (a square), a relation for a
-name that is used nowhere else, and a comparison, which many wrong numbers leave true: that is planted with its sides
-exchanged.
+left out if a relation or a phase uses it. A given is invented: the answer, or a result on the way to it that differs
+from all that is given, is told as given, and what leads to it is left out. A sign is turned: that of one term of a sum,
+or of a product behind a minus. A number other than zero and exponents is 7 % larger. What nothing depends on is left as
+it is: a sign or number with which its relation holds as well (a term is zero), or a formula in a phase is the same (a
+square), a relation for a name that is used nowhere else, and a comparison, which many wrong numbers leave true: that is
+planted with its sides exchanged.
 """
 
 import json
 import random
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from math import isclose
 from typing import Any
 
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
 from sim2reason.solutions.checking.recompute import COMPARED
 from sim2reason.solutions.checking.trees import Tree, symbols, value
+from sim2reason.solutions.solution import WELL
 
 Data = dict[str, Any]
 Place = tuple[Any, Any]
 """A list or mapping, and the index or key in it."""
 JUMPS = frozenset(("rebound", "impulse", "after", "impact", "jerk", "event"))  # kinds of steps that say what events do
+INVENTED = "a given invented"  # which recomputation does not show: it only says what follows from what is given
 WRONG, LARGER = 0.9, 1.07  # factors
 
 
@@ -153,6 +157,21 @@ def _leave_out_given(data: Data, number: int | None, values: Mapping[str, float]
     return len(names)
 
 
+def _invent_given(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    known, steps = [*data["givens"].values()], data["steps"]
+    given = [str(name) for step in steps for name in step["gives"] if name in values] + [str(data["goal"])]
+    names = [name for name in dict.fromkeys(given) if name in values and not _is_among(values[name], known)]
+    if number is not None:
+        data["givens"][names[number]] = values[names[number]]
+        for step in steps:
+            step["relations"] = [relation for relation in step["relations"] if relation["left"] != names[number]]
+    return len(names)
+
+
+def _is_among(value: float, numbers: Iterable[float]) -> bool:
+    return any(isclose(value, number, rel_tol=WELL) for number in numbers)
+
+
 def _turn_sign(data: Data, number: int | None, values: Mapping[str, float]) -> int:
     return _change(data, number, values, _signs, lambda term: ["*", -1.0, term])
 
@@ -268,6 +287,7 @@ KINDS: Mapping[str, Callable[[Data, int | None, Mapping[str, float]], int]] = {
     "a phase left out": _leave_out_phase,
     "a wrong jump": _change_jump,
     "a given left out": _leave_out_given,
+    INVENTED: _invent_given,
     "a sign turned": _turn_sign,
     "a number changed": _change_number,
     "a comparison turned round": _exchange_sides,
