@@ -22,6 +22,7 @@ Margins = Callable[[float, Values], Sequence[float]]
 EXACT = 1e-9  # of the largest acceleration, or margin: by how much what is affine may be off
 STILL = 1e-9  # of the largest eigenvalue: less is none
 SOUND = 1e8  # condition of the eigenvectors, at most
+LARGER = 7  # powers of ten by which changes are tried that are larger
 CORNERS = 16  # of the box, at which is tried
 SHARE = 8  # pieces of the fastest period
 SHORTEST = 10  # fastest periods, fewer of which are no stretch
@@ -149,7 +150,7 @@ def found_modes(rate: Rate, time: float, values: Values, sizes: Array) -> Modes 
     n = len(values) // 2
     here = np.array(values)
     base = np.array(rate(time, values))[n:]
-    slopes = _slopes(lambda at: rate(time, at)[n:], here, sizes)
+    slopes = _affine_slopes(lambda at: rate(time, at)[n:], here, sizes)
     load = float(np.abs(slopes * sizes).max(initial=0.0))
     if not load:
         return None
@@ -172,9 +173,37 @@ def _slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array
     for number, size in enumerate(sizes):
         change = np.zeros(len(here))
         change[number] = size
-        after, before = (np.array(code(tuple((here + sign * change).tolist()))) for sign in (1.0, -1.0))
-        columns.append((after - before) / (2.0 * size))
+        columns.append(_difference(code, here, change))
     return np.array(columns).T
+
+
+def _difference(code: Callable[[Values], Sequence[float]], here: Array, change: Array) -> Array:
+    after, before = (np.array(code(tuple((here + sign * change).tolist()))) for sign in (1.0, -1.0))
+    found: Array = (after - before) / (2.0 * np.abs(change).max())
+    return found
+
+
+def _affine_slopes(code: Callable[[Values], Sequence[float]], here: Array, sizes: Array) -> Array:
+    """Return derivatives as `_slopes` does, of numbers that are affine, each by the change that rounding blurs least.
+
+    Over a change ten times as large the rounding errors of an affine number are a tenth. So the derivative changes ever
+    less from one size to the next, until rounding is none of its errors, or the number is not affine any farther.
+    """
+    found = _slopes(code, here, sizes)
+    for number, size in enumerate(sizes):
+        change = np.zeros(len(here))
+        known, differs = found[:, number], np.inf
+        for power in range(1, LARGER):
+            change[number] = 10.0**power * size
+            try:
+                wider = _difference(code, here, change)
+            except (ZeroDivisionError, OverflowError, ValueError):
+                break
+            before, differs = differs, float(np.abs(wider - known).max())
+            if not differs < before or differs > EXACT * float(np.abs(known).max()):
+                break
+            found[:, number] = known = wider
+    return found
 
 
 def stretch(modes: Modes | DampedModes, span: float, rate: Rate, margins: Margins, sizes: Array) -> Stretch | None:
