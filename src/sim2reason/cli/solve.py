@@ -114,7 +114,8 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
     if found.answer is not None:
         click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}")
     if of_scene and solved.answer is not None:
-        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', show_unit(solved.unit))}")
+        over = f", {solved.over}" if solved.over else ""
+        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', show_unit(solved.unit))}{over}")
 
 
 def _explain(found: "Solution") -> None:
@@ -136,6 +137,7 @@ def _document(solved: "SolvedProblem") -> dict[str, object]:
         "answer": found.answer if found.answer is not None else solved.answer,
         "unit": solved.unit,
         "from_motion": solved.answer,
+        "over": solved.over,
         "needs": found.needs.label,
         "reason": solved.reason or found.reason,
         "text": found.text,

@@ -93,6 +93,19 @@ def ends_at_rest(trace: Trace) -> bool:
     return not trace.cut and at_rest and is_autonomous(trace.mechanism)
 
 
+def rest_for_good(trace: Trace) -> float | None:
+    """Return the time, s, from which all is at rest for ever; None if it never is while the motion is described.
+
+    Of what comes to rest without an event, ever more slowly, that is the end of what is known.
+    """
+    if not ends_at_rest(trace):
+        return None
+    last = max((event.time for event in trace.events), default=0.0)
+    speeds = np.abs(trace.scan.v).max(axis=1, initial=0.0)
+    still = float(speeds[trace.scan.times >= last].max(initial=0.0)) <= STILL * float(speeds.max(initial=0.0))
+    return last if still else trace.stable_until
+
+
 def nothing_new(trace: Trace) -> bool:
     """Whether all that comes after a motion's end is known: it has come to rest for ever, or repeats itself."""
     return ends_at_rest(trace) or first_return(trace) is not None
