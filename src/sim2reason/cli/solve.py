@@ -89,11 +89,12 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
         console.as_json(_document(solved))
     else:
         _tell(solved, of_scene=scene is not None)
-    if solved.reason:
+    failed = solved.solution.answer is None and (scene is None or solved.answer is None)
+    if failed:
         console.explain(f"sim2reason: no answer: {solved.reason}")
     elif solved.solution.answer is None:
         _explain(solved.solution)
-    return 1 if solved.reason else 0
+    return 1 if failed else 0
 
 
 def _text(path: Path) -> str:
@@ -139,7 +140,7 @@ def _document(solved: "SolvedProblem") -> dict[str, object]:
         "from_motion": solved.answer,
         "over": solved.over,
         "needs": found.needs.label,
-        "reason": solved.reason or found.reason,
+        "reason": solved.reason,
         "text": found.text,
         "steps": [
             {

@@ -34,7 +34,7 @@ TRIES = 20
 class SolvedProblem(NamedTuple):
     """Text and worked solution of a problem, with the answer from the motion in `unit`.
 
-    A solution without an answer gives the reason. If the motion has no answer either, `reason` says why. `read_as` is
+    If there is no worked solution, or the motion has no answer either, `reason` says why. `read_as` is
     the reading of a question in ordinary English. `over` says how long the motion is over which a greatest or least
     value is taken, where the question names no moment.
     """
@@ -142,7 +142,7 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
     compared = question.compare != VALUE or question.varied is not None
     if compared or (target is not None and target not in targets(search.words)):
         unsaid = Solution("", reason="no sentence of the library asks this")
-        return SolvedProblem(problem, unsaid, found.answer, unit, over=over)
+        return SolvedProblem(problem, unsaid, found.answer, unit, unsaid.reason, over=over)
     symbols, study, unknown = search.description.symbols, found.study, question.unknown
     if unknown is None:
         setting = Setting(study.scene, search.words, symbols, study, question.query)
@@ -151,4 +151,5 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
         stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
         words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
         setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)
-    return SolvedProblem(problem, solved(setting), found.answer, unit, over=over)
+    solution = solved(setting)
+    return SolvedProblem(problem, solution, found.answer, unit, solution.reason, over=over)

@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good
+from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace, ending
@@ -18,6 +18,7 @@ from sim2reason.simulation.trace import Trace, ending
 class WholeMotion(Moment):
     """The instant after which nothing in a motion is new: all is as at the start, or all is at rest for good.
 
+    Of what does not depend on the place it is also the instant from which all moves uniformly for ever.
     A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
     """
 
@@ -49,7 +50,10 @@ class WholeMotion(Moment):
         time = self._return(trace)
         if time is not None or not self.ends:
             return time
-        return trace.stable_until if trace.cut else rest_for_good(trace)
+        if trace.cut:
+            return trace.stable_until
+        rest = rest_for_good(trace)
+        return uniform_from(trace) if rest is None and self.drifts else rest
 
     def _return(self, trace: Trace) -> float | None:
         time = first_return(trace)
@@ -64,6 +68,8 @@ class WholeMotion(Moment):
             return f"over the whole motion, which repeats itself every {until:.6g} {unit}"
         if trace.cut:
             return f"over the whole motion, to {until:.6g} {unit}, where its description ends: {ending(trace)}"
+        if rest_for_good(trace) is None:
+            return f"over the whole motion, which is uniform from {until:.6g} {unit} on"
         return f"over the whole motion, to rest at {until:.6g} {unit}"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
