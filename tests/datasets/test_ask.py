@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from plain_scenes import ramp, swing
+from plain_scenes import atwood, ramp, swing
 from sim2reason.datasets.ask import ask, asked
 from sim2reason.datasets.splits import problem
 from sim2reason.scene_files import load
@@ -21,6 +21,14 @@ def test_no_two_questions_have_one_answer() -> None:
     """Another wording is no other question."""
     answers = [item.answer.shown for item in ask(swing(), items=12, seed=2)]
     assert len(set(answers)) == len(answers)
+
+
+def test_no_threshold_is_asked_twice() -> None:
+    """The least mass for which one block does not rise is the greatest one for which the other does not."""
+    items = ask(atwood(5.1, 5.0), items=40, all=True)
+    answers = [item.answer.shown for item in items if item.answer.unit == "kg"]
+    assert sorted(answers) == ["5 kg", "5.1 kg"]
+    assert len(items) == 40
 
 
 def test_unfiltered_more_can_be_asked() -> None:

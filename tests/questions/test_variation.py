@@ -53,6 +53,9 @@ def pulled(load: float, block: float, angle: float = 34.0, gravity: float = G) -
     [
         (f"{LOAD} = 3.2 kg", pulled(3.2, 1.4)),
         (f"{LOAD} × 2", pulled(3.2, 1.4)),
+        (f"{LOAD} x 2", pulled(3.2, 1.4)),
+        (f"{LOAD} X2", pulled(3.2, 1.4)),
+        (f"{LOAD} * 2", pulled(3.2, 1.4)),
         (f"{LOAD} × 2, {BLOCK} = 2.0 kg", pulled(3.2, 2.0)),
         ("two_side_mass_plane.plane.angle = 20°, world.gravity = 1.62", pulled(1.6, 1.4, 20.0, 1.62)),
     ],

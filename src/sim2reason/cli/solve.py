@@ -90,11 +90,12 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
         console.as_json(_document(solved))
     else:
         _tell(solved, of_scene=scene is not None)
-    if solved.reason:
+    failed = solved.solution.answer is None and (scene is None or solved.answer is None)
+    if failed:
         console.explain(f"sim2reason: no answer: {solved.reason}")
     elif solved.solution.answer is None:
         _explain(solved.solution)
-    return 1 if solved.reason else 0
+    return 1 if failed else 0
 
 
 def _text(path: Path) -> str:
@@ -115,7 +116,8 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
     if found.answer is not None:
         click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}")
     if of_scene and solved.answer is not None:
-        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', show_unit(solved.unit))}")
+        over = f", {solved.over}" if solved.over else ""
+        click.echo(f"\nFrom the motion: {join_unit(f'{solved.answer:.12g}', show_unit(solved.unit))}{over}")
 
 
 def _explain(found: "Solution") -> None:
@@ -137,8 +139,9 @@ def _document(solved: "SolvedProblem") -> dict[str, object]:
         "answer": found.answer if found.answer is not None else solved.answer,
         "unit": solved.unit,
         "from_motion": solved.answer,
+        "over": solved.over,
         "needs": found.needs.label,
-        "reason": solved.reason or found.reason,
+        "reason": solved.reason,
         "text": found.text,
         "steps": [
             {

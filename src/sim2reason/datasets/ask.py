@@ -1,6 +1,7 @@
 """Questions about a scene that is given, each as an item: what `ask` is, in Python and as a command."""
 
 from collections import Counter
+from collections.abc import Hashable
 from dataclasses import dataclass, field
 from itertools import islice
 
@@ -15,8 +16,9 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import problem
 from sim2reason.dsl.scene import Scene
-from sim2reason.questions import MODES
+from sim2reason.questions import MODES, Question
 from sim2reason.questions.following import eventful, motion_of
+from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.scene_files import SceneLike, scene_of
 from sim2reason.simulation.trace import ending
 
@@ -69,7 +71,7 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
     search = QuestionSearch(eventful(motion_of(scene)).study, seed, unfiltered=unfiltered)
     result = AskedScene(search.description.text)
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
-    answers = set[str]()
+    answers = set[Hashable]()
     for attempt in range(TRIES * items):
         if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
             break
@@ -80,10 +82,11 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
             certified = formed(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
         if certified is not None and certified.question.text not in result.found:
             item = item_of(Request("", "", name, seed, attempt), certified)
-            if item.answer.shown in answers and not certified.question.unknown:
+            answer = _answer(certified.question, item)
+            if answer in answers:
                 result.refused[SAME_ANSWER] += 1
                 continue
-            answers.add(item.answer.shown)
+            answers.add(answer)
             named = item.model_copy(update={"id": f"{base}-{attempt}"})
             kept = variants if problem(named) in problems else result.found
             kept[certified.question.text] = certified, named
@@ -93,3 +96,15 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
         result.reason = f"the motion ends at {search.study.trace.stable_until:.3g} {unit}: {ending(search.study.trace)}"
     result.found.update(islice(variants.items(), items - len(result.found)))
     return result
+
+
+def _answer(question: Question, item: Item) -> Hashable:
+    """Return what no two questions about a scene may have in common.
+
+    By default that is the answer. Of a number that the text leaves open it is also which number. If the scene's own
+    value is the answer, as to the question which mass leads to a given speed, the query counts instead of the answer.
+    """
+    if not question.unknown:
+        return item.answer.shown
+    threshold = isinstance(question.query, ThresholdQuery)
+    return question.unknown, item.answer.shown if threshold else question.query

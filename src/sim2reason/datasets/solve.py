@@ -16,6 +16,7 @@ from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import MODES, StatedResult, Words
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
+from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question
@@ -33,8 +34,9 @@ TRIES = 20
 class SolvedProblem(NamedTuple):
     """Text and worked solution of a problem, with the answer from the motion in `unit`.
 
-    A solution without an answer gives the reason. If the motion has no answer either, `reason` says why. `read_as` is
-    the reading of a question in ordinary English.
+    If there is no worked solution, or the motion has no answer either, `reason` says why. `read_as` is
+    the reading of a question in ordinary English. `over` says how long the motion is over which a greatest or least
+    value is taken, where the question names no moment.
     """
 
     problem: str
@@ -43,6 +45,7 @@ class SolvedProblem(NamedTuple):
     unit: str
     reason: str = ""
     read_as: str = ""
+    over: str = ""
 
 
 def solve(  # noqa: PLR0913 - the parts of a question, by name
@@ -134,10 +137,12 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
     unit = question.unit(search.words)
     if found.answer is None:
         return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
-    target = question.query.target
+    target, moment = question.query.target, question.query.moment
+    over = moment.told(found.study.trace) if isinstance(moment, WholeMotion) else ""
     compared = question.compare != VALUE or question.varied is not None
     if compared or (target is not None and target not in targets(search.words)):
-        return SolvedProblem(problem, Solution("", reason="no sentence of the library asks this"), found.answer, unit)
+        unsaid = Solution("", reason="no sentence of the library asks this")
+        return SolvedProblem(problem, unsaid, found.answer, unit, unsaid.reason, over=over)
     symbols, study, unknown = search.description.symbols, found.study, question.unknown
     if unknown is None:
         setting = Setting(study.scene, search.words, symbols, study, question.query)
@@ -146,4 +151,5 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
         stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
         words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
         setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)
-    return SolvedProblem(problem, solved(setting), found.answer, unit)
+    solution = solved(setting)
+    return SolvedProblem(problem, solution, found.answer, unit, solution.reason, over=over)

@@ -1,6 +1,7 @@
 """The simulation of a motion until a query has an answer, or is known never to have one."""
 
 from functools import partial
+from math import isclose
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
+from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.never import why_never
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new
@@ -21,6 +23,8 @@ GROWTH = 2.0  # times as long is a motion followed that has not yet led to an an
 DOUBLINGS, FEWER = 40, 12  # at most; and of what is integrated, where they cost more and more
 SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and how often
 ROOM = "reach"  # what ends a motion for which lengths that the text does not say are too short
+ENDLESS = "nothing ends this motion, since the text leaves open how far it can go; say up to which moment"
+ALIKE = 1e-9  # relative: answers that differ by less do not depend on how far a motion goes
 FOLLOWED_NO_LONGER = "followed no longer"  # how a reason ends where one motion takes all the work that is allowed
 BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
 
@@ -69,14 +73,21 @@ def follow(query: Query, begun: FollowedMotion) -> Followed:
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
     found = _followed(query, begun)
+    to_its_end = isinstance(query.moment, WholeMotion)
     if (
-        found.answer is None
+        (found.answer is None or to_its_end)
         and found.study.trace.cut == ROOM
         and (scene := roomy(begun.study.scene)) != begun.study.scene
     ):
         longer = _followed(query, motion_of(scene))  # the text says that there is ample room
+        if to_its_end and not _agree(found.answer, longer.answer):
+            return Followed(found.study, None, ENDLESS)
         return longer if longer.answer is not None else found
     return found
+
+
+def _agree(one: float | None, other: float | None) -> bool:
+    return one is not None and other is not None and isclose(one, other, rel_tol=ALIKE)
 
 
 def _followed(query: Query, begun: FollowedMotion) -> Followed:

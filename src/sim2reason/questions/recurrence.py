@@ -35,9 +35,14 @@ class Repetition:
 
 def is_autonomous(mechanism: Mechanism) -> bool:
     """Whether time has no part in the equations: no engine, no winch, no field that changes with time."""
+    return _is_steady(mechanism) and not mechanism.burns
+
+
+def _is_steady(mechanism: Mechanism) -> bool:
+    """Whether time has no part in the equations, but for what a rocket burns."""
     reeled = any(isinstance(line.law, Inextensible) and line.law.reel for line in mechanism.lines)
     steady = all(f.law.profile.steady for f in mechanism.forces if isinstance(f.law, Push | Magnetic))
-    return steady and not reeled and not mechanism.burns
+    return steady and not reeled
 
 
 def first_return(trace: Trace) -> float | None:
@@ -91,6 +96,34 @@ def ends_at_rest(trace: Trace) -> bool:
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
     at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
     return not trace.cut and at_rest and is_autonomous(trace.mechanism)
+
+
+def rest_for_good(trace: Trace) -> float | None:
+    """Return the time, s, from which all is at rest for ever; None if it never is while the motion is described.
+
+    Of what comes to rest without an event, ever more slowly, that is the end of what is known.
+    """
+    if not ends_at_rest(trace):
+        return None
+    last = max((event.time for event in trace.events), default=0.0)
+    speeds = np.abs(trace.scan.v).max(axis=1, initial=0.0)
+    still = float(speeds[trace.scan.times >= last].max(initial=0.0)) <= STILL * float(speeds.max(initial=0.0))
+    return last if still else trace.stable_until
+
+
+def uniform_from(trace: Trace) -> float | None:
+    """Return the time, s, of the last event if all moves uniformly for ever after it; None if it does not.
+
+    Then no rocket has fuel left, and there is nothing that could be met, become taut, be entered, or attract.
+    """
+    mechanism = trace.mechanism
+    out = sum(event.kind == "burn-out" for event in trace.events) == len(mechanism.burns)
+    local = any(force.region is not None for force in mechanism.forces)
+    alone = not (mechanism.meetings or mechanism.lines or mechanism.attractions or mechanism.feet or local)
+    last = max((event.time for event in trace.events), default=0.0)
+    if trace.cut or not (out and alone and _is_steady(mechanism) and 0.0 < last < trace.stable_until):
+        return None
+    return None if trace.scan.a[trace.scan.times > last].any() else last
 
 
 def nothing_new(trace: Trace) -> bool:

@@ -18,6 +18,8 @@ START = "at start"
 EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
 REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|when|after) )?(?P<when>.+))?$")
 """A change that removes something at some moment of the motion: a string that is cut, a field that is switched off."""
+CHANGE = re.compile(r"(?P<number>.+?)(?:\s*(?P<sign>[=×*])\s*|\s+[xX]\s*(?=[\d.]))(?P<value>.+)")
+"""A change of a number: another value, or a factor after ×, * or the letter x."""
 LONGEST = 200  # characters of a part
 _NUMBER = re.compile(rf"([+-]?(?:{DIGITS}\.?(?:{DIGITS})?|\.{DIGITS})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)")
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}

@@ -8,14 +8,13 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.questions.derived_numbers import derived_numbers, number_at, with_numbers
 from sim2reason.questions.removal import after_removal, removable
-from sim2reason.questions.structured import REMOVAL, measured, resolved
+from sim2reason.questions.structured import CHANGE, REMOVAL, measured, resolved
 from sim2reason.questions.words import Words
 
 MOST = 6  # changes in one question
 FIXED = "fixed"  # what a body is made, which then no longer moves
 REMOVED = "removed"  # what ceases to act at some moment of the motion: a string that is cut, a field switched off
 _PARTED = re.compile(r",\s+")
-_CHANGE = re.compile(r"(?P<number>.+?)\s*(?P<sign>[=×*])\s*(?P<value>.+)")
 _FIXED = re.compile(rf"(?P<body>.+?) {FIXED}")
 _TIME = re.compile(r"(?:t = )?[\d.]\S* \S+|(?:t = )?[\d.]\S*")
 
@@ -61,10 +60,10 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
     values, fixed, units, removed = dict[str, float](), list[str](), units_of(scene), dict[str, str]()
     for part in parts:
         gone = REMOVAL.fullmatch(part)
-        if gone is not None and _CHANGE.fullmatch(gone["what"]) is None:
+        if gone is not None and CHANGE.fullmatch(gone["what"]) is None:
             removed[resolved("change", gone["what"], removable(words))] = gone["when"] or ""
             continue
-        found, held = _CHANGE.fullmatch(part), _FIXED.fullmatch(part)
+        found, held = CHANGE.fullmatch(part), _FIXED.fullmatch(part)
         if held is not None and found is None:
             fixed.append(_body(held["body"], scene, words))
             continue

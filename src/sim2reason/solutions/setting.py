@@ -102,12 +102,17 @@ class Setting:
 
     @cached_property
     def answer(self) -> float | None:
-        """Return the engine's value of the query, of an unknown number, or of the time of a given result."""
+        """Return the engine's value of the query, of an unknown number, or of the time of a given result.
+
+        A greatest value at an end of its stretch is one, though only people ask for it.
+        """
         if self.sought is not None:
             return self.sought
         if self.unknown and self.stated is not None:
             return float(self.study.scene.value(self.unknown))
-        return KINDS[self.query.kind].answer(self.query, self.study)
+        kind = KINDS[self.query.kind]
+        found = kind.answer(self.query, self.study)
+        return kind.loose_answer(self.query, self.study) if found is None else found
 
     @property
     def unit(self) -> str:

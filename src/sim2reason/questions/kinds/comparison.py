@@ -1,6 +1,5 @@
 """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
@@ -13,7 +12,7 @@ from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
 from sim2reason.questions.query import Query
-from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
+from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
@@ -155,13 +154,13 @@ def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words
 
     TextError if the change names no number of the scene, or has no value for the number.
     """
-    change = re.fullmatch(r"(.*?)\s*([=×*])\s*(.*)", asked.change)
+    change = CHANGE.fullmatch(asked.change)
     if change is None:
         raise TextError("change", f"{asked.change!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
     held = {p.path: p for p in study.scene.parameters if p.value}
-    path = resolved("change", change[1], {path: words.named.get(path, path) for path in held})
-    factor = measured("change", change[3], held[path].measure.unit if change[2] == "=" else "")
-    factor /= float(held[path].value or 0.0) if change[2] == "=" else 1.0
+    path = resolved("change", change["number"], {path: words.named.get(path, path) for path in held})
+    factor = measured("change", change["value"], held[path].measure.unit if change["sign"] == "=" else "")
+    factor /= float(held[path].value or 0.0) if change["sign"] == "=" else 1.0
     ratio = one_of("compare", asked.compare or "ratio", ("ratio", "difference")) == "ratio"
     return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor, ratio)
 

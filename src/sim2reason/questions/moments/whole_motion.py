@@ -1,4 +1,4 @@
-"""All of a motion that repeats itself."""
+"""All of a motion: until it repeats itself, until all is at rest for good, or until its description ends."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -7,27 +7,32 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.recurrence import drift_return, first_return
+from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Trace, ending
 
 
 @MOMENTS.register("whole_motion")
 @dataclass(frozen=True, slots=True)
 class WholeMotion(Moment):
-    """The end of the first round of a motion that repeats itself: nothing that comes later is new."""
+    """The instant after which nothing in a motion is new: all is as at the start, or all is at rest for good.
+
+    Of what does not depend on the place it is also the instant from which all moves uniformly for ever.
+    A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
+    """
 
     kind = "extremum"
     label = "whole motion"
 
     drifts: bool = False  # whether it may end elsewhere: for what does not depend on the place
+    ends: bool = True  # whether it may end at all, and not only repeat itself
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """One, if the motion repeats itself."""
         del words, rng
-        return [moment] if study.time(moment := cls()) is not None else []
+        return [cls()] if study.time(cls(ends=False)) is not None else []
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
@@ -41,9 +46,31 @@ class WholeMotion(Moment):
         return True
 
     def time(self, trace: Trace) -> float | None:
-        """When all is as at the start again."""
+        """When all is as at the start again or, failing that, when the motion is over."""
+        time = self._return(trace)
+        if time is not None or not self.ends:
+            return time
+        if trace.cut:
+            return trace.stable_until
+        rest = rest_for_good(trace)
+        return uniform_from(trace) if rest is None and self.drifts else rest
+
+    def _return(self, trace: Trace) -> float | None:
         time = first_return(trace)
         return drift_return(trace) if time is None and self.drifts else time
+
+    def told(self, trace: Trace) -> str:
+        """Say how long the motion is, as in: over the whole motion, to rest at 10.2041 s."""
+        until, unit = self.time(trace), trace.mechanism.units.time
+        if until is None:
+            return ""
+        if self._return(trace) is not None:
+            return f"over the whole motion, which repeats itself every {until:.6g} {unit}"
+        if trace.cut:
+            return f"over the whole motion, to {until:.6g} {unit}, where its description ends: {ending(trace)}"
+        if rest_for_good(trace) is None:
+            return f"over the whole motion, which is uniform from {until:.6g} {unit} on"
+        return f"over the whole motion, to rest at {until:.6g} {unit}"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: in the motion that follows."""

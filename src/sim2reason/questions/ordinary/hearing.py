@@ -13,6 +13,7 @@ from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.base_forms import verb_forms
 from sim2reason.questions.ordinary.lead_ins import without_leads
 from sim2reason.questions.ordinary.named_lines import between, group, named_lines, swinging_lines
+from sim2reason.questions.ordinary.named_particles import with_particles
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
 from sim2reason.questions.spellings import plainly
@@ -111,7 +112,7 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
-    text = _with_pulleys(_ADJECTIVES.sub("", text), words)
+    text = _with_pulleys(with_particles(_ADJECTIVES.sub("", text), words), words)
     text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)
@@ -223,7 +224,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 
 def _with_pulleys(text: str, words: Words) -> str:
-    """Return a text that calls the only movable pulley, and the only fixed one of several, as the scene's text does."""
+    """Return a text that calls the only pulley, movable one, or fixed one of several, as the scene's text does."""
     mechanism, kinds = words.mechanism, dict[str, list[str]]()
     for address, said in words.mentions.items():
         sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]
@@ -231,6 +232,8 @@ def _with_pulleys(text: str, words: Words) -> str:
             bodies = [body for site in sites if site.body is not None for body in chain(mechanism, site.body)]
             moves = any(coordinate.kind == "slide" for body in bodies for coordinate in body.coordinates)
             kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(said)
+    if len(only := [said for said in words.mentions.values() if "pulley" in said]) == 1:
+        text = re.sub(r"\b[Tt]he pulley\b(?! [A-Z]\b)", only[0], text)
     for kind, pulleys in kinds.items():
         if len(pulleys) == 1 and len(kinds) > 1:
             text = re.sub(rf"\b(?:the )?{kind} pulley\b(?! [A-Z]\b)", pulleys[0], text)

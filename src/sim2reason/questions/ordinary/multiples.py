@@ -9,7 +9,8 @@ from sim2reason.questions.following import Followed, FollowedMotion
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.posing import posed
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
@@ -44,7 +45,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
         return asked
     find, of = found["find"], f" of {found['of']}" if found["of"] else ""
     if found["ref"] == GREATEST:
-        initial = posed(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", found["of"] or ""), motion, words)
+        initial = _greatest(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", found["of"] or ""), motion, words)
     else:
         when = "burned out" if found["ref"] == AT_BURNOUT else START
         initial = posed(StructuredQuestion(find, found["of"] or "", when), motion, words)
@@ -53,6 +54,14 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
         raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
     told = f"{find}{of} = {float(found['factor']) * value:.15g} {initial.unit(words)}"
     return replace(asked, when=told)
+
+
+def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+    """Return the question for a greatest value of a motion that repeats itself, as others have no clear maximum."""
+    found = posed(asked, motion, words)
+    moment = found.query.moment
+    assert isinstance(moment, WholeMotion)
+    return replace(found, query=replace(found.query, moment=replace(moment, ends=False)))
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:

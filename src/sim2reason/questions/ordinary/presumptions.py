@@ -23,6 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,
     COMPRESSED,
+    FALLS,
     FIELDS_ALONE,
     GAINED,
     LASTS,
@@ -257,6 +258,13 @@ def _unmoved(case: Case) -> bool:
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
 
 
+def _only_falls(case: Case) -> bool:
+    """Return whether a body never moves upwards before the instant asked about."""
+    name, scan = named(case.who, case.words), case.followed.study.trace.scan
+    rates = Velocity.evaluate(scan, name)[scan.times <= case.then, 2] if name else np.ones(1)
+    return float(rates.max(initial=0.0)) <= STEADY * float(np.abs(rates).max(initial=0.0))
+
+
 OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
     ALOFT: ("{who} is on the ground then", _aloft),
@@ -268,6 +276,10 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     ONLY: ("it is not the only collision", _only),
     ONE_WAY: ("{who} goes sideways, too", one_way),
     STRETCHED: ("{who} is not stretched", _stretched),
+    FALLS: (
+        "{who} does not only fall, so say from where on it falls",
+        _only_falls,
+    ),
     STRAIGHT: ("{who} does not go straight ahead", _straight),
     RESTS: ("it does not stay at rest", _rests),
     LASTS: ("it changes after that", _lasts),

@@ -19,6 +19,7 @@ from sim2reason.questions.ordinary.readers import (
 )
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
+    FALLS,
     QUANTITIES,
     RISING,
     SMALL,
@@ -131,6 +132,12 @@ def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def _at_once(*finds: str) -> Reader:
     """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
     return of_pair(*finds, needs=STRETCH)
+
+
+def _fall(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    """Yield the time until a body lands, presuming that it falls all the while."""
+    for main in implied("time", "{s} landed", "{s} bounced")(found, heard):
+        yield replace(main, ways=((heard.subject(found["s"]), FALLS),))
 
 
 def _period(name: str) -> Reader:
@@ -256,6 +263,7 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:with|at) what frequency ~{s} OSCILLATES": _period("frequency"),
     "[for ]how long ~(?:engine|{s}[ 's engine]) (?:burn|run|fire|work|operate)": implied("time", "burned out"),
     "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "how long ~{s} (?:take|need) to fall": _fall,
     "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
     "how long ~{s} burn": implied("time", "burned out"),
     "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),

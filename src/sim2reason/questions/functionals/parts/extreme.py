@@ -73,7 +73,7 @@ class Extreme(Functional):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """The size of the highest of all tops, if nothing in the stretch is higher."""
-        if self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events):
+        if self._unbounded(trace, end):
             return None
         times, heights = self._sampled(trace, name, end)
         if not np.isfinite(heights).all():
@@ -97,7 +97,7 @@ class Extreme(Functional):
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """The greatest value, wherever in the stretch it is."""
-        return self.between(trace, name, 0.0, end)
+        return None if self._unbounded(trace, end) else self.between(trace, name, 0.0, end)
 
     def between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
         """Return the greatest value from one time to another, s, wherever it is; None if it is not always known."""
@@ -110,6 +110,10 @@ class Extreme(Functional):
         tops, _ = _tops(heights[apart])
         top = self._highest(trace, name, times[apart], tops)[1] if len(tops) else -inf
         return self.sign * max(float(heights.max()), top)
+
+    def _unbounded(self, trace: Trace, end: float) -> bool:
+        """Whether an impact makes the quantity infinite up to a time, s."""
+        return self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
         """The function on the scan up to a time, s, and at that time."""

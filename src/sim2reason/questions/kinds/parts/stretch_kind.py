@@ -172,9 +172,12 @@ class StretchKind(Kind):
         return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
-        """Return the query for a functional from the start to a moment, by default over one period of the motion."""
+        """Return the query for a functional from the start to a moment, by default over the whole motion.
+
+        A sum has no end of its own where the motion does not repeat itself, as the number of ever smaller bounces.
+        """
         del study
-        found, moment = FUNCTIONALS[asked.find], WholeMotion(drifts=asked.find in PLACELESS)
+        found, moment = FUNCTIONALS[asked.find], WholeMotion(asked.find in PLACELESS, not self.ends_matter)
         called = words.called(found.of)
         names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
         end = moment_of(asked, words) if asked.when else moment

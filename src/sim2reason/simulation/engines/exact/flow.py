@@ -15,6 +15,7 @@ from sim2reason.simulation.engines.exact.eigenmodes import Stretch, found_modes,
 from sim2reason.simulation.engines.exact.flow_steps import FlowStep, StepTable
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
+from sim2reason.simulation.engines.exact.magnitude import magnitude
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.roots import bracketed_root
 from sim2reason.simulation.engines.exact.system import Instant
@@ -39,6 +40,7 @@ class Flow:
         self, equations: CurvedEquations, instant: Instant, phase: Phase, found: Balance, tolerance: float
     ) -> None:
         """Write the code of the mode, if it is new; `tolerance` is the relative error that a step may have."""
+        self._relative = tolerance
         self._tolerance = ABSOLUTE * tolerance, tolerance
         self._equations, self._phase, self._mode = equations, phase, found.mode
         self.formulas = equations.formulas(instant, phase, found.mode)
@@ -76,6 +78,7 @@ class Flow:
     def _advance(self, duration: float, longest: float) -> StopReason:
         end, rate = self.start + duration, self.formulas.rate
         first = rate(self.time, self.values)
+        self._tolerance = ABSOLUTE * self._relative * magnitude(rate, self.time, self.values, first), self._relative
         before = self.formulas.margins(self.time, self.values)
         self._watch = Watch(before)
         length = dop853.first_step(rate, self.time, self.values, first, self._tolerance)
