@@ -61,7 +61,8 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
         else:
             parts += [piece.sketch() for piece in pieces.values()]
     sketch = _beside(parts)
-    return Drawing(tuple(sketch.shapes), placed(sketch.labels, sketch.shapes))
+    labels, leaders = placed(sketch.labels, sketch.shapes)
+    return Drawing((*sketch.shapes, *leaders), labels)
 
 
 def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
