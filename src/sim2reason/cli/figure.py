@@ -11,7 +11,8 @@ Example:
     sim2reason figure scene.yaml -o scene.svg
     sim2reason figure scene.yaml -o scene.png --numbers
 
-Angles are right; of machines of strings and planes lengths are not. Needs: pip install matplotlib
+Angles are right; of machines of strings and planes lengths are not. Lengths and angles for which the text has symbols
+are drawn with other values. Needs: pip install matplotlib
 """
 
 

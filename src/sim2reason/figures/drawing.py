@@ -22,6 +22,7 @@ from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
 from sim2reason.figures.scaled.piece import ScaledPiece
 from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
 from sim2reason.figures.springs import spring
+from sim2reason.figures.unknowns import disguised
 from sim2reason.figures.vectors import box, mirrored
 from sim2reason.prose.description import Description, describe
 
@@ -34,9 +35,20 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
     """Draw the initial state: of machines of strings and planes angles are right and lengths are not, else both.
 
     `description` gives the names, by default the text with seed 0; `numbers` adds masses. A body whose class declares
-    no look is drawn as a dashed box with its name, with a `FigureWarning`.
+    no look is drawn as a dashed box with its name, with a `FigureWarning`. Lengths and angles that the text leaves open
+    are drawn with other values.
     """
     description = description or describe(scene)
+    for address, body in scene.bodies.items():
+        if body.look is None:
+            problem = f"no figure shows a body of the type {type(body).__name__}, here {address}"
+            warnings.warn(f"{problem}; give its class a look", FigureWarning, stacklevel=2)
+    _, found = disguised(scene, description, partial(_drawn, description=description, numbers=numbers))
+    return found
+
+
+def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
+    """Draw a scene as it is."""
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
     parts: list[Sketch] = []
     for component in components(scene):
@@ -48,12 +60,9 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
             parts += [_finished(Arranger(plan, *part, made).best(), plan) for part in _parts(plan, component, pieces)]
         else:
             parts += [piece.sketch() for piece in pieces.values()]
-    for address, body in scene.bodies.items():
-        if body.look is None:
-            problem = f"no figure shows a body of the type {type(body).__name__}, here {address}"
-            warnings.warn(f"{problem}; give its class a look", FigureWarning, stacklevel=2)
     sketch = _beside(parts)
-    return Drawing(tuple(sketch.shapes), placed(sketch.labels, sketch.shapes))
+    labels, leaders = placed(sketch.labels, sketch.shapes)
+    return Drawing((*sketch.shapes, *leaders), labels)
 
 
 def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:

@@ -26,6 +26,7 @@ from sim2reason.figures.vectors import UP, Polygon, degrees, dot, rectangle, rin
 
 BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that is
 ARROW = 1.3
+LINE = 0.22  # units from the middle of a block to the name above it and to the mass below it
 
 
 @draws(SmallBody)
@@ -48,19 +49,26 @@ class BlockPiece(Piece):
         return Sketch([Area(self.hulls()[0], "block")], block_labels(self.plan, self.name, 0j))
 
 
-def block_labels(plan: DrawingPlan, address: str, center: complex) -> list[Wanted]:
-    """A block's name, inside if it is a letter, and its mass."""
-    name, mass, sizes = plan.name(address), plan.mass(address), plan.sizes
-    inside = len(name) <= LETTER
-    spots = (center - 0.22j if inside else center, center + (0.5 * sizes.height + 0.3) * 1j)
-    found = [Wanted(mass, spots, address, TINY, name=False)] if mass else []
+def block_labels(
+    plan: DrawingPlan, address: str, center: complex, size: tuple[float, float] | None = None
+) -> list[Wanted]:
+    """A block's name, inside if it is a letter, and its mass, below it if both fit; `size` is by default the usual."""
+    name, mass = plan.name(address), plan.mass(address)
+    broad, tall = size or (plan.sizes.width, plan.sizes.height)
+    inside, out = len(name) <= LETTER, 0.5 * tall + 0.3
+    both = bool(mass) and inside and width(mass, TINY) < broad and tall > SIZE + 2.0 * LINE
+    found: list[Wanted] = []
+    if mass:
+        aside = 0.5 * (broad + width(mass, TINY)) + 0.12
+        spots = tuple(center + spot for spot in ((-LINE * 1j,) if both else ()) + (out * 1j, aside, -aside, -out * 1j))
+        found = [Wanted(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
     if inside:
-        out = (0.5 * sizes.height + 0.3) * 1j
-        return [Wanted(name, (center + 0.22j if mass else center, center - out, center + out), address), *found]
+        first = center + LINE * 1j if both else center
+        return [Wanted(name, (first, center, center - out * 1j, center + out * 1j), address), *found]
     wide = width(name, SIZE)
-    across, up = 0.5 * (sizes.width + wide) + 0.15, 0.5 * sizes.height + 0.35
+    across, up = 0.5 * (broad + wide) + 0.15, 0.5 * tall + 0.35
     beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
-    far = 0.5 * max(sizes.width, sizes.height) + 0.2
+    far = 0.5 * max(broad, tall) + 0.2
     return [Wanted(name, (*beside, *around(center, far, wide)), address), *found]
 
 

@@ -1,12 +1,13 @@
 """Where labels stand: not on each other, and not on lines if it can be helped."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from functools import partial
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from sim2reason.figures.shapes import Arc, Area, Label, LineShape, Shape, Wanted, outline
-from sim2reason.figures.vectors import Box, Polygon, common, depth, inside, length_inside, unit
+from sim2reason.figures.vectors import Box, Polygon, common, crosses, depth, inside, length_inside, unit
 
 CLEAR = 0.06  # kept free around a label
 SWEEPS = 4
@@ -20,6 +21,8 @@ ON_LABEL, ON_LINE, IN_BLOCK, LATER = (
 
 HEAD, HEADED = 0.22, 6.0  # of an arrow: how long it is, and how much worse than a line to stand on; it tells the way
 LIGHT = {"hair": 0.5, "dots": 0.15}  # how much less of a nuisance under a label
+BODY, OPEN = 4.0, ("", "field", "table")  # how much worse it is to hide an outline of a body, and what is none
+REACHES, FARTHER, LED_OVER = (0.3, 0.45, 0.7, 1.0, 1.4, 1.9), 0.6, 9.0  # lengths of lines to anchors, what they cost
 
 
 class Stroke(NamedTuple):
@@ -31,8 +34,20 @@ class Stroke(NamedTuple):
     order: int
 
 
-def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[Label, ...]:
-    """Every label at the best of its places: first those with the least choice, then all again in turn."""
+class Option(NamedTuple):
+    """A label at one of its places, what the place costs by itself, and the line to what it belongs to, if any."""
+
+    label: Label
+    later: float
+    first: complex  # the best of its places, which may lie in the body that it names
+    leader: tuple[complex, complex] | None = None
+
+
+def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
+    """Every label at the best of its places, with the lines that lead from some to what they belong to.
+
+    First come those with the least choice, then all again in turn.
+    """
     strokes, blocks = (
         _strokes(shapes),
         [outline(s) for s in shapes if not isinstance(s, LineShape) and s.fill == "block"],
@@ -40,22 +55,27 @@ def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[Label, ..
     grounds = [(n, outline(s)) for n, s in enumerate(shapes) if not isinstance(s, LineShape) and s.fill]
     order = sorted(range(len(wanted)), key=lambda n: (len(wanted[n].places), n))
     wheels = [s for s in shapes if isinstance(s, Arc) and s.whole and s.radius > WHEEL]
+    options = {n: list(_options(wanted[n])) for n in order}
     alone = {
         n: [
-            _alone(label, index, _seen(label, strokes, grounds), blocks) + _mistaken(label, wanted[n], wheels)
-            for index, label in enumerate(_options(wanted[n]))
+            _alone(option, _seen(option.label, strokes, grounds), blocks)
+            + _mistaken(option.label, wanted[n], wheels)
+            + _led(option, strokes)
+            for option in options[n]
         ]
         for n in order
     }
-    chosen: dict[int, Label] = {}
+    chosen: dict[int, Option] = {}
     for _ in range(SWEEPS):
         for n in order:
-            others = [label.box for m, label in chosen.items() if m != n]
-            options = _options(wanted[n])
-            costs = [alone[n][i] + _crowded(label, others) for i, label in enumerate(options)]
-            chosen[n] = options[costs.index(min(costs))]
-    final = (chosen[n] for n in range(len(wanted)))
-    return tuple(replace(each, crossed=_under(each.box, _seen(each, strokes, grounds)) > 0.0) for each in final)
+            others = [option for m, option in chosen.items() if m != n]
+            costs = [alone[n][i] + _crowded(option, others) for i, option in enumerate(options[n])]
+            chosen[n] = options[n][costs.index(min(costs))]
+    final = [chosen[n] for n in range(len(wanted))]
+    labels = (
+        replace(each.label, crossed=_under(each.label.box, _seen(each.label, strokes, grounds)) > 0.0) for each in final
+    )
+    return tuple(labels), tuple(LineShape(each.leader, "hair") for each in final if each.leader is not None)
 
 
 def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
@@ -64,24 +84,54 @@ def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, 
     return [stroke for stroke in strokes if stroke.order >= above]
 
 
-def _options(wanted: Wanted) -> list[Label]:
-    return [Label(wanted.text, place, wanted.subject, wanted.size, wanted.name) for place in wanted.places]
+def _options(wanted: Wanted) -> Iterator[Option]:
+    """All places of a label, then those around its anchors, the nearest first."""
+    made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
+    for number, place in enumerate(wanted.places):
+        yield Option(made(at=place), LATER * number, wanted.places[0])
+    _, _, wide, tall = made(at=0j).box
+    for anchor, far, turn in product(wanted.anchors, REACHES, range(16)):
+        way = 1j ** (turn / 4.0)
+        label = made(at=anchor + complex(way.real * (far + wide), way.imag * (far + tall)))
+        left, low, right, high = label.box
+        near = complex(min(max(anchor.real, left), right), min(max(anchor.imag, low), high))
+        later = LATER * len(wanted.places) + FARTHER * far
+        yield Option(label, later, wanted.places[0] if wanted.places else anchor, (near, anchor))
 
 
-def _crowded(label: Label, others: Sequence[Box]) -> float:
-    mine = _wider(label.box)
-    return sum(ON_LABEL * shared + 5.0 for other in others if (shared := common(mine, other)) > 0.0)
+def _crowded(option: Option, others: Sequence[Option]) -> float:
+    """What it costs to stand on other labels or their lines, or to have a line that runs over them."""
+    mine, found = _wider(option.label.box), 0.0
+    for label, _, _, leader in others:
+        shared = common(mine, label.box)
+        found += ON_LABEL * shared + 5.0 if shared > 0.0 else 0.0
+        found += LED_OVER if leader and length_inside(*leader, mine) > 0.0 else 0.0
+        found += LED_OVER if option.leader and length_inside(*option.leader, _wider(label.box)) > 0.0 else 0.0
+        found += LED_OVER if option.leader and leader and crosses(*option.leader, *leader) else 0.0
+    return found
 
 
-def _alone(label: Label, index: int, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
-    """What a place costs whatever the other labels do; the first may well be within a block, which is its own."""
-    mine = _wider(label.box)
+def _led(option: Option, strokes: Sequence[Stroke]) -> float:
+    """What it costs that a line to what a label belongs to crosses others, beyond the first, an outline of that."""
+    if option.leader is None:
+        return 0.0
+    crossed = sum(stroke.weight >= 1.0 and crosses(*option.leader, stroke.a, stroke.b) for stroke in strokes)
+    return LED_OVER * max(0, crossed - 1)
+
+
+def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
+    """What a place costs whatever the other labels do; the block in which the first lies is its own."""
+    mine = _wider(option.label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
     return (
-        LATER * index
+        option.later
         + ON_LINE * _under(mine, strokes)
-        + sum(IN_BLOCK for block in blocks if depth(corners, block) > 0.0 and (index or not inside(label.at, block)))
+        + sum(
+            IN_BLOCK
+            for block in blocks
+            if depth(corners, block) > 0.0 and not (inside(option.label.at, block) and inside(option.first, block))
+        )
     )
 
 
@@ -111,7 +161,7 @@ def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
         if isinstance(shape, LineShape):
             points, weight = shape.points, LIGHT.get(shape.weight, 1.0)
         else:
-            points, weight = outline(shape), 1.0
+            points, weight = outline(shape), 1.0 if shape.fill in OPEN else BODY
             points = (*points, points[0]) if isinstance(shape, Area) or shape.whole else points
         found += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
         if isinstance(shape, LineShape) and shape.arrow:

@@ -76,13 +76,14 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """A label that may stand at any of several places, the best first."""
+    """A label that may stand at any of several places, the best first, or around `anchors`, with a line to one."""
 
     text: str
     places: tuple[complex, ...]
     subject: str
     size: float = SIZE
     name: bool = True
+    anchors: tuple[complex, ...] = ()  # points of what it belongs to
 
 
 Shape = LineShape | Area | Arc
@@ -116,8 +117,12 @@ class Sketch:
 
     def moved(self, by: complex) -> "Sketch":
         """The same elsewhere."""
-        labels = [replace(wanted, places=tuple(place + by for place in wanted.places)) for wanted in self.labels]
-        return Sketch([moved(shape, by) for shape in self.shapes], labels)
+        return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(held, by) for held in self.labels])
+
+
+def _label_moved(wanted: Wanted, by: complex) -> Wanted:
+    places, anchors = (tuple(point + by for point in held) for held in (wanted.places, wanted.anchors))
+    return replace(wanted, places=places, anchors=anchors)
 
 
 def width(text: str, size: float) -> float:

@@ -10,7 +10,7 @@ from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouett
 from sim2reason.figures.hanging import block_labels
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.lines import beside
-from sim2reason.figures.scaled.setting import OBLONG, Setting
+from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, Setting
 from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, Shape, Sketch, Wanted, width
 from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
 
@@ -152,7 +152,7 @@ def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[W
     if isinstance(look, Small) and look.kind == "slab":
         return slab_labels(setting, address, at)
     if isinstance(look, Small) and look.kind in OBLONG:
-        inside, *rest = block_labels(plan, address, at)
+        inside, *rest = block_labels(plan, address, at, setting.sizes(address))
         if not _covered(setting, address):
             return [inside, *rest]
         wide = width(inside.text, SIZE)
@@ -185,12 +185,11 @@ def slab_labels(setting: Setting, address: str, at: complex) -> list[Wanted]:
     if not mass:
         ends = (at + side * (half + 0.2 + wide) * along for side in (1.0, -1.0))
         return [Wanted(name, (at,) if wide < half else tuple(ends), address)]
-    first, room = -0.6 * width(mass, TINY) * along, 0.5 * width(mass, TINY) + 0.2
-    beyond = [
-        at + side * (half + more) * along + 0.3j for more in (room, room + 0.4, room + 0.9) for side in (1.0, -1.0)
-    ]
-    level = abs(along.imag) < LEVEL
-    found = Wanted(mass, ((at + 0.3 * along,) if level else ()) + tuple(beyond), address, TINY, name=False)
+    first, level = -0.6 * width(mass, TINY) * along, abs(along.imag) < LEVEL
+    bare = 0.5 * SLAB_STEP  # of the slab, at either end, where another one lies on it
+    ends = tuple(at + side * (half - 0.5 * bare) * along for side in (-1.0, 1.0))
+    places = (at + 0.3 * along,) if level else ()
+    found = Wanted(mass, places, address, TINY, name=False, anchors=ends)
     return [Wanted(name, (at + first if level else at,), address), found]
 
 

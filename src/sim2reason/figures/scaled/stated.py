@@ -8,7 +8,7 @@ from sim2reason.dsl.looks import Axial, Spherical
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside, pieces_on
-from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.setting import SLAB, Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Sketch, Wanted, width
 from sim2reason.figures.vectors import dot, unit
 
@@ -124,8 +124,6 @@ def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
         return
     along, at = setting.along(upper), setting.at(upper)
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
-    half, wide = 0.5 * setting.sizes(upper)[0], 0.5 * width(text, SMALL)
-    foot = at - 0.1 * normal
-    ends = (foot + side * (half + 0.12 + wide * abs(along.real) + 0.4 * abs(along.imag)) * along for side in (-1, 1))
-    places = (end + far * normal for far in (0.0, 0.3, 0.6) for end in ends)
-    found.labels.append(Wanted(text, tuple(places), upper, SMALL, name=False))
+    foot, half = at - 0.5 * SLAB * normal, 0.5 * setting.sizes(upper)[0]
+    ends = tuple(foot + side * half * along for side in (-1.0, 1.0))
+    found.labels.append(Wanted(text, (), upper, SMALL, name=False, anchors=ends))
