@@ -171,7 +171,8 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
 
 def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expression] | None:
     """Return the sums a + b and c + d whose product is four terms; None if the terms are no such product."""
-    if any(term.below or term.number != ac.number for term in (ac, ad, bc, bd)):
+    over, beside = bc.number / ac.number, ad.number / ac.number  # of b beside a, and of d beside c
+    if any(term.below for term in (ac, ad, bc, bd)) or bd.number != ac.number * over * beside:
         return None
     a = _both(ac.factors, ad.factors)
     c, d = _less(ac.factors, a), _less(ad.factors, a)
@@ -179,8 +180,7 @@ def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expre
     products = (a + c, ac), (a + d, ad), (b + c, bc), (b + d, bd)
     if not (a and b and c and d) or any(_less(one, t.factors) or _less(t.factors, one) for one, t in products):
         return None
-    one, other = (_plain([Term(1.0, x), Term(1.0, y)]) for x, y in ((a, b), (c, d)))
-    return one, other
+    return _plain([Term(1.0, a), Term(over, b)]), _plain([Term(1.0, c), Term(beside, d)])
 
 
 def _square(terms: Sequence[Term]) -> Term | None:

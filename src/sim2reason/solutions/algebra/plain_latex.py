@@ -1,0 +1,22 @@
+"""The LaTeX of formulas in relations, as one would write them."""
+
+import re
+
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.signs import with_plain_signs
+from sim2reason.solutions.algebra.storeys import is_storeyed, one_storey
+
+SIGNS = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
+"""Matches the LaTeX of formulas whose signs can be simplified."""
+SYMBOL = r"(?<![A-Za-z\\])(\\?[A-Za-z]+(?:_\w|_\{[^{}]*\})?)"
+REPEATED = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
+"""Matches the LaTeX of products in which a symbol stands twice."""
+
+
+def plain_latex(held: Expression) -> str:
+    """Return the LaTeX of a formula with signs as one would write them, and no fractions in fractions."""
+    found = held.latex()
+    if SIGNS.search(found):
+        found = (held := with_plain_signs(held)).latex()
+    nested = found.count("frac{") > 1 and is_storeyed(held)
+    return one_storey(held).latex() if nested or REPEATED.search(found) else found

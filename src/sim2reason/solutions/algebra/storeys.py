@@ -1,0 +1,229 @@
+"""Formulas in whose fractions no fraction stands, with powers for equal factors and nothing left to cancel."""
+
+from collections.abc import Mapping
+from math import lcm
+
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    added,
+    multiplied,
+)
+from sim2reason.solutions.algebra.factors import (
+    Factors,
+    factors_of,
+    has_fraction,
+    never_negative,
+    whole_sides,
+)
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root
+from sim2reason.solutions.algebra.signs import is_difference
+
+
+def one_storey(held: Expression) -> Expression:
+    """Return a formula with the same value, in none of whose fractions a fraction stands.
+
+    Arguments of functions may have fractions of their own. A root of a fraction stands beside a fraction.
+    """
+    if not held.parts or isinstance(held, Worked):
+        return held
+    parts = [one_storey(part) for part in held.parts]
+    found = held if all(map(_is, parts, held.parts)) else held.built_of(parts)
+    match found:
+        case Quotient(above, below):
+            nested = has_fraction(above) or has_fraction(below)
+            return _reduced(found) if nested or _is_reducible(found) else found
+        case Product():
+            return _reduced(found) if _is_reducible(found) else found
+        case Sum():
+            return _with_like_terms_added(found)
+        case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
+            return _reduced(found)
+        case _:
+            return found
+
+
+def _is(one: Expression, other: Expression) -> bool:
+    return one is other
+
+
+def is_storeyed(held: Expression) -> bool:
+    """Return whether there is a fraction above or below a fraction."""
+    if isinstance(held, Worked):
+        return False
+    here = isinstance(held, Quotient) and (has_fraction(held.above) or has_fraction(held.below))
+    return here or any(map(is_storeyed, held.parts))
+
+
+def _is_reducible(held: Expression) -> bool:
+    """Return whether a factor of a product or fraction stands there twice, or cancels with one under a root."""
+    factors = [factor for side in _sides(held) for factor in _factors(side)]
+    bases = [factor.base if isinstance(factor, Power) else factor for factor in factors]
+    plain = [base for base in bases if not isinstance(base, Number)]
+    if len(set(plain)) < len(plain):
+        return True
+    inside = {base for root in plain if isinstance(root, Root) for base in factors_of(root.inside).powers}
+    return not inside.isdisjoint(plain)
+
+
+def _sides(held: Expression) -> tuple[Expression, ...]:
+    """Return what is multiplied and divided in a product, whose fractions count with both of their sides."""
+    match held:
+        case Quotient(above, below):
+            return above, below
+        case Product(factors):
+            return tuple(side for factor in factors for side in _sides(factor))
+        case _:
+            return (held,)
+
+
+def _factors(held: Expression) -> tuple[Expression, ...]:
+    return held.factors if isinstance(held, Product) else (held,)
+
+
+# ---- one fraction
+
+
+def _reduced(held: Expression) -> Expression:
+    """Return a product or fraction as a fraction of one storey, with roots of fractions and the like beside it."""
+    whole = _upright(_with_roots_reduced(_unfolded(factors_of(held, _as_fraction))))
+    beside = {base: power for base, power in whole.powers.items() if power > 0 and has_fraction(base)}
+    left = Factors(whole.number, {base: power for base, power in whole.powers.items() if base not in beside})
+    return multiplied(left.written(), Factors(1.0, beside).product())
+
+
+def _upright(whole: Factors) -> Factors:
+    """Return factors without a negative number if a difference among them can be reversed."""
+    base = next((base for base, power in whole.powers.items() if power % 2 and is_difference(base)), None)
+    if whole.number > 0.0 or base is None:
+        return whole
+    return Factors(-whole.number, {-base if other is base else other: n for other, n in whole.powers.items()})
+
+
+def _unfolded(whole: Factors) -> Factors:
+    """Return factors without moduli of fractions, and without roots of which there is an even power."""
+    found = Factors(whole.number, {})
+    for base, power in whole.powers.items():
+        match base:
+            case Root(inside):
+                pairs = int(power / 2)
+                single = power - 2 * pairs
+                found *= factors_of(inside, _as_fraction if power < 0 else _same).raised(pairs)
+                found *= Factors(1.0, {base: single} if single else {})
+            case Absolute(Quotient(above, below)):
+                sizes = Factors(1.0, {_size(above): 1}) * Factors(1.0, {_size(below): -1})
+                found *= sizes.raised(power)
+            case _:
+                found *= Factors(1.0, {base: power})
+    return found
+
+
+def _same(held: Sum) -> Expression:
+    return held
+
+
+def _size(held: Expression) -> Expression:
+    return held if never_negative(held) else Absolute(held)
+
+
+# ---- sums
+
+
+def _as_fraction(held: Sum) -> Expression:
+    """Return a sum with fractions among its terms as one fraction; one of roots of fractions as it is."""
+    terms = [factors_of(term, _as_fraction) for term in held.terms]
+    if not any(_is_divided(term) for term in terms):
+        return held
+    below: dict[Expression, int] = {}
+    for term in terms:
+        for base, power in term.powers.items():
+            below[base] = max(below.get(base, 0), -power)
+    number = float(lcm(*(int(whole_sides(term.number)[1]) for term in terms)))
+    common = Factors(number, {base: power for base, power in below.items() if power})
+    above = added(*((term * common).product() for term in terms))
+    shared = _shared(above)
+    inner = added(*((factors_of(term) * shared.raised(-1)).written() for term in _terms(above)))
+    return (Factors(shared.number, shared.powers) * factors_of(inner) * common.raised(-1)).written()
+
+
+def _terms(held: Expression) -> tuple[Expression, ...]:
+    return held.terms if isinstance(held, Sum) else (held,)
+
+
+def _is_divided(term: Factors) -> bool:
+    return whole_sides(term.number)[1] != 1.0 or any(power < 0 for power in term.powers.values())
+
+
+def _shared(held: Expression) -> Factors:
+    """Return the powers that all terms share."""
+    first, *others = (factors_of(term) for term in _terms(held))
+    if not others:
+        return Factors(1.0, {})
+    shared = dict(first.powers)
+    for other in others:
+        shared = {base: min(power, other.powers[base]) for base, power in shared.items() if base in other.powers}
+    return Factors(1.0, shared)
+
+
+def _with_like_terms_added(held: Sum) -> Expression:
+    """Return a sum in which no two terms differ in their numbers alone."""
+    found: dict[frozenset[tuple[Expression, int]], tuple[float, Mapping[Expression, int]]] = {}
+    terms = [factors_of(term) for term in held.terms]
+    for term in terms:
+        key = frozenset(term.powers.items())
+        before, powers = found.get(key, (0.0, term.powers))
+        found[key] = before + term.number, powers
+    if len(found) == len(terms):
+        return held
+    return added(*(Factors(number, powers).written() for number, powers in found.values() if number))
+
+
+# ---- roots
+
+
+def _with_roots_reduced(whole: Factors) -> Factors:
+    """Return factors without roots of fractions below, and without what stands both under a root and beside it."""
+    found = whole
+    for root, power in whole.powers.items():
+        if isinstance(root, Root):
+            found = _with_root_reduced(found, root, power)
+    return found
+
+
+def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
+    """Return factors with a root turned over if it stands below and is one of a fraction, and with less under it."""
+    if power < 0 and not (has_fraction(root.inside) or _base_above(whole, root)):
+        return whole
+    inside = factors_of(root.inside, _as_fraction if power < 0 else _same).raised(1 if power > 0 else -1)
+    rest = whole * Factors(1.0, {root: -power})
+    for base, outer in rest.powers.items():
+        inner = inside.powers.get(base, 0)
+        if inner * outer < 0 and inner % 2 and _is_positive_in(base, inside):
+            step = 1 if outer > 0 else -1
+            inside *= Factors(1.0, {base: 2 * step})
+            rest *= Factors(1.0, {base: -step})
+    if inside.raised(power).powers == factors_of(root.inside).powers and power > 0:
+        return whole
+    return rest * _root_of(inside)
+
+
+def _base_above(whole: Factors, root: Root) -> bool:
+    """Return whether what stands under a root also stands above a fraction."""
+    inside = factors_of(root.inside)
+    return any(whole.powers.get(base, 0) > 0 for base, power in inside.powers.items() if power > 0)
+
+
+def _is_positive_in(base: Expression, inside: Factors) -> bool:
+    """Return whether a factor under a root is positive, by itself or because all others are."""
+    others = Factors(inside.number, {other: power for other, power in inside.powers.items() if other != base})
+    return never_negative(base) or others.never_negative()
+
+
+def _root_of(inside: Factors) -> Factors:
+    formula = inside.written()
+    return Factors(1.0, {Root(formula): 1}) if formula != ONE else Factors(1.0, {})
