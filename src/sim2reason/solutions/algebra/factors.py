@@ -16,7 +16,7 @@ from sim2reason.solutions.algebra.expressions import (
     Symbol,
     multiplied,
 )
-from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
+from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 
 LARGEST = 10**6  # the greatest denominator of a number that is written as a fraction
 EXACT = 1e-13  # relative: what rounding leaves of such a number
@@ -52,7 +52,7 @@ class Factors:
 
     def product(self) -> Expression:
         """Return the product of all factors; their exponents must be positive."""
-        factors = sorted(self.powers.items(), key=lambda factor: _place(factor[0]))
+        factors = sorted(self.powers.items(), key=lambda factor: place(factor[0]))
         return reduce(multiplied, (_raised(base, power) for base, power in factors), Number(self.number))
 
     def written(self) -> Expression:
@@ -132,6 +132,17 @@ def _raised(base: Expression, power: int) -> Expression:
     return base if power == 1 else Power(base, power)
 
 
-def _place(held: Expression) -> int:
-    """Return the rank by which factors are ordered in a product: symbols, sums, roots, functions."""
-    return 3 if isinstance(held, Call) else 2 if isinstance(held, Root) else 1 if isinstance(held, Sum) else 0
+def place(held: Expression) -> int:
+    """Return the rank by which factors are ordered: numbers, symbols, sums, roots, functions, fractions."""
+    base = held.base if isinstance(held, Power) else held
+    match base:
+        case Number() | Pi():
+            return -1
+        case Sum() | Absolute():
+            return 5 if has_fraction(base) else 1
+        case Root():
+            return 4 if has_fraction(base) else 2
+        case Call():
+            return 3
+        case _:
+            return 0

@@ -1,7 +1,8 @@
 """Formulas in whose fractions no fraction stands, with powers for equal factors and nothing left to cancel."""
 
 from collections.abc import Mapping
-from math import lcm
+from functools import reduce
+from math import lcm, sqrt
 
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import (
@@ -19,6 +20,7 @@ from sim2reason.solutions.algebra.factors import (
     factors_of,
     has_fraction,
     never_negative,
+    place,
     whole_sides,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
@@ -34,18 +36,24 @@ def one_storey(held: Expression) -> Expression:
         return held
     parts = [one_storey(part) for part in held.parts]
     found = held if all(map(_is, parts, held.parts)) else held.built_of(parts)
-    match found:
-        case Quotient(above, below):
-            nested = has_fraction(above) or has_fraction(below)
-            return _reduced(found) if nested or _is_reducible(found) else found
-        case Product():
-            return _reduced(found) if _is_reducible(found) else found
-        case Sum():
-            return _with_like_terms_added(found)
+    return _one_storey(found)
+
+
+def _one_storey(held: Expression) -> Expression:
+    """Return a formula of whose parts each is of one storey."""
+    match held:
+        case Quotient(above, below) if has_fraction(above) or has_fraction(below) or _is_reducible(held):
+            return _reduced(held)
+        case Product(factors):
+            return _reduced(held) if _is_reducible(held) else reduce(multiplied, sorted(factors, key=place))
         case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
-            return _reduced(found)
+            return _reduced(held)
+        case Root(inside):
+            return _root(held, inside)
+        case Sum():
+            return _with_like_terms_added(held)
         case _:
-            return found
+            return held
 
 
 def _is(one: Expression, other: Expression) -> bool:
@@ -65,10 +73,14 @@ def _is_reducible(held: Expression) -> bool:
     factors = [factor for side in _sides(held) for factor in _factors(side)]
     bases = [factor.base if isinstance(factor, Power) else factor for factor in factors]
     plain = [base for base in bases if not isinstance(base, Number)]
-    if len(set(plain)) < len(plain):
+    if len(set(plain)) < len(plain) or any(_is_size_of_fraction(base) for base in plain):
         return True
     inside = {base for root in plain if isinstance(root, Root) for base in factors_of(root.inside).powers}
     return not inside.isdisjoint(plain)
+
+
+def _is_size_of_fraction(held: Expression) -> bool:
+    return isinstance(held, Absolute) and isinstance(held.inside, Quotient)
 
 
 def _sides(held: Expression) -> tuple[Expression, ...]:
@@ -145,10 +157,19 @@ def _as_fraction(held: Sum) -> Expression:
             below[base] = max(below.get(base, 0), -power)
     number = float(lcm(*(int(whole_sides(term.number)[1]) for term in terms)))
     common = Factors(number, {base: power for base, power in below.items() if power})
-    above = added(*((term * common).product() for term in terms))
+    above = added(*((term * common).product() for term in _together(terms, common)))
     shared = _shared(above)
     inner = added(*((factors_of(term) * shared.raised(-1)).written() for term in _terms(above)))
     return (Factors(shared.number, shared.powers) * factors_of(inner) * common.raised(-1)).written()
+
+
+def _together(terms: list[Factors], common: Factors) -> list[Factors]:
+    """Return terms with those that are no fractions as one sum, where a sum stands below the others."""
+    whole = [term for term in terms if not _is_divided(term)]
+    if len(whole) < 2 or not any(isinstance(base, Sum) for base in common.powers):
+        return terms
+    both = Factors(1.0, {added(*(term.product() for term in whole)): 1})
+    return [*(term for term in terms if _is_divided(term)), both]
 
 
 def _terms(held: Expression) -> tuple[Expression, ...]:
@@ -186,6 +207,18 @@ def _with_like_terms_added(held: Sum) -> Expression:
 # ---- roots
 
 
+def _root(held: Root, inside: Expression) -> Expression:
+    """Return a root without a minus sign that a difference can take, and with the square of a number before it."""
+    if not isinstance(inside, Quotient | Product):
+        return held
+    whole = factors_of(inside)
+    over, under = whole_sides(whole.number)
+    number = sqrt(over) if over > 1.0 and under == 1.0 and sqrt(over).is_integer() else 1.0
+    if number == 1.0 and over > 0.0:
+        return held
+    return multiplied(Number(number), Root(_upright(Factors(whole.number / number**2, whole.powers)).written()))
+
+
 def _with_roots_reduced(whole: Factors) -> Factors:
     """Return factors without roots of fractions below, and without what stands both under a root and beside it."""
     found = whole
@@ -203,7 +236,7 @@ def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
     rest = whole * Factors(1.0, {root: -power})
     for base, outer in rest.powers.items():
         inner = inside.powers.get(base, 0)
-        if inner * outer < 0 and inner % 2 and _is_positive_in(base, inside):
+        if inner * outer < 0 and _is_positive_in(base, inside):
             step = 1 if outer > 0 else -1
             inside *= Factors(1.0, {base: 2 * step})
             rest *= Factors(1.0, {base: -step})
@@ -221,9 +254,9 @@ def _base_above(whole: Factors, root: Root) -> bool:
 def _is_positive_in(base: Expression, inside: Factors) -> bool:
     """Return whether a factor under a root is positive, by itself or because all others are."""
     others = Factors(inside.number, {other: power for other, power in inside.powers.items() if other != base})
-    return never_negative(base) or others.never_negative()
+    return never_negative(base) or (inside.powers[base] % 2 == 1 and others.never_negative())
 
 
 def _root_of(inside: Factors) -> Factors:
     formula = inside.written()
-    return Factors(1.0, {Root(formula): 1}) if formula != ONE else Factors(1.0, {})
+    return factors_of(_root(Root(formula), formula)) if formula != ONE else Factors(1.0, {})
