@@ -6,8 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sim2reason.dsl.body import BODIES
+from sim2reason.dsl.connection import CONNECTIONS
+from sim2reason.dsl.entity import ENTITIES
+from sim2reason.dsl.model import field_types
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol
-from sim2reason.solutions.algebra.factors import NEVER_NEGATIVE, factors_of, has_fraction, never_negative
+from sim2reason.solutions.algebra.factors import factors_of, has_fraction, never_negative
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.algebra.storeys import is_storeyed, one_storey
@@ -51,6 +55,7 @@ def test_a_formula_is_written_as_one_fraction(held: Expression, written: str) ->
 def test_a_relation_is_written_so_though_its_tree_is_not() -> None:
     assert plain_latex(Quotient(V, Quotient(X, M))) == r"\frac{v m}{x}"
     assert plain_latex(M * M * G) == "m^{2} g"
+    assert plain_latex(Quotient(7.0 * Power(R, 2) * V, 25.0 * MU * G * R)) == r"\frac{7\,R v}{25\,\mu g}"
 
 
 def _grown(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
@@ -98,6 +103,11 @@ def _has_sum_of_roots(held: Expression) -> bool:
     return any(map(_has_sum_of_roots, held.parts))
 
 
-def test_no_scene_has_a_negative_number_under_a_letter_that_is_never_negative() -> None:
-    assert all(never_negative(Symbol(f"{letter}_1")) for letter in NEVER_NEGATIVE)
+def test_no_scene_may_have_a_negative_number_under_a_letter_that_is_never_negative() -> None:
+    models = (*BODIES.values(), *ENTITIES.values(), *CONNECTIONS.values())
+    fields = [held for model in models for held in field_types(model).values() if held.measure is not None]
+    assert {r"\mu", "m", "k", "R", "d"} <= {held.measure.symbol for held in fields if held.measure is not None}
+    for held in fields:
+        assert held.measure is not None
+        assert held.least >= 0.0 or not never_negative(Symbol(held.measure.symbol)), held.measure
     assert not any(never_negative(Symbol(letter)) for letter in ("x", "v", "q", r"\theta", r"\omega"))

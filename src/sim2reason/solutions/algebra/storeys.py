@@ -42,10 +42,10 @@ def one_storey(held: Expression) -> Expression:
 def _one_storey(held: Expression) -> Expression:
     """Return a formula of whose parts each is of one storey."""
     match held:
-        case Quotient(above, below) if has_fraction(above) or has_fraction(below) or _is_reducible(held):
+        case Quotient(above, below) if has_fraction(above) or has_fraction(below) or is_reducible(held):
             return _reduced(held)
         case Product(factors):
-            return _reduced(held) if _is_reducible(held) else reduce(multiplied, sorted(factors, key=place))
+            return _reduced(held) if is_reducible(held) else reduce(multiplied, sorted(factors, key=place))
         case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
             return _reduced(held)
         case Root(inside):
@@ -68,8 +68,10 @@ def is_storeyed(held: Expression) -> bool:
     return here or any(map(is_storeyed, held.parts))
 
 
-def _is_reducible(held: Expression) -> bool:
+def is_reducible(held: Expression) -> bool:
     """Return whether a factor of a product or fraction stands there twice, or cancels with one under a root."""
+    if not isinstance(held, Product | Quotient):
+        return False
     factors = [factor for side in _sides(held) for factor in _factors(side)]
     bases = [factor.base if isinstance(factor, Power) else factor for factor in factors]
     plain = [base for base in bases if not isinstance(base, Number)]
