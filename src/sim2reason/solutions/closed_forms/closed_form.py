@@ -27,7 +27,7 @@ from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.solution import Solution, Step
 
 MOST = 150  # symbols in a formula before it is made shorter
-LONGEST = 200  # characters of LaTeX: nobody would write more into a box
+LONGEST = 230  # characters of LaTeX: nobody would write more into a box; a sum is repeated in reduced fractions
 ROOTED = {2: 400, 3: 250}  # characters: longer ones of so many different roots, or more, were never brought to that
 
 

@@ -58,8 +58,10 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
     if not isinstance(found, Sum) or len(found.terms) > MANY:
         return found
     terms = [_term(term) for term in found.terms]
-    crossed = _crosswise(terms) if size is length else None
-    return min((found, _plain(_merged(terms)), _product(terms)), key=size) if crossed is None else crossed
+    crossed = _crosswise(_merged(terms)) if size is length else None
+    if crossed is not None and size(crossed) <= size(found):
+        return crossed
+    return min((found, _plain(_merged(terms)), _product(terms)), key=size)
 
 
 def with_factors_in_front(held: Expression) -> Expression:
