@@ -59,7 +59,8 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
         return found
     terms = [_term(term) for term in found.terms]
     crossed = _crosswise(_merged(terms)) if size is length else None
-    if crossed is not None and size(crossed) <= size(found):
+    alike = all(term.number > 0.0 for term in terms)  # with differences, only where that is shorter
+    if crossed is not None and (alike or size(crossed) <= size(found)):
         return crossed
     return min((found, _plain(_merged(terms)), _product(terms)), key=size)
 
