@@ -90,6 +90,10 @@ def test_any_formula_keeps_its_value(held: Expression) -> None:
 
 @given(TREES)
 def test_no_fraction_stands_in_a_fraction_but_for_roots_in_a_sum_below(held: Expression) -> None:
+    try:
+        held.value(AT)
+    except (ValueError, ArithmeticError):
+        return  # over a difference of equal terms there is nothing to write
     found = one_storey(held)
     assert not is_storeyed(found) or _has_sum_of_roots(found)
 
