@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number
 from sim2reason.solutions.algebra.needs import need_of
-from sim2reason.solutions.algebra.signs import plain_latex
+from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]

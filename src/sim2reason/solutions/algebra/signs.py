@@ -1,6 +1,5 @@
 """Signs as one would write them: none that cancel each other, and none before a difference that can be reversed."""
 
-import re
 from collections.abc import Sequence
 from functools import reduce
 
@@ -9,14 +8,6 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Product
 from sim2reason.solutions.algebra.functions import Call, Power
 
 ODD = ("sin", "tan", "arcsin", "arctan")
-SUSPECT = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
-"""Matches the LaTeX of formulas whose signs can be simplified."""
-
-
-def plain_latex(held: Expression) -> str:
-    """Return the LaTeX of a formula, with signs as one would write them."""
-    found = held.latex()
-    return with_plain_signs(held).latex() if SUSPECT.search(found) else found
 
 
 def with_plain_signs(held: Expression) -> Expression:

@@ -20,13 +20,14 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, plain
 from sim2reason.solutions.algebra.signs import is_difference
+from sim2reason.solutions.algebra.storeys import one_storey
 from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.solution import Solution, Step
 
 MOST = 150  # symbols in a formula before it is made shorter
-LONGEST = 200  # characters of LaTeX: nobody would write more into a box
+LONGEST = 230  # characters of LaTeX: nobody would write more into a box; a sum is repeated in reduced fractions
 ROOTED = {2: 400, 3: 250}  # characters: longer ones of so many different roots, or more, were never brought to that
 
 
@@ -47,12 +48,12 @@ class ClosedForm:
 
         Factors of one sign at all of them have that sign, and the others stand between bars.
         """
-        found = tidied(_of_size(_rooted_in_sizes(self.expression, points), points))
+        found = one_storey(tidied(_of_size(_rooted_in_sizes(self.expression, points), points)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
         """What is squared under a root stands before it, between bars, or with the sign that it has at a point."""
-        found = tidied(_out_of_roots(self.expression, at))
+        found = one_storey(tidied(_out_of_roots(self.expression, at)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
@@ -149,9 +150,13 @@ def _written(whole: Expression) -> ClosedForm:
     if isinstance(whole, Absolute):
         found = Absolute(_written(whole.inside).expression)
         return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
-    short = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
-    found = tidied(with_factors_in_front(short))
+    found = min((_reduced(held) for held in (shortest(whole, LONGEST), whole)), key=length)
     return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
+
+
+def _reduced(whole: Expression) -> Expression:
+    """Return a formula with what terms share in front, without fractions in its fractions."""
+    return one_storey(tidied(with_factors_in_front(tidied(gathered(tidied(whole))))))
 
 
 def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
@@ -181,6 +186,8 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
 
 
 def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    if isinstance(held, Product) and any(isinstance(factor, Quotient) for factor in held.factors):
+        return reduce(multiplied, (_with_positive_factors(factor, points) for factor in held.factors))
     above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
     sides = [list(side.factors) if isinstance(side, Product) else [side] for side in (above, below)]
     negative = [(side, n) for side in sides for n, factor in enumerate(side) if _is_reversible(factor, points)]

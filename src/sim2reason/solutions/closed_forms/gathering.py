@@ -21,6 +21,7 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.algebra.signs import is_difference
 from sim2reason.solutions.closed_forms.rewriting import length
 
 MANY = 30  # terms: of more, none is looked at
@@ -57,8 +58,11 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
     if not isinstance(found, Sum) or len(found.terms) > MANY:
         return found
     terms = [_term(term) for term in found.terms]
-    crossed = _crosswise(terms) if size is length else None
-    return min((found, _plain(_merged(terms)), _product(terms)), key=size) if crossed is None else crossed
+    crossed = _crosswise(_merged(terms)) if size is length else None
+    alike = all(term.number > 0.0 for term in terms)  # with differences, only where that is shorter
+    if crossed is not None and (alike or size(crossed) <= size(found)):
+        return crossed
+    return min((found, _plain(_merged(terms)), _product(terms)), key=size)
 
 
 def with_factors_in_front(held: Expression) -> Expression:
@@ -165,13 +169,14 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
             sums = _two_sums(first, second, third, others[last])
             if sums is not None:
                 rest = [term for n, term in enumerate(terms) if n not in four]
-                return _plain([Term(first.number, sums), *rest])
+                return _plain([Term(first.number, sums)]) + min((_plain(rest), _product(rest)), key=length)
     return None
 
 
-def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expression] | None:
-    """Return the sums a + b and c + d whose product is four terms; None if the terms are no such product."""
-    if any(term.below or term.number != ac.number for term in (ac, ad, bc, bd)):
+def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, ...] | None:
+    """Return the factors whose product is four terms, with two sums among them; None if the terms are no product."""
+    over, beside = bc.number / ac.number, ad.number / ac.number  # of b beside a, and of d beside c
+    if any(term.below for term in (ac, ad, bc, bd)) or bd.number != ac.number * over * beside:
         return None
     a = _both(ac.factors, ad.factors)
     c, d = _less(ac.factors, a), _less(ad.factors, a)
@@ -179,8 +184,10 @@ def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, Expre
     products = (a + c, ac), (a + d, ad), (b + c, bc), (b + d, bd)
     if not (a and b and c and d) or any(_less(one, t.factors) or _less(t.factors, one) for one, t in products):
         return None
-    one, other = (_plain([Term(1.0, x), Term(1.0, y)]) for x, y in ((a, b), (c, d)))
-    return one, other
+    shared = _both(a, b)
+    one = _plain([Term(1.0, _less(a, shared)), Term(over, _less(b, shared))])
+    other = _plain([Term(1.0, c), Term(beside, d)])
+    return *shared, *sorted((one, other), key=is_difference)
 
 
 def _square(terms: Sequence[Term]) -> Term | None:

@@ -9,8 +9,8 @@ from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.algebra.signs import plain_latex
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
