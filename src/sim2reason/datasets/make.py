@@ -22,7 +22,7 @@ from sim2reason.datasets.item import (
     QuestionPart,
 )
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.options import Options, values
+from sim2reason.datasets.options import values
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
@@ -30,7 +30,7 @@ from sim2reason.filters import Candidate
 from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import counted_in
 from sim2reason.questions import KINDS, Formula
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
 from sim2reason.questions.need import greatest
 from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
@@ -90,16 +90,22 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             needs=request.needs,
         ),
     )
-    return told_in(system_named(request.units), with_options(item, found.options) if found.options else item)
+    return told_in(system_named(request.units), with_options(item, found) if found.options else item)
 
 
-def with_options(item: Item, chosen: Options) -> Item:
+def with_options(item: Item, found: CertifiedQuestion) -> Item:
     """A numeric item as a multiple choice."""
-    answer, body = item.answer, without_form(item.prompt)[0]
-    numbers = tuple(values(answer, chosen))
-    prompt = ChoicePrompt.of(body, numbers, answer.unit).text
-    told = answer.model_copy(update={"letter": LETTERS[chosen.index(None)], "options": numbers})
-    return item.model_copy(update={"prompt": prompt, "answer": told})
+    answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
+    numbers, kind, words = tuple(values(answer, chosen)), found.candidate.kind, found.candidate.words
+    said = amounts([abs(number) for number in numbers] if kind.names_one else numbers, answer.unit)
+    told = {"letter": LETTERS[chosen.index(None)], "options": numbers}
+    if kind.names_one and words is not None:
+        query = found.question.query
+        firsts = (number > 0.0 for number in numbers)
+        said = tuple(kind.option(query, words, *pair) for pair in zip(said, firsts, strict=True))
+        told["texts"] = said
+    prompt = ChoicePrompt(body, said).text
+    return item.model_copy(update={"prompt": prompt, "answer": answer.model_copy(update=told)})
 
 
 def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
