@@ -79,8 +79,8 @@ def _answer(system: SpokenUnits, answer: Answer) -> Answer:
     unit, factor = system.spelled(answer.unit)
     parts = tuple(_answer(system, part) for part in answer.parts)
     options = tuple(value * float(factor) for value in answer.options)
-    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options}
-    told["texts"] = tuple(spoken_in(system, text) for text in answer.texts)
+    texts = tuple(spoken_in(system, text) for text in answer.texts)
+    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options, "texts": texts}
     return answer.model_copy(update=told)
 
 

@@ -100,7 +100,7 @@ class Answer(Record):
     letter: str = ""
     """The letter of the answer, where it is one of several options."""
     options: tuple[FiniteFloat, ...] = ()
-    """The numbers of all options, from A on, in `unit`; where options name one of two, a negative one is the second's."""
+    """The numbers of all options, from A on, in `unit`; a negative one may be the second's of two."""
     texts: tuple[str, ...] = ()
     """What the options say, where that is more than their numbers."""
 

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from pydantic import JsonValue
 
@@ -31,6 +31,7 @@ from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import counted_in
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
+from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
 from sim2reason.questions.need import greatest
 from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
@@ -96,16 +97,20 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
 def with_options(item: Item, found: CertifiedQuestion) -> Item:
     """A numeric item as a multiple choice."""
     answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
-    numbers, kind, words = tuple(values(answer, chosen)), found.candidate.kind, found.candidate.words
-    said = amounts([abs(number) for number in numbers] if kind.names_one else numbers, answer.unit)
-    told = {"letter": LETTERS[chosen.index(None)], "options": numbers}
-    if kind.names_one and words is not None:
-        query = found.question.query
-        firsts = (number > 0.0 for number in numbers)
-        said = tuple(kind.option(query, words, *pair) for pair in zip(said, firsts, strict=True))
-        told["texts"] = said
-    prompt = ChoicePrompt(body, said).text
-    return item.model_copy(update={"prompt": prompt, "answer": answer.model_copy(update=told)})
+    numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
+    texts = _names_and(numbers, answer.unit, found)
+    told = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
+    prompt = ChoicePrompt(body, texts or amounts(numbers, answer.unit)).text
+    return item.model_copy(update={"prompt": prompt, "answer": told})
+
+
+def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
+    """What options say that name one of two beside a number; nothing where a number is all."""
+    kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
+    if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
+        return ()
+    said = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
+    return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in said)
 
 
 def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:

@@ -31,8 +31,8 @@ def choice(
     """Grade a boxed letter against the right one, of all the `letters` that there are; small ones pass for capitals.
 
     Where the `values` of the options are known, in `unit`, the letter may be followed by the number of its option, and
-    that number alone stands for the letter. So may the text of an option, word for word, where `texts` are known. Anything else beside the letter, such as a second one or the number of
-    another option, makes it unreadable.
+    that number alone stands for the letter. So does the text of an option, word for word, where `texts` are known.
+    Anything else beside the letter, such as a second one or the number of another option, makes it unreadable.
     """
     try:
         content = boxed(response)

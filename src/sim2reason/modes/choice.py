@@ -13,6 +13,7 @@ class Choice(Numeric):
     offers_options = True
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """A question for one of two; None for others: without its options it is a numeric question, and is read as one."""
-        found = None if words.symbolic else parse_question(text, study, words, [name for name, kind in KINDS.items() if kind.names_one])
+        """A question for one of two; None for others, which are read as numeric questions."""
+        own = [name for name, kind in KINDS.items() if kind.names_one]
+        found = parse_question(text, study, words, own) if not words.symbolic else None
         return ParsedQuestion(self.name, found) if found is not None else None

@@ -51,8 +51,7 @@ class Kind(ABC):
         costly: whether drawing one takes many motions, so that it is asked by its weight alone, not in place of others.
         beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
         hides: whether its questions leave a number of the text open, which other questions about it may need.
-        names_one: whether its answers name one of two things beside a number, so that only options can ask for them: a
-            positive number is of the first, a negative one of the second.
+        names_one: whether its answers name one of two things beside a number, so that only options can ask for them.
     """
 
     name: ClassVar[str]
@@ -134,14 +133,6 @@ class Kind(ABC):
         Which one it does ask, `shapes` tells: it must give that sentence, word for word.
         """
 
-    def option(self, query: Query, words: Words, number: str, first: bool) -> str:
-        """What an option says for an answer, whose `number` has its unit; by default that alone.
-
-        `first` tells whether it names the first of two things.
-        """
-        del query, words, first
-        return number
-
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of everything that a structured question of this kind can find; by default none."""
         del words
@@ -207,9 +198,7 @@ class ValueKind(Kind):
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
-        if time is None:
-            return None
-        return query.target.value(study.trace.at(query.moment.side(time)))
+        return None if time is None else query.target.value(study.trace.at(query.moment.side(time)))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the speed of A 0.80 s after release?"""
@@ -271,10 +260,7 @@ def kind(cls: type[K]) -> type[K]:
 
 
 def by_share(rng: np.random.Generator) -> list[Kind]:
-    """All kinds that ask for a number alone, each the next one by its share among those that are left.
-
-    Most motions offer only some.
-    """
+    """All kinds that ask for a number alone, each the next one by its share: most motions offer only some."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())

@@ -70,9 +70,8 @@ class WhichFirstKind(WhichKind):
             return first.subject, second.subject
         return _statement(first), _statement(second)
 
-    def option(self, query: Query, words: Words, number: str, first: bool) -> str:
+    def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
         """As in: block A, 0.41 s before block B."""
-        assert isinstance(query, WhichQuery)
         names, same = self.names(query, words), self._deed_of(query, words)
         assert names is not None
         name, other = names if first else names[::-1]
@@ -89,8 +88,9 @@ class WhichFirstKind(WhichKind):
         del noun
         assert isinstance(query, WhichQuery)
         deed = self._deed_of(query, words)
-        found = [shape for _, a, b in self.orders(query, words) for shape in (_same(a, b, deed) if deed else _two(a, b))]
-        return tuple(dict.fromkeys(found))
+        orders = self.orders(query, words)
+        shapes = (shape for _, a, b in orders for shape in (_same(a, b, deed) if deed else _two(a, b)))
+        return tuple(dict.fromkeys(shapes))
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the name *time*."""

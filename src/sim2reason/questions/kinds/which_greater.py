@@ -94,9 +94,8 @@ class WhichGreaterKind(WhichKind):
         assert second is not None
         return first[1], _tail(first[2], second[2]) or ""
 
-    def option(self, query: Query, words: Words, number: str, first: bool) -> str:
+    def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
         """As in: block A, by a factor of 1.41."""
-        assert isinstance(query, WhichQuery)
         names = self.names(query, words)
         assert names is not None
         return f"{names[0 if first else 1]}, by a factor of {number}"

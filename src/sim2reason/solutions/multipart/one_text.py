@@ -37,7 +37,8 @@ def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> t
 def _have_clear_names(parts: Sequence[Solution]) -> bool:
     """Whether no name is introduced twice in other words."""
     said: dict[str, str] = {}
-    return all(agree(name, said.setdefault(name, words), words) for part in parts for name, words in meanings(part).items())
+    introduced = (pair for part in parts for pair in meanings(part).items())
+    return all(agree(name, said.setdefault(name, words), words) for name, words in introduced)
 
 
 def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) -> Step:

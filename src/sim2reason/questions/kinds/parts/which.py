@@ -70,6 +70,10 @@ class WhichKind(Kind):
         """How options call both; None where a text has no words that tell them apart."""
 
     @abstractmethod
+    def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
+        """What an option says that names the first of both, or the second, and a `number` with its unit."""
+
+    @abstractmethod
     def conclusion(self, query: WhichQuery, words: Words) -> str:
         """The clause with which a solution says that it is the first of the two, to be followed by the number."""
 
