@@ -48,7 +48,7 @@ class Kind(ABC):
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
         derivable: whether it is asked only where some worked solution leads to the answer without any integration.
-        costly: whether drawing one takes many motions, so that it is asked by its weight alone, not in place of others.
+        costly: whether it is asked by its weight alone, not in place of others: most take many motions to draw.
         beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
         hides: whether its questions leave a number of the text open, which other questions about it may need.
         names_one: whether its answers name one of two things beside a number, so that only options can ask for them.

@@ -27,7 +27,7 @@ class WhichFirstKind(WhichKind):
     """Which of two events comes first, and how much earlier?"""
 
     name = "which_first"
-    share = 0.03  # one wrong number is enough, so that it is refused less than others
+    share = 0.12
     is_least = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

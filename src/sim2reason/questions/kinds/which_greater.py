@@ -32,7 +32,7 @@ class WhichGreaterKind(WhichKind):
     """Of which of two is a quantity greater, and by what factor?"""
 
     name = "which_greater"
-    share = 0.025  # one wrong number is enough, so that it is refused less than others
+    share = 0.06
     is_least = False
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

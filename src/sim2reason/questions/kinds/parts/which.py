@@ -57,6 +57,7 @@ class WhichKind(Kind):
 
     names_one = True
     derivable = True
+    costly = True  # one wrong number makes its options: in place of others it would be asked too often
     of_symbols = False
     is_least: ClassVar[bool]
     """Whether that with the less of both answers is looked for, or that with the greater."""
