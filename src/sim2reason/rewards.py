@@ -32,7 +32,7 @@ __all__ = [
     "score",
 ]
 
-EXTRA = "parts", "letter", "options"  # of an answer, which most do not have
+EXTRA = "parts", "letter", "options", "texts"  # of an answer, which most do not have
 SHOWN = 80  # characters of a text that is no ground truth
 
 

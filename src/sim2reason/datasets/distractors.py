@@ -52,7 +52,10 @@ def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
         or not SMALLEST < abs(value / question.answer) < LARGEST
     ):
         return
-    if value < 0.0 and not question.sign:  # nobody gives a size that is negative
+    if candidate.kind.names_one:
+        if abs(value) < candidate.kind.measured(question.query).least:
+            return
+    elif value < 0.0 and not question.sign:  # nobody gives a size that is negative
         return
     if all(other.answer is not None and abs(value - other.answer) > APART * abs(value) for other in found):
         found.append(effect)

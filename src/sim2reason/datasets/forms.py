@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.distractors import ENOUGH, distractors
 from sim2reason.datasets.item import Answer
-from sim2reason.datasets.options import options
+from sim2reason.datasets.options import options, options_of_two
 from sim2reason.datasets.part_search import PartSearch
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.questions import QuestionMode
@@ -36,7 +36,10 @@ def formed(
         return found
     question = found.question
     answer = Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance)
-    chosen = options(answer, distractors(found.candidate, found.description, ENOUGH), name)
+    if found.candidate.kind.names_one:
+        chosen = options_of_two(answer, distractors(found.candidate, found.description), name)
+    else:
+        chosen = options(answer, distractors(found.candidate, found.description, ENOUGH), name)
     if chosen is None:
         refused[FEW_OPTIONS] += 1
         return None

@@ -72,6 +72,8 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False, par
         return parts(response, [_grader(part) for part in answer.parts], partial=partial)
     if answer.letter:
         letters = LETTERS[: len(answer.options)]
+        if answer.texts:
+            return choice(response, answer.letter, letters, texts=answer.texts)
         return choice(response, answer.letter, letters, answer.options, answer.unit)
     if answer.formula is not None:
         held = answer.formula

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from sim2reason.datasets.item import Answer, Distractor, Item, QueryRecord, QuestionPart
-from sim2reason.questions.choice_prompts import ChoicePrompt
+from sim2reason.questions.choice_prompts import ChoicePrompt, amounts
 from sim2reason.questions.part_prompts import PartPrompt
 from sim2reason.questions.prompt import unit_in_words
 from sim2reason.questions.spoken_units import SpokenUnits, spoken_in
@@ -40,9 +40,10 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
 def _options_told_in(system: SpokenUnits, item: Item) -> Item:
     """The same of a multiple choice, whose options are in the unit of the answer."""
     answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
+    question = spoken_in(system, told.question)
     return item.model_copy(
         update={
-            "prompt": ChoicePrompt.of(spoken_in(system, told.question), answer.options, answer.unit).text,
+            "prompt": ChoicePrompt(question, answer.texts or amounts(answer.options, answer.unit)).text,
             "answer": answer,
             "distractors": tuple(_distractor(system, wrong, item.answer.unit) for wrong in item.distractors),
             "idle": tuple(spoken_in(system, part) for part in item.idle),
@@ -78,7 +79,8 @@ def _answer(system: SpokenUnits, answer: Answer) -> Answer:
     unit, factor = system.spelled(answer.unit)
     parts = tuple(_answer(system, part) for part in answer.parts)
     options = tuple(value * float(factor) for value in answer.options)
-    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options}
+    texts = tuple(spoken_in(system, text) for text in answer.texts)
+    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options, "texts": texts}
     return answer.model_copy(update=told)
 
 

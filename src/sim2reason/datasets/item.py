@@ -19,6 +19,7 @@ from pydantic_core import from_json
 from sim2reason.dsl.measures import join_unit
 from sim2reason.grading.parts import LABELS
 from sim2reason.prose.formula_numbers import counted_in, said_in
+from sim2reason.questions.choice_prompts import LETTERS
 
 
 class Record(BaseModel):
@@ -99,7 +100,9 @@ class Answer(Record):
     letter: str = ""
     """The letter of the answer, where it is one of several options."""
     options: tuple[FiniteFloat, ...] = ()
-    """The numbers of all options, from A on, in `unit`."""
+    """The numbers of all options, from A on, in `unit`; a negative one may be the second's of two."""
+    texts: tuple[str, ...] = ()
+    """What the options say, where that is more than their numbers."""
 
     @model_validator(mode="before")
     @classmethod
@@ -118,6 +121,7 @@ class Answer(Record):
         if self.parts:
             return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
+        number = self.texts[LETTERS.index(self.letter)] if self.texts else number
         number = f"{self.letter}. {number}" if self.letter else number
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 

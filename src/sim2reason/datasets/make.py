@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from pydantic import JsonValue
 
@@ -22,7 +22,7 @@ from sim2reason.datasets.item import (
     QuestionPart,
 )
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.options import Options, values
+from sim2reason.datasets.options import values
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked, worked_parts
@@ -30,7 +30,8 @@ from sim2reason.filters import Candidate
 from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import counted_in
 from sim2reason.questions import KINDS, Formula
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
+from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
 from sim2reason.questions.need import greatest
 from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.spoken_units import system_named
@@ -90,16 +91,26 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             needs=request.needs,
         ),
     )
-    return told_in(system_named(request.units), with_options(item, found.options) if found.options else item)
+    return told_in(system_named(request.units), with_options(item, found) if found.options else item)
 
 
-def with_options(item: Item, chosen: Options) -> Item:
+def with_options(item: Item, found: CertifiedQuestion) -> Item:
     """A numeric item as a multiple choice."""
-    answer, body = item.answer, without_form(item.prompt)[0]
-    numbers = tuple(values(answer, chosen))
-    prompt = ChoicePrompt.of(body, numbers, answer.unit).text
-    told = answer.model_copy(update={"letter": LETTERS[chosen.index(None)], "options": numbers})
+    answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
+    numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
+    texts = _names_and(numbers, answer.unit, found)
+    told = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
+    prompt = ChoicePrompt(body, texts or amounts(numbers, answer.unit)).text
     return item.model_copy(update={"prompt": prompt, "answer": told})
+
+
+def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
+    """What options say that name one of two beside a number; nothing where a number is all."""
+    kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
+    if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
+        return ()
+    said = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
+    return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in said)
 
 
 def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:

@@ -12,6 +12,9 @@ APART = 0.1  # relative: by how much an option differs from every other at least
 ROUNDING = 0.01  # relative: half a per cent of each of two rounded numbers
 LACKS = f"it needs a number as its answer, and {FEWEST} wrong ones, all a tenth apart"
 
+OTHER, NAMES_OTHER = "other of two", "It names the other of the two."
+RIGHT_NAME = "It names the right one of the two all the same."
+
 Options = tuple[Distractor | None, ...]
 """In their order; None stands for the right one."""
 
@@ -30,6 +33,32 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
             chosen.append(each)
     if len(chosen) <= FEWEST or not _graded(answer, said(values(answer, chosen))):
         return None
+    return _ordered(chosen, name)
+
+
+def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
+    """The right answer and a wrong one, each with either of two names, so that neither part tells the other.
+
+    A negative number is of the second of the two. None where no wrong number stands apart from the right one.
+    """
+    size = answer.model_copy(update={"value": abs(answer.value)})
+    sizes = (each.model_copy(update={"value": abs(each.value)}) for each in wrong)
+    pairs = zip(wrong, sizes, strict=True)
+    number = next((each for each, positive in pairs if _stands_apart(size, positive, [None])), None)
+    if number is None:
+        return None
+    other = Distractor(value=-answer.value, simplification=OTHER, reason=NAMES_OTHER)
+    twin = number.model_copy(update={"value": -number.value, "reason": f"{number.reason} {_beside(number, answer)}"})
+    return _ordered((None, other, number.model_copy(), twin), name)
+
+
+def _beside(number: Distractor, answer: Answer) -> str:
+    """What is said of the option that has the number of a slip, but not the name to which it leads."""
+    return NAMES_OTHER if number.value * answer.value > 0.0 else RIGHT_NAME
+
+
+def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
+    """Options in an order that hangs on a name alone."""
     order = [blake2b(f"{name}\n{number}".encode()).digest() for number in range(len(chosen))]
     return tuple(chosen[number] for number in sorted(range(len(chosen)), key=lambda number: order[number]))
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import NamedTuple
 
@@ -23,6 +23,7 @@ from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.parts.which import OR, WhichQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.outcomes import OUTCOMES
@@ -156,6 +157,8 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) 
 def _names(query: Query) -> list[tuple[str, str]]:
     """Return the registries and names of the members that a query is an example of."""
     names = [("kinds", query.kind)]
+    if isinstance(query, WhichQuery):
+        return names
     if isinstance(query, StretchQuery):
         names.append(("functionals", query.functional))
     elif query.target is not None and not isinstance(query, NestedQuery):
@@ -169,8 +172,8 @@ def _names(query: Query) -> list[tuple[str, str]]:
 
 def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
     """Return the parts of a query; None if queries of its kind are not written in parts here."""
-    if isinstance(query, NestedQuery):
-        return _nested(query, motion, words)
+    if isinstance(query, NestedQuery | WhichQuery):
+        return _of_others(query, motion, words)
     when = _when(query.moment, words)
     if isinstance(query, ThresholdQuery):
         outcome = query.outcome
@@ -186,6 +189,21 @@ def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQ
         return StructuredQuestion("time", when=when) if query.kind == "time_to_event" else None
     along = target.sense.axis or target.sense.positive if target.sense is not None else ""
     return StructuredQuestion(target.quantity, target.subject, when or "equilibrium", along)
+
+
+def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """Return the parts of a query about another query, or about two."""
+    if isinstance(query, NestedQuery):
+        return _nested(query, motion, words)
+    return _of_two(*(_in_parts(each, motion, words) for each in query.both))
+
+
+def _of_two(first: StructuredQuestion | None, second: StructuredQuestion | None) -> StructuredQuestion | None:
+    """Return the parts of a question for one of two, whose subjects or moments differ."""
+    if first is None or second is None:
+        return None
+    of, when = (OR.join(dict.fromkeys(pair)) for pair in ((first.of, second.of), (first.when, second.when)))
+    return replace(first, of=of, when=when)
 
 
 def _when(moment: Moment | None, words: Words) -> str:

@@ -27,10 +27,10 @@ A question has **parts**: what to `find`, `of` what, and `when`.
 
 - `find`: a quantity, what a stretch of the motion adds up to, `time`, `period`, or the address of a number.
 - `of`: what the text calls it, or its address; it may be left out where there is only one. Energies and masses are
-  added up of `A + B`.
+  added up of `A + B`; `A or B` asks of which of two a quantity is greater, and by what factor.
 - `when`: a moment by its name, with its subject before and its number after it; a time, `2 s`; `QUANTITY = VALUE`, the
   first time that it has that value (`QUANTITY of SUBJECT along AXIS = VALUE`, in full); `equilibrium`. `before` after
-  a moment is the instant just before it.
+  a moment is the instant just before it. `time` of `MOMENT or MOMENT` asks which comes first, and how much earlier.
 - `along`: a component, by its axis, or by what is positive; `its path`, for a body that moves along one line, and
   `its axle`, for one that turns about one axis.
 - `given`: `QUANTITY = VALUE` that a number of the scene makes so; `QUANTITY = greatest`, or `least`. If several values

@@ -27,7 +27,8 @@ FORMULA = pa.struct(
     }
 )
 ONE = {"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL, "formula": FORMULA}
-ANSWER = pa.struct({**ONE, "parts": pa.list_(pa.struct(ONE)), "letter": TEXT, "options": pa.list_(REAL)})
+CHOSEN = {"letter": TEXT, "options": pa.list_(REAL), "texts": pa.list_(TEXT)}
+ANSWER = pa.struct({**ONE, "parts": pa.list_(pa.struct(ONE)), **CHOSEN})
 ASKED = pa.struct(
     {
         "subject": TEXT,

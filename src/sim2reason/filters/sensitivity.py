@@ -26,7 +26,7 @@ class Sensitivity(Filter):
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.left_open) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
-        own = _cancelling(candidate.study.mechanism, query.subject)
+        own = {path for name in query.subjects for path in _cancelling(candidate.study.mechanism, name)}
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
         told = len(given) + of_question(candidate)

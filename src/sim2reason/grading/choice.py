@@ -20,12 +20,19 @@ _LED: Final = re.compile(rf"{_NAME}(?=\S)")
 NEAR: Final = 0.01  # relative: how well a number must agree with an option that it repeats
 
 
-def choice(response: object, letter: str, letters: str, values: Sequence[float] = (), unit: str | None = None) -> Score:
+def choice(
+    response: object,
+    letter: str,
+    letters: str,
+    values: Sequence[float] = (),
+    unit: str | None = None,
+    texts: Sequence[str] = (),
+) -> Score:
     """Grade a boxed letter against the right one, of all the `letters` that there are; small ones pass for capitals.
 
     Where the `values` of the options are known, in `unit`, the letter may be followed by the number of its option, and
-    that number alone stands for the letter. Anything else beside the letter, such as a second one or the number of
-    another option, makes it unreadable.
+    that number alone stands for the letter. So does the text of an option, word for word, where `texts` are known.
+    Anything else beside the letter, such as a second one or the number of another option, makes it unreadable.
     """
     try:
         content = boxed(response)
@@ -34,6 +41,8 @@ def choice(response: object, letter: str, letters: str, values: Sequence[float] 
     said = _DRESS.sub("", content).upper()
     if (len(said) != 1 or said not in letters) and values:
         said = _with_value(content, letters, values, unit)
+    if (len(said) != 1 or said not in letters) and texts:
+        said = _with_text(content, letters, texts)
     if len(said) != 1 or said not in letters:
         return Score.of(Outcome.UNREADABLE, None, f"the box holds no single letter of {', '.join(letters)}")
     outcome = Outcome.CORRECT if said == letter else Outcome.WRONG
@@ -42,10 +51,29 @@ def choice(response: object, letter: str, letters: str, values: Sequence[float] 
 
 def _with_value(content: str, letters: str, values: Sequence[float], unit: str | None) -> str:
     """The letter of the option whose number an answer gives; empty where a letter before it is another one's."""
-    content = _RUN.sub(r"\2. \1\3}", content, count=1) if _RUN.match(content) else content
-    led = _LED.match(content)
-    named = led[1].upper() if led else ""
-    rest = rf"\boxed{{{content[led.end() :] if led else content}}}"
+    named, rest = _led(content)
+    rest = rf"\boxed{{{rest}}}"
     pairs = zip(letters, values, strict=True)
     found = [name for name, value in pairs if number(rest, value, unit, tolerance=NEAR).outcome is Outcome.CORRECT]
     return found[0] if len(found) == 1 and named in ("", found[0]) else ""
+
+
+def _with_text(content: str, letters: str, texts: Sequence[str]) -> str:
+    """The letter of the option whose text an answer gives; empty where a letter before it is another one's."""
+    named, rest = _led(content)
+    said, plain = _plain(rest), _plain(content)
+    pairs = zip(letters, texts, strict=True)
+    found = [name for name, text in pairs if _plain(text) in (said, plain)]
+    return found[0] if len(found) == 1 and named in ("", found[0]) else ""
+
+
+def _led(content: str) -> tuple[str, str]:
+    """The letter at the beginning of an answer, if there is one, and what follows it."""
+    content = _RUN.sub(r"\2. \1\3}", content, count=1) if _RUN.match(content) else content
+    led = _LED.match(content)
+    return (led[1].upper(), content[led.end() :]) if led else ("", content)
+
+
+def _plain(text: str) -> str:
+    """A text without fonts, spaces and punctuation around its words, in capitals."""
+    return re.sub(r"[,;~\\]", "", _DRESS.sub("", text)).upper()

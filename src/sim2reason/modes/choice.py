@@ -1,7 +1,8 @@
 """The choice mode: a numeric question with options, which the wrong answers give to which slips lead."""
 
 from sim2reason.modes.numeric import Numeric
-from sim2reason.questions import ParsedQuestion, Study, Words, mode
+from sim2reason.questions import KINDS, ParsedQuestion, Study, Words, mode
+from sim2reason.questions.parse_question import parse_question
 
 
 @mode
@@ -12,6 +13,7 @@ class Choice(Numeric):
     offers_options = True
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """None: without its options it is a numeric question, and is read as one."""
-        del text, study, words
-        return None
+        """A question for one of two; None for others, which are read as numeric questions."""
+        own = [name for name, kind in KINDS.items() if kind.names_one]
+        found = parse_question(text, study, words, own) if not words.symbolic else None
+        return ParsedQuestion(self.name, found) if found is not None else None

@@ -19,7 +19,7 @@ class Multipart(Numeric):
     @property
     def kinds(self) -> frozenset[str]:
         """Those that leave no number of the text open, which other parts may need."""
-        return frozenset(name for name, kind in KINDS.items() if not kind.hides)
+        return frozenset(name for name in super().kinds if not KINDS[name].hides)
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """None, too, where the question would leave a number open."""

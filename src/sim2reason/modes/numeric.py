@@ -61,6 +61,6 @@ class Numeric(QuestionMode):
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """A query in the words of its kind; what the text leaves unknown must be what it asks for."""
-        query = parse_question(text, study, words) if not words.symbolic else None
+        query = parse_question(text, study, words, self.kinds) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
         return ParsedQuestion(self.name, query) if query is not None and hidden <= {query.hides} else None

@@ -119,8 +119,8 @@ class QuestionMode(ABC):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """The kinds of question, by name, that it can ask; by default all."""
-        return frozenset(KINDS)
+        """The kinds of question, by name, that it can ask; by default all; of two, one is named with options only."""
+        return frozenset(name for name, kind in KINDS.items() if self.offers_options or not kind.names_one)
 
     def offers(self, mechanism: Mechanism) -> bool:
         """Whether it may ask anything about a mechanism whose motion is not known yet; by default so."""

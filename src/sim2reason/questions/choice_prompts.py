@@ -30,7 +30,7 @@ class ChoicePrompt:
     @classmethod
     def of(cls, question: str, values: Sequence[float], unit: str) -> "ChoicePrompt":
         """With numbers as options, all in one style."""
-        return cls(question, tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values)))
+        return cls(question, amounts(values, unit))
 
     @classmethod
     def read(cls, text: str) -> "ChoicePrompt":
@@ -56,6 +56,11 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
     form = FORMATS[0].format(unit=unit_in_words(unit)) if unit else PLAIN_FORMATS[0]
     between = "\n\n" if question.endswith("|") else " "
     return parse_prompt(f"{question}{between}{form}", rng)
+
+
+def amounts(values: Sequence[float], unit: str) -> tuple[str, ...]:
+    """Numbers in one style, with their unit."""
+    return tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values))
 
 
 def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:

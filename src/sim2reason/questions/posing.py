@@ -139,7 +139,7 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
         return _summed(asked, motion, words)
     if asked.change:
         return _changed(asked, motion, words)
-    kinds = (kind for kind in KINDS.values() if find in kind.finds(words))
+    kinds = sorted((kind for kind in KINDS.values() if find in kind.finds(words)), key=lambda kind: not kind.names_one)
     query = next((query for kind in kinds if (query := kind.posed(asked, motion.study, words)) is not None), None)
     if query is None:
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"

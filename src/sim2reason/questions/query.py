@@ -20,6 +20,11 @@ class Query:
         return ""
 
     @property
+    def subjects(self) -> tuple[str, ...]:
+        """All that it asks about; by default its subject."""
+        return (self.subject,)
+
+    @property
     def subject(self) -> str:
         """What it is about: the subject of its quantity, else the first that its moment speaks of."""
         if self.target is not None:

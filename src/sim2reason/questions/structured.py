@@ -42,7 +42,7 @@ class StructuredQuestion:
     says so. With *ramp.angle = greatest* it asks for the answer's greatest value; with *left.block.mass = infinity*, or
     *0*, for the limit that the answer approaches. `of` may name several subjects of an energy or a mass, as *block A +
     block B*, for the sum; `when` may name two moments, as *second bounced minus bounced*, for the value at the first
-    less that at the second.
+    less that at the second. With *block A or block B*, of two subjects or moments, it asks which of them it is.
     """
 
     find: str

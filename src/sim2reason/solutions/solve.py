@@ -132,7 +132,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
             write()
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = book.steps if strategy.integrates else _told(book, goal, late)
+    steps = book.steps if strategy.integrates or strategy.finished else _told(book, goal, late)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     found = times_in_sequence(_found(strategy, setting, book, goal, steps))
     answer = found.said(book.values[goal])

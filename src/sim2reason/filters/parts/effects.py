@@ -106,7 +106,7 @@ def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
     spared = {candidate.question.unknown}
     if simplification.part or simplification.holds:
         query = candidate.question.query
-        spared |= {query.subject, *(query.moment.subjects if query.moment is not None else ())}
+        spared |= {*query.subjects, *(query.moment.subjects if query.moment is not None else ())}
     return spared - {""}
 
 

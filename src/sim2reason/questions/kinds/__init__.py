@@ -48,9 +48,10 @@ class Kind(ABC):
         whole: whether answers are whole numbers.
         awaited: whether the motion brings an answer about in its own time, though no moment is named.
         derivable: whether it is asked only where some worked solution leads to the answer without any integration.
-        costly: whether drawing one takes many motions, so that it is asked by its weight alone, not in place of others.
+        costly: whether it is asked by its weight alone, not in place of others: most take many motions to draw.
         beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
         hides: whether its questions leave a number of the text open, which other questions about it may need.
+        names_one: whether its answers name one of two things beside a number, so that only options can ask for them.
     """
 
     name: ClassVar[str]
@@ -62,6 +63,7 @@ class Kind(ABC):
     costly: ClassVar[bool] = False
     beyond_laws: ClassVar[bool] = False
     hides: ClassVar[bool] = False
+    names_one: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:
@@ -196,9 +198,7 @@ class ValueKind(Kind):
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
-        if time is None:
-            return None
-        return query.target.value(study.trace.at(query.moment.side(time)))
+        return None if time is None else query.target.value(study.trace.at(query.moment.side(time)))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the speed of A 0.80 s after release?"""
@@ -260,8 +260,8 @@ def kind(cls: type[K]) -> type[K]:
 
 
 def by_share(rng: np.random.Generator) -> list[Kind]:
-    """All kinds, each the next one by its share among those that are left: most motions offer only some."""
-    kinds = list(KINDS.values())
+    """All kinds that ask for a number alone, each the next one by its share: most motions offer only some."""
+    kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())
     return [kinds[number] for number in order.tolist()]

@@ -23,6 +23,7 @@ class Strategy(ABC):
         least_need: the mathematics that each of its solutions takes at least.
         integrates: whether it derives nothing, and the answer is what a numerical integration gives.
         nested: whether it leaves to other strategies what its question is about, as a comparison does.
+        finished: whether its steps are ordered and merged already as a text shows them.
     """
 
     name: ClassVar[str]
@@ -31,6 +32,7 @@ class Strategy(ABC):
     integrates: ClassVar[bool] = False
     least_need: ClassVar[Need] = Need.ARITHMETIC
     nested: ClassVar[bool] = False
+    finished: ClassVar[bool] = False
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Why it applies to nothing that could be asked about a mechanism, in a few words; by default it may apply."""

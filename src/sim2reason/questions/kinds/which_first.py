@@ -1,0 +1,179 @@
+"""Which of two events comes first, and how much earlier?"""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from sim2reason.questions.kinds import Measured, by_cause, drawn, kind
+from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
+from sim2reason.questions.moments import Clause, Happening, Moment
+from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.words import Words
+
+TIME = "time_to_event"
+FIRST, AGAIN = "first ", " for the first time"
+PAIRS = 4  # that one draw looks at
+PROPORTION = 1e-6  # relative: what is hardly out of proportion
+OTHERS = 3  # further events that one draw looks at
+
+
+@kind
+class WhichFirstKind(WhichKind):
+    """Which of two events comes first, and how much earlier?"""
+
+    name = "which_first"
+    share = 0.12
+    is_least = True
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """An event of this motion, with the same of another subject, else with another event."""
+        del targets
+
+        def wanted(moment: Happening) -> bool:
+            return _clause(moment, words) is not None and not moment.is_plain(study)
+
+        moment = drawn(_happenings(), study, words, rng, wanted)
+        if moment is None:
+            return None
+        offered = [other for other in type(moment).found(study, words, rng) if wanted(other)]
+        same = [other.having([value for value, _ in moment.stated]) for other in offered]
+        draws = 0 if moment.stated or _moves_as_one(study) else OTHERS  # else what happens first is a matter of places
+        further = (drawn(_happenings(), study, words, rng, wanted) for _ in range(draws))
+        others = [*_shuffled(same, rng)[:PAIRS], *(other for other in further if other and not other.stated)]
+        for other in others:
+            if set(moment.subjects).isdisjoint(other.subjects) and study.time(other) is not None:
+                query = self.worth(_query(moment, other), study, words)
+                if query is not None:
+                    return query
+        return None
+
+    def number(self, less: float, greater: float) -> float:
+        """The time between them."""
+        return greater - less
+
+    def measured(self, query: Query) -> Measured:
+        """A time, of a hundredth of a second at least."""
+        del query
+        return Measured("difference", "s", least=1e-2)
+
+    def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
+        """The subjects, where both do the same, else what happens."""
+        first, second = (_clause(each.moment, words) for each in query.both)
+        if first is None or second is None or first.subject == second.subject:
+            return None
+        if _deed(first) and _deed(first) == _deed(second):
+            return first.subject, second.subject
+        return _statement(first), _statement(second)
+
+    def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
+        """As in: block A, 0.41 s before block B."""
+        names, same = self.names(query, words), self._deed_of(query, words)
+        assert names is not None
+        name, other = names if first else names[::-1]
+        return f"{name}, {number} before {other}" if same else f"{name} first, {number} earlier"
+
+    def conclusion(self, query: WhichQuery, words: Words) -> str:
+        """As in: block A is the first to come to rest, earlier than block B by."""
+        first, second = self.names(query, words) or ("it", "the other")
+        deed = self._deed_of(query, words)
+        return f"{first} is the first to {deed}, earlier than {second} by" if deed else f"{first} first, earlier by"
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: which of block A and block B is the first to come to rest, and how much earlier than the other?"""
+        del noun
+        assert isinstance(query, WhichQuery)
+        deed = self._deed_of(query, words)
+        orders = self.orders(query, words)
+        shapes = (shape for _, a, b in orders for shape in (_same(a, b, deed) if deed else _two(a, b)))
+        return tuple(dict.fromkeys(shapes))
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Return the name *time*."""
+        del words
+        return ("time",)
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """Return the query for two moments, as in *block A stopped or block B stopped*; None without the *or*."""
+        first, found, second = asked.when.partition(OR)
+        if not found:
+            return None
+        moments = (moment_of(StructuredQuestion("time", when=when), words) for when in (first, second))
+        return self.oriented(_query(*moments), study)
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every two events that it names."""
+        del targets
+        if not text.lower().startswith(("which ", "find which ", "determine which ")):
+            return
+        moments = [moment for cls in _happenings() for moment in cls.parsed(text, study.trace, words)]
+        named = [moment for moment in dict.fromkeys(moments) if _is_named(moment, text, words)]
+        yield from (self.oriented(_query(*pair), study) for pair in combinations(named, 2))
+
+    def _deed_of(self, query: WhichQuery, words: Words) -> str:
+        """What both do, if it is the same."""
+        deeds = {_deed(clause) for each in query.both if (clause := _clause(each.moment, words)) is not None}
+        return deeds.pop() if len(deeds) == 1 else ""
+
+
+def _moves_as_one(study: Study) -> bool:
+    """Whether all speeds are in a fixed proportion, so that one coordinate tells where everything is."""
+    return study.once("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
+
+
+def _query(first: Moment, second: Moment) -> WhichQuery:
+    return WhichQuery(WhichFirstKind.name, None, first, TIME, Query(TIME, None, second))
+
+
+def _happenings() -> list[type[Happening]]:
+    return [cls for cls in by_cause() if issubclass(cls, Happening)]
+
+
+def _shuffled(moments: Sequence[Happening], rng: np.random.Generator) -> list[Happening]:
+    order: list[int] = rng.permutation(len(moments)).tolist()
+    return [moments[number] for number in order]
+
+
+def _clause(moment: Moment | None, words: Words) -> Clause | None:
+    return moment.clause(words) if isinstance(moment, Happening) else None
+
+
+def _deed(clause: Clause) -> str:
+    """What the subject does, after *to*: *come to rest*, *move 0.50 m*; empty where there are no such words."""
+    if clause.takes:
+        return clause.takes.removeprefix("to ").removesuffix(AGAIN)
+    return {"does": "", "do": "", "is": "be "}.get(clause.auxiliary, "has ") + clause.asked.replace(FIRST, "", 1)
+
+
+def _statement(clause: Clause) -> str:
+    """What happens: *block A comes to rest*."""
+    return f"{clause.subject} {clause.told.replace(FIRST, '', 1).removesuffix(AGAIN)}"
+
+
+def _is_named(moment: Happening, text: str, words: Words) -> bool:
+    clause = _clause(moment, words)
+    if clause is None or clause.subject not in text:
+        return False
+    return _deed(clause) in text or _statement(clause) in text
+
+
+def _same(first: str, second: str, deed: str) -> tuple[str, ...]:
+    """The questions where two do the same."""
+    return (
+        f"which of {first} and {second} is the first to {deed}, and how much earlier than the other?",
+        f"which is the first to {deed}, {first} or {second}, and how much earlier than the other?",
+        f"determine which of {first} and {second} is the first to {deed}, and how much earlier than the other.",
+    )
+
+
+def _two(first: str, second: str) -> tuple[str, ...]:
+    """The questions where two things happen."""
+    return (
+        f"which happens first, and how much earlier: {first} or {second}?",
+        f"which of these happens first, and how much earlier than the other: {first} or {second}?",
+        f"determine which happens first, and how much earlier: {first} or {second}.",
+    )

@@ -1,0 +1,226 @@
+"""Of which of two is a quantity greater, and by what factor?"""
+
+import re
+from collections.abc import Iterator
+from itertools import combinations, groupby
+
+import numpy as np
+
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.kinds import KINDS, Measured, kind
+from sim2reason.questions.kinds.parts.nested import AWKWARD
+from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
+from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.query import Query
+from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named, targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+
+DISTANCE = "distance between {} and its starting point"
+INNER = ("state", "event", "start")
+HAS = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
+"""What one of two does whose quantity is the greater, where English has words for it."""
+LEAST = 1.1  # times: who is less far ahead is hardly ahead
+GREATEST = 30.0  # times: nobody would ask by what factor the greater one is greater than that
+MAGNITUDE = "magnitude of the "
+
+
+@kind
+class WhichGreaterKind(WhichKind):
+    """Of which of two is a quantity greater, and by what factor?"""
+
+    name = "which_greater"
+    share = 0.06
+    is_least = False
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """A size of one of several subjects that have it, and of another one at the same moment."""
+        offered = {target: targets[target] for group in _alike(targets) for target in group}
+        shares = np.array([KINDS[name].share for name in INNER])
+        order: list[int] = rng.choice(len(INNER), len(INNER), replace=False, p=shares / shares.sum()).tolist()
+        for name in (INNER[number] for number in order) if offered else ():
+            inner = KINDS[name].draw(study, words, offered, rng)
+            query = self._with_another(inner, study, words, offered, rng) if inner is not None else None
+            if query is not None:
+                return query
+        return None
+
+    def _with_another(
+        self, inner: Query, study: Study, words: Words, offered: Targets, rng: np.random.Generator
+    ) -> Query | None:
+        target, moment = inner.target, inner.moment
+        assert target is not None
+        assert moment is not None
+        for other in offered:
+            if other.quantity != target.quantity or other == target:
+                continue
+            rival = KINDS[inner.kind].at(moment, study, words, {other: offered[other]}, rng)
+            told = Channel(other.subject, other.quantity) in moment.tells
+            if rival is None or rival.moment != moment or told:
+                continue
+            query = self.worth(_query(inner, rival), study, words)
+            if query is not None:
+                return query
+        return None
+
+    def number(self, less: float, greater: float) -> float | None:
+        """By what factor the greater one is greater."""
+        return greater / less if less > 0.0 and greater < GREATEST * less else None
+
+    def measured(self, query: Query) -> Measured:
+        """A factor above 1."""
+        del query
+        return Measured("ratio", "", least=LEAST)
+
+    def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
+        """The subjects, where the quantity is a property of each, else both noun phrases."""
+        nouns = _nouns(query, words)
+        if nouns is None:
+            return None
+        first, second = (_parted(*pair, words) for pair in zip(query.both, nouns, strict=True))
+        if first is None or second is None or first[1] != second[1] or _tail(first[2], second[2]) is None:
+            return nouns[0].phrase, nouns[1].phrase
+        return first[0], second[0]
+
+    def _property(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
+        """The property that both have, and what follows; None where options call them by noun phrases."""
+        names, nouns = self.names(query, words), _nouns(query, words)
+        if names is None or nouns is None or names[0] == nouns[0].phrase:
+            return None
+        first, second = (_parted(*pair, words) for pair in zip(query.both, nouns, strict=True))
+        assert first is not None
+        assert second is not None
+        return first[1], _tail(first[2], second[2]) or ""
+
+    def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
+        """As in: block A, by a factor of 1.41."""
+        names = self.names(query, words)
+        assert names is not None
+        return f"{names[0 if first else 1]}, by a factor of {number}"
+
+    def conclusion(self, query: WhichQuery, words: Words) -> str:
+        """As in: block A has the greater kinetic energy, by a factor of."""
+        name, *_ = self.names(query, words) or ("it",)
+        named = self._property(query, words)
+        return f"{name} {_has(*named) if named is not None else 'is the greater'}, by a factor of"
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: which of block A and block B has the greater kinetic energy after 2 s, and by what factor?"""
+        assert isinstance(query, WhichQuery)
+        nouns = _nouns(query, words)
+        if query.moment is None or noun is None or nouns is None:
+            return ()
+        whens = [f" {when}" for when in query.moment.phrases(words)]
+        found, named = list[str](), self._property(query, words)
+        for _, first, second in self.orders(query, words):
+            for when in whens:
+                found += _of_two(first, second, _has(*named), when) if named else _of_nouns(first, second, when)
+        return tuple(dict.fromkeys(found))
+
+    def finds(self, words: Words) -> tuple[str, ...]:
+        """Return the names of all quantities in the scene."""
+        return tuple(quantities_named(words.mechanism))
+
+    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+        """Return the query for two subjects, as in *block A or block B*; None without the *or*."""
+        first, found, second = asked.of.partition(OR)
+        if not found:
+            return None
+        moment = moment_of(asked, words)
+        pair = (
+            Query(moment.kind, target_named(StructuredQuestion(asked.find, of, asked.when), words), moment)
+            for of in (first, second)
+        )
+        return self.oriented(_query(*pair), study)
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every quantity of every two subjects that it names, at every moment."""
+        del targets
+        if not text.lower().startswith(("which ", "determine which ")):
+            return
+        for group in _alike({t: noun for t, noun in _all(words).items() if _is_named(t, noun, text, words)}):
+            for name in INNER:
+                asked = KINDS[name].parsed(text, study, words, {t: _all(words)[t] for t in group})
+                of_moment = sorted(asked, key=lambda query: repr(query.moment))
+                for _, queries in groupby(of_moment, key=lambda query: repr(query.moment)):
+                    yield from (self.oriented(_query(*pair), study) for pair in combinations(dict.fromkeys(queries), 2))
+
+
+def _query(first: Query, second: Query) -> WhichQuery:
+    return WhichQuery(WhichGreaterKind.name, first.target, first.moment, first.kind, second)
+
+
+def _all(words: Words) -> Targets:
+    return targets(words)
+
+
+def _is_of_moment(noun: Noun) -> bool:
+    """Whether it calls a value at a moment, neither what never changes nor a change over a stretch."""
+    return not (noun.timeless or noun.over or noun.phrase.startswith(AWKWARD))
+
+
+def _alike(offered: Targets) -> Iterator[list[Target]]:
+    """Sizes of one quantity that several subjects have at a moment."""
+    sizes = [target for target, noun in offered.items() if target.sense is None and _is_of_moment(noun)]
+    for name in dict.fromkeys(target.quantity for target in sizes):
+        group = [target for target in sizes if target.quantity == name]
+        if len(group) > 1:
+            yield group
+
+
+def _nouns(query: WhichQuery, words: Words) -> tuple[Noun, Noun] | None:
+    found = [_all(words).get(each.target) for each in query.both if each.target is not None]
+    first, second = found if len(found) > 1 else (None, None)
+    return (first, second) if first is not None and second is not None else None
+
+
+def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | None:
+    """The subject, its property, and what follows: *block A*, *speed*, *relative to the ground*; None if it has none.
+
+    The name must not hold an *and*, which would be misunderstood between two names.
+    """
+    assert query.target is not None
+    called = words.called(QUANTITIES[query.target.quantity].of)[query.target.subject]
+    if " and " in called:
+        return None
+    if (far := f"the {DISTANCE.format(called)}") in noun.phrase:
+        return called, DISTANCE, noun.phrase.removeprefix(far)
+    found = re.fullmatch(rf"the ([a-z ]+) (?:of|in) {re.escape(called)}((?: .*)?)", noun.phrase)
+    return (called, found[1], found[2]) if found is not None else None
+
+
+def _is_named(target: Target, noun: Noun, text: str, words: Words) -> bool:
+    parts = _parted(Query("", target), noun, words)
+    return noun.phrase in text or (parts is not None and parts[0] in text)
+
+
+def _tail(first: str, second: str) -> str | None:
+    """What follows a property of two, *relative to the ground* if that must be said of one; None if it differs."""
+    return first or second if first == second or not (first and second) else None
+
+
+def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
+    """The questions for what two have."""
+    return (
+        f"which of {first} and {second} {has}{when}, and by what factor?",
+        f"which {has}{when}, {first} or {second}, and by what factor?",
+        f"determine which of {first} and {second} {has}{when}, and by what factor.",
+    )
+
+
+def _has(named: str, tail: str) -> str:
+    """*Is faster*, *has the greater kinetic energy*."""
+    if named.startswith(MAGNITUDE):
+        return f"has the {named.removeprefix(MAGNITUDE)} of greater magnitude{tail}"
+    return f"{HAS.get(named, f'has the greater {named}')}{tail}"
+
+
+def _of_nouns(first: str, second: str, when: str) -> tuple[str, ...]:
+    """The questions for two quantities."""
+    return (
+        f"which is greater{when}, {first} or {second}, and by what factor?",
+        f"which is the greater{when}, {first} or {second}, and by what factor is it greater?",
+        f"determine which is greater{when}, {first} or {second}, and by what factor.",
+    )

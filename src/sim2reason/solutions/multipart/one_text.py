@@ -1,0 +1,49 @@
+"""The answers to two questions about one motion in one text, the second of which starts from what the first finds."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from sim2reason.grading.parts import LABELS
+from sim2reason.solutions.multipart.in_sequence import UNCLEAR, in_sequence
+from sim2reason.solutions.multipart.quantities import agree, meanings
+from sim2reason.solutions.multipart.quoting import SO, referred
+from sim2reason.solutions.multipart.recall import EARLIER
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Solution, Step
+
+REFERENCES = EARLIER, "equations", "reference", "givens"
+"""Kinds of steps that only refer to an earlier part, which in one text has just been read, or to what is given."""
+AS_IN_PART, AS_BEFORE = f"As in part ({LABELS[0]}), ", SO
+
+
+def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> tuple[list[Solution], list[Step]]:
+    """Return the solutions with names that mean the same in all, and all their steps but those of givens.
+
+    Where the names are not clear, the solutions have no answer, and there are no steps.
+    """
+    parts, steps = in_sequence(settings, solutions, whole=True), list[Step]()
+    if any(part.answer is None for part in parts) or not _have_clear_names(parts):
+        return [replace(part, answer=None, reason=part.reason or UNCLEAR) for part in parts], []
+    for part in parts:
+        source = {name: step.id for step in steps for name in step.gives}
+        if part.goal in source:  # with the same value, or names would not be clear
+            continue
+        kept = [step for step in part.steps if step.kind not in REFERENCES]
+        places = {step.id: len(steps) + number for number, step in enumerate(kept)}
+        steps += [_placed(step, places, source) for step in kept]
+    return parts, steps
+
+
+def _have_clear_names(parts: Sequence[Solution]) -> bool:
+    """Whether no name is introduced twice in other words."""
+    said: dict[str, str] = {}
+    introduced = (pair for part in parts for pair in meanings(part).items())
+    return all(agree(name, said.setdefault(name, words), words) for name, words in introduced)
+
+
+def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) -> Step:
+    """Return a step with its place in the whole text, and those of the steps that it needs there."""
+    needs = {places[need] for need in step.needs if need in places}
+    needs |= {source[name] for name in (*step.symbols(), *referred(step.text)) if name in source}
+    text = step.text.replace(AS_IN_PART, AS_BEFORE)
+    return replace(step, id=places[step.id], needs=tuple(sorted(needs)), text=text)

@@ -1,0 +1,103 @@
+"""Which of two: both answers, the second from what the first finds, and the time between them or their ratio."""
+
+from dataclasses import replace
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions import KINDS, Query
+from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.multipart.one_text import in_one_text
+from sim2reason.solutions.multipart.quantities import unit_of
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Solution
+from sim2reason.solutions.solve import solve
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+
+@strategy
+class WhichOfTwo(Strategy):
+    """Both one after the other, which of them is the one, and the number beside its name."""
+
+    name = "which of two"
+    cost = 1.0
+    kinds = frozenset({"which_first", "which_greater"})
+    nested = True
+    finished = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None: a name is no formula."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not isinstance(setting.query, WhichQuery):
+            return "it asks for none of two"
+        found = KINDS[setting.query.kind].answer(setting.query, setting.study)
+        return "" if found is not None and found > 0.0 else "the first of the two is not the one"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the answers for both in the order that takes fewer words, then which it is, and the number."""
+        query = setting.query
+        assert isinstance(query, WhichQuery)
+        settings = [_inner(each, setting) for each in sorted(query.both, key=lambda each: (each.subject, repr(each)))]
+        pairs = [(each, _solved(each)) for each in settings]
+        orders = [in_one_text(*zip(*order, strict=True)) for order in (pairs, pairs[::-1])]
+        told = [(parts, steps) for parts, steps in orders if steps]
+        if not told:
+            raise UnsolvedError(orders[0][0][0].reason)
+        parts, steps = min(told, key=lambda each: sum(len(step.text.split()) for step in each[1]))
+        for part in parts:
+            _enter(part, book)
+        book.rewrite(0, steps)
+        book.phases = [*max((part.phases for part in parts), key=len)]
+        asked = [each.query for each in settings]
+        goals = dict(zip(asked if parts is orders[0][0] else asked[::-1], parts, strict=True))
+        return _concluded(query, setting, book, *(Symbol(goals[each].goal) for each in query.both))
+
+
+def _inner(query: Query, setting: Setting) -> Setting:
+    return replace(setting, query=query, unknown="", stated=None, sought=None)
+
+
+def _solved(inner: Setting) -> Solution:
+    found = solve(inner, checked=False)
+    if found.answer is None or not found.derived:
+        raise UnsolvedError(found.reason or "only an integration leads to it")
+    return found
+
+
+def _enter(part: Solution, book: Book) -> None:
+    """Let a book know all names of a solution."""
+    said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
+    book.stated |= {name: said[name] for name in part.stated if name in said}
+    book.constants |= part.constants
+    for name, value in part.values.items():
+        if name not in book.values:
+            book.reserve(name)
+            book.know(name, value, unit_of(name, part))
+    book.keen = max(book.keen, part.keen)
+
+
+def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
+    """The numbers that the question says, with their units, as a list of givens has them."""
+    equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
+    return [(name, said) for name, _, said in equations if name in part.stated]
+
+
+def _concluded(query: WhichQuery, setting: Setting, book: Book, one: Symbol, other: Symbol) -> str:
+    """Write which of the two it is, and the number; its symbol."""
+    kind = KINDS[query.kind]
+    assert isinstance(kind, WhichKind)
+    greater, less = (other, one) if kind.is_least else (one, other)
+    step = book.open("comparison")
+    exceeds(book, step, greater, less)
+    formula, unit = (greater - less, book.units[one.name]) if kind.is_least else (greater / less, "")
+    goal = book.fresh(r"\tau" if kind.is_least else "r")
+    number = step.result(goal, formula, unit, law=True)
+    said = f"${less.latex()} < {greater.latex()}$" if kind.is_least else f"${greater.latex()} > {less.latex()}$"
+    step.say(f"Since {said}, {kind.conclusion(query, setting.words)} {number}.")
+    step.close()
+    return goal.name
