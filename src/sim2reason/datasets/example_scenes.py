@@ -1,7 +1,18 @@
-"""Example scenes, as the texts of scene files, with features that recipes seldom draw."""
+"""Example scenes, as the texts of scene files, with features that recipes seldom draw, and questions about them."""
+
+from typing import NamedTuple
+
+
+class ExampleScene(NamedTuple):
+    """The text of a scene file, and questions in ordinary English about what recipes never ask of it."""
+
+    text: str
+    asked: tuple[str, ...] = ()
+
 
 OWN = (
-    """scene:
+    ExampleScene(
+        """scene:
   entities:
   - name: lane
     type: RollingEntity
@@ -15,7 +26,14 @@ OWN = (
   - spring: [{entity: lane, direction: axle}, {entity: hook, direction: end}]
     stiffness: 30.0
 """,
-    """scene:
+        (
+            "How many revolutions does the sphere make in the first 0.5 s?",
+            "What is the moment of inertia of the sphere about its axis?",
+            "What is the stiffness of the spring?",
+        ),
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: floor
     type: TwoSideMassPlane
@@ -25,7 +43,9 @@ OWN = (
   - spring: [{entity: floor, direction: right}, {entity: hook, direction: end}]
     stiffness: 30.0
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: ramp
     type: TwoSideMassPlane
@@ -36,7 +56,9 @@ OWN = (
   connections:
   - rod: [{entity: ramp, direction: right}, {entity: shelf, direction: left}]
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - {name: rail, type: SliderMass, parameters: {carriage: {mass: 2.0}}}
   - name: bob
@@ -50,13 +72,18 @@ OWN = (
   - spring: [{entity: rail, direction: right}, {entity: floor, direction: left}]
     stiffness: 30.0
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: ramp
     type: TwoSideMassPlane
     parameters: {plane: {angle: 20.0, friction: 0.6}, blocks: [{mass: 2.0}]}
 """,
-    """scene:
+        ("What coefficient of friction is needed to keep the block from slipping?",),
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: slope
     type: RollingEntity
@@ -65,7 +92,9 @@ OWN = (
       plane: {angle: 40.0}
       grip: {kind: rough, friction: 0.2}
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: machine
     type: MassWithFixedPulley
@@ -76,7 +105,14 @@ OWN = (
   connections:
   - tendon: [{entity: machine, direction: tail}, {entity: load, direction: end}]
 """,
-    """scene:
+        (
+            "What force does the string exert on the pulley?",
+            "How far above its starting point is block A 0.5 s after release?",
+            "How fast do blocks A and B move relative to each other at t = 0.5 s?",
+        ),
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: rail
     type: SpringMassChain
@@ -88,7 +124,9 @@ OWN = (
       damping: 0.5
       strain: {spring: 0, way: stretched, by: 0.2}
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: field
     type: EmEntity
@@ -98,7 +136,9 @@ OWN = (
       particle: {mass: 4.0, charge: 8.0, sign: positive}
       start: {kind: launched, speed: 10.0, angle: 0.0}
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: field
     type: EmEntity
@@ -108,13 +148,21 @@ OWN = (
       particle: {mass: 6.0, charge: 1.0, sign: positive}
       start: {kind: released}
 """,
-    """scene:
+        (
+            "What electric force acts on the bead?",
+            "How large is the resisting force on the bead at t = 0.5 s?",
+        ),
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - name: roller
     type: TumblingPrism
     parameters: {prism: {mass: 1.0, shape: hexagonal, radius: 0.1}, plane: {angle: 12.0}, rate: 4.0}
 """,
-    """scene:
+    ),
+    ExampleScene(
+        """scene:
   entities:
   - {name: rail, type: SliderMass, parameters: {carriage: {mass: 2.4}}}
   - name: bob
@@ -127,4 +175,6 @@ OWN = (
   - tendon: [{entity: rail, direction: left}, {entity: hand, direction: end}]
     free: 2.0
 """,
+        ("What is the power of the hand at t = 0.5 s?",),
+    ),
 )

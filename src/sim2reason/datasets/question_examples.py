@@ -1,19 +1,18 @@
 """An example of everything that can be asked, in words and in parts, found in scenes that the recipes draw."""
 
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
+from sim2reason.datasets.asked_scenes import ASKED
 from sim2reason.datasets.example_scenes import OWN
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.prose.description import describe
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MOMENTS, Query, Words
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -26,6 +25,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.kinds.parts.which import OR, WhichQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.posing import posed
@@ -64,8 +64,13 @@ def examples() -> Examples:
         motion, words = motion_of(scene), words_of(describe(scene, number))
         for query in _queries(motion, words, np.random.default_rng(number), found):
             _enter(query, motion, words, found)
-    for scene in scenes():
-        _without_words(motion_of(scene), words_of(describe(scene)), found)
+    for own in (*OWN, *ASKED):
+        scene = loads(own.text)
+        motion, words = motion_of(scene), words_of(describe(scene))
+        for sentence in own.asked:
+            meant = understood(sentence, motion, words)
+            if meant is not None:
+                _enter(meant.posed.query, motion, words, found, sentence)
     return found
 
 
@@ -73,7 +78,7 @@ def examples() -> Examples:
 def scenes() -> tuple[Scene, ...]:
     """Return the scenes to search for examples: first scenes with seldom-drawn features, then some of every recipe."""
     drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
-    return (*map(loads, OWN), *drawn)
+    return (*(loads(own.text) for own in (*OWN, *ASKED)), *drawn)
 
 
 def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
@@ -105,22 +110,6 @@ def _is_something(query: Query, motion: FollowedMotion) -> bool:
     return found is not None and abs(found) > KINDS[query.kind].measured(query).least
 
 
-def _without_words(motion: FollowedMotion, words: Words, found: Examples) -> None:
-    """Add an example without a sentence for each quantity and functional that has no example yet."""
-    for registry, named in (("quantities", QUANTITIES), ("functionals", FUNCTIONALS)):
-        table: dict[str, AskedExample] = vars(found)[registry]
-        for name, member in named.items():
-            if name in table:
-                continue
-            for of in member.of.names(words.mechanism):
-                asked = StructuredQuestion(name, of, "at 0.5 s" if registry == "quantities" else "")
-                with suppress(TextError, KeyError, IndexError, StopIteration):
-                    answer = KINDS[(query := posed(asked, motion, words).query).kind].answer(query, motion.study)
-                    if answer is not None:
-                        table[name] = AskedExample("", _options(asked))
-                        break
-
-
 def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
     """Yield queries for each functional without an example, up to every moment for which the functional has a value."""
     for functional in FUNCTIONALS.values():
@@ -134,8 +123,11 @@ def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, foun
                     yield query
 
 
-def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) -> None:
-    """Add a query as the example of each name without one, if the query's parts are read back as an equal query."""
+def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, said: str = "") -> None:
+    """Add a query as the example of each name without one, if the query's parts are read back as an equal query.
+
+    Its sentence is the one that is `said`, or else the library's own.
+    """
     entries = _names(query)
     table = vars(found)
     new = [(registry, name) for registry, name in entries if name not in table[registry]]
@@ -146,7 +138,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples) 
         question = posed(asked, motion, words)
     except TextError:
         return
-    sentence = question.sentence(words)
+    sentence = said or question.sentence(words)
     alike = question.query == query or isinstance(query, ThresholdQuery)
     if not sentence or not alike:
         return

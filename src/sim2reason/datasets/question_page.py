@@ -16,12 +16,13 @@ from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.scene_files import dump
 from sim2reason.scene_files.schema import summary
 
+RECORDED = "*recorded in traces, not asked*"
 COMMAND = "sim2reason schema --reference -o docs/questions.md"
 HEAD = f"""\
 # Questions
 
-This page is written by `{COMMAND}`, from the registries of the library. Every example is of a scene that a recipe
-draws; `sim2reason solve SCENE` takes both of its forms, and a file may have either under `question`.
+This page is written by `{COMMAND}`, from the registries of the library. Every example is of a small scene or of one
+that a recipe draws; `sim2reason solve SCENE` takes both of its forms, and a file may have either under `question`.
 
 A question has **parts**: what to `find`, `of` what, and `when`.
 
@@ -81,7 +82,8 @@ def _section(
     for name in sorted(said):
         example = found.get(name, AskedExample("", ""))
         parts = f"`{example.parts}`" if example.parts else ""
-        yield f"| {name.replace('_', ' ')} | {_cell(said[name])} | {_cell(example.sentence)} | {_cell(parts)} |"
+        sentence = example.sentence or RECORDED
+        yield f"| {name.replace('_', ' ')} | {_cell(said[name])} | {_cell(sentence)} | {_cell(parts)} |"
     yield ""
 
 
@@ -111,18 +113,16 @@ def _coordinates() -> Iterator[str]:
     yield "`trace.state.v[:, n]` its rate. A slide counts metres along its axis, a hinge radians about it; the first of"
     yield "each class of entities in those scenes shows its own. `z` points up."
     yield from ("", "| entity | coordinate | counts | axis |", "| --- | --- | --- | --- |")
-    shown: set[str] = set()
+    found: dict[str, list[str]] = {}
     for scene in scenes():
         for named in scene.entities:
             cls = type(named.entity).__name__
             own = [c for c in scene.mechanism.coordinates if c.name.startswith(f"{named.name}.")]
-            if cls not in shown and own:
-                shown.add(cls)
-                yield from (
-                    f"| {cls} | {c.name.removeprefix(f'{named.name}.')} | {_counts(c)} | {_axis(c)} |" for c in own
-                )
-    none = sorted(cls.__name__ for cls in ENTITIES.values() if cls.__name__ not in shown)
-    yield from ("", f"Of their own these have none, or are not among those scenes: {', '.join(none)}.", "")
+            rows = [f"| {cls} | {c.name.removeprefix(f'{named.name}.')} | {_counts(c)} | {_axis(c)} |" for c in own]
+            found[cls] = found.get(cls) or rows
+    yield from (row for rows in found.values() for row in rows)
+    none = sorted(cls.__name__ for cls in ENTITIES.values() if found.get(cls.__name__) == [])
+    yield from ("", f"Of their own these have none: {', '.join(none)}.", "")
 
 
 def _counts(coordinate: Coordinate) -> str:

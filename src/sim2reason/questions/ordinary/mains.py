@@ -187,6 +187,9 @@ FRAMES: Mapping[str, Reader] = {
     "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
     "how much momentum does {s} exchange": change.exchanged,
     "what is power of gravity on {s}": of_one("power of gravity"),
+    "how fast does length of {s} change": of_one("rate of change of length"),
+    "how much does length of {s} change": of_one("length", needs=CLAUSED),
+    "what is stiffness of {s}": of_one("stiffness"),
     "TIME": read.time,
 }
 """By what a main clause is like: what reads it."""

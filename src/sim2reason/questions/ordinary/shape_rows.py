@@ -104,4 +104,8 @@ SHAPE_ROWS = (
         "how long is {s} moving"),
     WantedRow(("how (?:large|big|great)", "{greatest}", "(?P<line>x|y)[- ]coordinate", "?become|get|grow|be"),
         "what is greatest {line} coordinate of {s}"),
+    WantedRow(("how (?:fast|quickly)|(?:at )?what rate", "length", "change|grow|increase|decrease|shrink"),
+        "how fast does length of {s} change"),
+    WantedRow(("(?:by )?how much|by what", "length", "change"), "how much does length of {s} change"),
+    WantedRow(("what|how large", "stiffness|spring constant|force constant", "?have"), "what is stiffness of {s}"),
 )  # fmt: skip
