@@ -277,7 +277,7 @@ ASKED = (
   - name: table
     type: TwoDCollisionPlane
     parameters:
-      table: {tilt: 0.0}
+      table: {angle: 0.0}
       radius: 0.1
       pucks:
       - {mass: 1.0, x: 0.0, y: 0.0, vx: 1.0, vy: 0.0}
