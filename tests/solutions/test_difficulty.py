@@ -9,15 +9,12 @@ import pytest
 from sim2reason.datasets.items import made
 from sim2reason.datasets.request import Request
 from sim2reason.filters import FILTERS
-from sim2reason.questions import MODES
 from sim2reason.questions.need import MEANINGS, Need
 from sim2reason.recipes import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
 from sim2reason.solutions.difficulty import (
-    IN_PARTS,
-    IN_SYMBOLS,
     LABELS,
     SolutionDifficulty,
     different_laws,
@@ -103,23 +100,12 @@ def test_the_page_has_the_tables_of_the_code() -> None:
         assert lines[first : first + len(rows) + 1] == [*rows, ""]
     assert tuple(LABELS) == DIFFICULTIES
     assert set(MEANINGS) == set(Need)
-    page, parts = " ".join(" ".join(lines).split()), [IN_PARTS[name].told for name in DIFFICULTIES]
-    assert f"In the mode `symbolic` hard problems have {IN_SYMBOLS['hard'].told}, since" in page
-    assert "easy problems have {}, medium ones {} and hard ones {} for all parts together".format(*parts) in page
 
 
 def test_bands_ascend_and_overlap() -> None:
     bands = [LABELS[name] for name in DIFFICULTIES]
     for easier, harder in pairwise(bands):
         assert easier.least < harder.least <= easier.most < harder.most
-    assert LABELS["easy"].most < LABELS["hard"].least  # so that no score has all labels
-
-
-def test_problems_in_symbols_are_hard_with_fewer_laws() -> None:
-    """Their answers are short formulas; what is easy or medium is the same."""
-    assert IN_SYMBOLS["hard"].least < LABELS["hard"].least
-    assert all(IN_SYMBOLS[name] == LABELS[name] for name in ("easy", "medium"))
-    assert [name for name, mode in MODES.items() if mode.in_symbols] == ["symbolic"]
 
 
 @pytest.mark.parametrize("recipe", ["pulley", "incline", "projectile"])

@@ -15,7 +15,7 @@ from sim2reason.solutions.solve import setting_of
 from sim2reason.solutions.verification import refusal
 
 CELLS = [
-    ("collision", "easy", "which_first"),
+    ("box", "hard", "which_first"),
     ("collision", "medium", "which_first"),
     ("collision", "hard", "which_greater"),
     ("pulley", "medium", "which_greater"),

@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.questions import MODES
-from sim2reason.solutions.difficulty import IN_PARTS, IN_SYMBOLS, LABELS
+from sim2reason.solutions.difficulty import LABELS
 
 TOO_EASY, TOO_HARD = "too easy", "too hard"
 COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
@@ -27,9 +26,7 @@ class FitsLabel(Filter):
         """Compare the score with the band."""
         if not candidate.labelled or candidate.measured is None:
             return ""
-        mode = MODES[candidate.question.mode]
-        bands = IN_PARTS if mode.several else IN_SYMBOLS if mode.in_symbols else LABELS
-        score, band = candidate.measured.score, bands[candidate.difficulty]
+        score, band = candidate.measured.score, LABELS[candidate.difficulty]
         if score in band:
             return ""
         return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"

@@ -48,7 +48,6 @@ class Symbolic(QuestionMode):
     """What is this as a formula?"""
 
     name = "symbolic"
-    in_symbols = True
 
     @property
     def kinds(self) -> frozenset[str]:

@@ -106,14 +106,12 @@ class QuestionMode(ABC):
     Class data:
         name: under which it is registered.
         several: whether an item asks several questions about one scene, each of which leads to another.
-        in_symbols: whether the numbers of the text are symbols and the answer is a formula.
         offers_options: whether an item comes with options, one of which is its answer.
         weights: by which factor some kinds of question are asked more or less often than in other modes.
     """
 
     name: ClassVar[str]
     several: ClassVar[bool] = False
-    in_symbols: ClassVar[bool] = False
     offers_options: ClassVar[bool] = False
     weights: ClassVar[Mapping[str, float]] = {}
 

@@ -6,7 +6,7 @@ how many unknowns have to be found together, and what mathematics it takes to fi
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf, isfinite
 
 from sim2reason.questions.need import Need, greatest
@@ -44,19 +44,11 @@ class Band:
 
 
 LABELS: Mapping[Difficulty, Band] = {
-    "easy": Band(-inf, 6, "a few laws that belong to one idea, few unknowns"),
-    "medium": Band(4, 11, "several laws that have to be put together, or two phases of a motion"),
-    "hard": Band(7, inf, "many laws, several bodies whose equations are solved together, or several phases"),
+    "easy": Band(-inf, 9, "a few laws that belong to one idea, few unknowns"),
+    "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
+    "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
 """What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
-IN_SYMBOLS: Mapping[Difficulty, Band] = {**LABELS, "hard": replace(LABELS["hard"], least=5)}
-"""What they mean where all numbers are symbols: an answer that is one short formula can hold fewer laws."""
-IN_PARTS: Mapping[Difficulty, Band] = {
-    "easy": replace(LABELS["easy"], most=9),
-    "medium": replace(LABELS["medium"], most=14),
-    "hard": replace(LABELS["hard"], least=5),
-}
-"""What they mean of several parts together: each may bring a law of its own, and one alone may be easy."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,7 @@ from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, Study, Target
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
@@ -242,7 +243,8 @@ scene:
     asked = "What is the least tension in the string during the motion that follows?"
     query = parse_question(asked, study(scene, scene.horizon), words_of(describe(scene)))
     assert query is not None
-    assert assuming(scene, query).endswith(
+    drawn = replace(query, moment=WholeMotion(ends=False))  # as recipes ask: of a motion that repeats itself
+    assert assuming(scene, drawn).endswith(
         "Assume that block A first moves down the slope and that the string stays taut."
     )
 

@@ -24,7 +24,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 NEW = r"\text{new}"
 AGAIN = "still holds"  # begins the labels of comparisons that hold for another value of a number, too
 UNSHORTENED = 200  # characters of a formula that hardly becomes short
-SHORT = 120  # characters of a formula into which another value is put
+SHORT = 130  # characters of a formula into which another value is put
 
 
 class Way(Protocol):
