@@ -27,7 +27,7 @@ def blocks(drawn: Drawing) -> list[Shape]:
 
 
 def crossed(drawn: Drawing) -> Iterator[tuple[Label, Shape]]:
-    """The labels with the blocks, balls and wheels whose outlines they hide, but for those that they lie in."""
+    """Return each label with the bodies whose outlines it covers, except for the body it lies in."""
     for label in drawn.labels:
         for shape in blocks(drawn):
             points = outline(shape)
@@ -61,6 +61,6 @@ def near(label: Label, bodies: list[tuple[complex, ...]]) -> bool:
 
 
 def away(label: Label, point: complex) -> float:
-    """How far a point lies outside the box of a label."""
+    """Return the distance of a point from the box of a label."""
     left, low, right, high = label.box
     return hypot(max(left - point.real, 0.0, point.real - right), max(low - point.imag, 0.0, point.imag - high))

@@ -14,13 +14,7 @@ from sim2reason.recipes import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.difficulty import (
-    LABELS,
-    SolutionDifficulty,
-    different_laws,
-    measured,
-    unknowns_together,
-)
+from sim2reason.solutions.difficulty import LABELS, SolutionDifficulty, different_laws, measured, unknowns_together
 from sim2reason.solutions.solution import Condition, Coordinate, Integration, Phase, Relation
 
 PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"

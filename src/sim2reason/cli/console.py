@@ -65,7 +65,8 @@ def explained(error: BaseException) -> str | None:
         case OSError():
             where = f"{streams.name(error)}: ".removeprefix(": ")
             reason = error.strerror or error
-            line = f"sim2reason: {where}{reason}; check the path, its permissions and the free space"
+            checked = "the path" if isinstance(error, FileNotFoundError) else "its permissions and the free space"
+            line = f"sim2reason: {where}{reason}; check {checked}"
         case _:
             return None
     return " ".join((line + notes).split())

@@ -100,9 +100,9 @@ class Answer(Record):
     letter: str = ""
     """The letter of the answer, where it is one of several options."""
     options: tuple[FiniteFloat, ...] = ()
-    """The numbers of all options, from A on, in `unit`; a negative one may be the second's of two."""
+    """The number in each option, from A on, in `unit`; negative where the option names the second of two bodies."""
     texts: tuple[str, ...] = ()
-    """What the options say, where that is more than their numbers."""
+    """The text of each option, from A on, where the options hold words besides numbers; else empty."""
 
     @model_validator(mode="before")
     @classmethod
@@ -248,7 +248,7 @@ class Item(Record):
     needs: str = ""
     """The most advanced mathematics of its shortest solution, ``arithmetic`` to ``integration``; empty: unknown."""
     measured: MeasuredDifficulty | None = None
-    """How difficult it is by its shortest solution, or those of all its parts; None where one has none."""
+    """Difficulty of the shortest solution, or of those of all parts together; None if one is missing."""
     parts: tuple[QuestionPart, ...] = ()
     """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()

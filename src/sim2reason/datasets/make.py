@@ -105,7 +105,7 @@ def with_options(item: Item, found: CertifiedQuestion) -> Item:
 
 
 def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
-    """What options say that name one of two beside a number; nothing where a number is all."""
+    """Return the text of each option that names one of two beside a number; empty if options are numbers alone."""
     kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()

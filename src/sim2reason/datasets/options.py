@@ -37,7 +37,7 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
 
 
 def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """The right answer and a wrong one, each with either of two names, so that neither part tells the other.
+    """Return four options: the right number and a wrong number, each with either of the two names.
 
     A negative number is of the second of the two. None where no wrong number stands apart from the right one.
     """
@@ -49,16 +49,16 @@ def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Op
         return None
     other = Distractor(value=-answer.value, simplification=OTHER, reason=NAMES_OTHER)
     twin = number.model_copy(update={"value": -number.value, "reason": f"{number.reason} {_beside(number, answer)}"})
-    return _ordered((None, other, number.model_copy(), twin), name)
+    return _ordered((None, other, number, twin), name)
 
 
 def _beside(number: Distractor, answer: Answer) -> str:
-    """What is said of the option that has the number of a slip, but not the name to which it leads."""
+    """Return what is said of the name in the option with the number of `number` and the other name."""
     return NAMES_OTHER if number.value * answer.value > 0.0 else RIGHT_NAME
 
 
 def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
-    """Options in an order that hangs on a name alone."""
+    """Return options in a random order that depends only on a seed string."""
     order = [blake2b(f"{name}\n{number}".encode()).digest() for number in range(len(chosen))]
     return tuple(chosen[number] for number in sorted(range(len(chosen)), key=lambda number: order[number]))
 

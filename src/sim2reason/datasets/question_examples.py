@@ -184,7 +184,7 @@ def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQ
 
 
 def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
-    """Return the parts of a query about another query, or about two."""
+    """Return the structured question for a query that contains one other query, as a limit does, or two."""
     if isinstance(query, NestedQuery):
         return _nested(query, motion, words)
     return _of_two(*(_in_parts(each, motion, words) for each in query.both))

@@ -157,7 +157,7 @@ class QuestionSearch:
         refused: Counter[str],
         beside: tuple[Candidate, ...],
     ) -> CertifiedQuestion | None:
-        """A further part about the scene if it passes every filter; else None, and why is counted in `refused`."""
+        """Draw a further part of a problem; None if a filter refuses it, which `refused` counts by filter."""
         found = self._judged(question, mode, rng, beside)
         if isinstance(found, CertifiedQuestion):
             return found

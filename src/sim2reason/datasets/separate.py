@@ -39,5 +39,5 @@ def _single(item: Item, number: int, prompt: str) -> Item:
 
 
 def _told(answer: Answer) -> str:
-    """A number with its unit, to as many digits as the solutions of later parts take it."""
+    """Return a number with its unit, to the digits with which the solutions of later parts use it."""
     return join_unit(said([answer.value], DIGITS)[0].replace("-", MINUS), answer.unit)

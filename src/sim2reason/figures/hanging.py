@@ -52,7 +52,7 @@ class BlockPiece(Piece):
 def block_labels(
     plan: DrawingPlan, address: str, center: complex, size: tuple[float, float] | None = None
 ) -> list[Wanted]:
-    """A block's name, inside if it is a letter, and its mass, below it if both fit; `size` is by default the usual."""
+    """Label a block with its name and its mass: the name inside if it is a letter, the mass below it if both fit."""
     name, mass = plan.name(address), plan.mass(address)
     broad, tall = size or (plan.sizes.width, plan.sizes.height)
     inside, out = len(name) <= LETTER, 0.5 * tall + 0.3

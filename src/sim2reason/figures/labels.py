@@ -35,7 +35,7 @@ class Stroke(NamedTuple):
 
 
 class Option(NamedTuple):
-    """A label at one of its places, what the place costs by itself, and the line to what it belongs to, if any."""
+    """A label at one place, the cost of that place alone, and the leader line from the label to its body, if any."""
 
     label: Label
     later: float
@@ -44,7 +44,7 @@ class Option(NamedTuple):
 
 
 def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
-    """Every label at the best of its places, with the lines that lead from some to what they belong to.
+    """Place all labels so that their total cost is least; return them with their leader lines.
 
     First come those with the least choice, then all again in turn.
     """
@@ -85,7 +85,7 @@ def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, 
 
 
 def _options(wanted: Wanted) -> Iterator[Option]:
-    """All places of a label, then those around its anchors, the nearest first."""
+    """Return all places of a label, then those around its anchors, the nearest first."""
     made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
     for number, place in enumerate(wanted.places):
         yield Option(made(at=place), LATER * number, wanted.places[0])
@@ -100,7 +100,7 @@ def _options(wanted: Wanted) -> Iterator[Option]:
 
 
 def _crowded(option: Option, others: Sequence[Option]) -> float:
-    """What it costs to stand on other labels or their lines, or to have a line that runs over them."""
+    """Return the cost of overlaps of a label and its leader line with other labels and lines."""
     mine, found = _wider(option.label.box), 0.0
     for label, _, _, leader in others:
         shared = common(mine, label.box)
@@ -112,7 +112,7 @@ def _crowded(option: Option, others: Sequence[Option]) -> float:
 
 
 def _led(option: Option, strokes: Sequence[Stroke]) -> float:
-    """What it costs that a line to what a label belongs to crosses others, beyond the first, an outline of that."""
+    """Return the cost of the outlines that a leader line crosses, except for the outline of its own body."""
     if option.leader is None:
         return 0.0
     crossed = sum(stroke.weight >= 1.0 and crosses(*option.leader, stroke.a, stroke.b) for stroke in strokes)
@@ -120,7 +120,7 @@ def _led(option: Option, strokes: Sequence[Stroke]) -> float:
 
 
 def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
-    """What a place costs whatever the other labels do; the block in which the first lies is its own."""
+    """Return the cost of a place apart from other labels; outlines around a label's first place belong to its body."""
     mine = _wider(option.label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))

@@ -76,7 +76,7 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """A label that may stand at any of several places, the best first, or around `anchors`, with a line to one."""
+    """A label with alternative places, the best first; beside one of its `anchors` it has a leader line to it."""
 
     text: str
     places: tuple[complex, ...]

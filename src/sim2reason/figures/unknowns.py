@@ -1,4 +1,4 @@
-"""Unknown lengths and angles, which no figure may show to scale, since whoever measures it would have the answer."""
+"""Other values for unknown lengths and angles in figures, since readers could measure a figure to scale."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ from sim2reason.prose.description import Description
 from sim2reason.questions.unknown import limits_of
 
 FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
-"""Times the value of an unknown, in the order in which they are tried; all change it by more than a tenth."""
+"""Factors by which the value of an unknown is multiplied, in the order of trial; each changes it by over a tenth."""
 QUADRANT, CLEAR = 90.0, 5.0  # degrees; how far a drawn angle keeps from a multiple of a right angle
 SCALES = (parse_unit("m").dimension, parse_unit("deg").dimension)
 MINOR = ("hair", "dots")  # strokes whose number depends on sizes
@@ -84,7 +84,7 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
 
 
 def _is_alike(angle: float, other: float) -> bool:
-    """Whether both angles lie in one quadrant, the second one well inside."""
+    """Return whether two angles lie in one quadrant, the second well away from its ends."""
     beyond = other % QUADRANT
     clear = CLEAR <= beyond <= QUADRANT - CLEAR or abs(angle) < 2.0 * CLEAR
     return clear and angle // QUADRANT == other // QUADRANT and copysign(1.0, angle) == copysign(1.0, other)
@@ -99,7 +99,7 @@ def _parts(drawing: Drawing) -> Counter[str]:
 
 
 def _body(shape: Area | Arc) -> Polygon:
-    """Return what a filled shape covers; of a round one points on it, since an octagon around it reaches beyond."""
+    """Return the vertices of a filled shape's outline; for a circle, points on it rather than a polygon around it."""
     if isinstance(shape, Area):
         return hull(shape.points)
     return tuple(shape.center + shape.radius * 1j ** (n / 6.0) for n in range(24))

@@ -38,7 +38,7 @@ class Candidate:
     labelled: bool = False
     """Whether its difficulty was ordered, and must fit."""
     beside: "tuple[Candidate, ...]" = ()
-    """The parts of the same problem that were found before it."""
+    """Earlier parts of the same problem."""
 
     @property
     def kind(self) -> Kind:
@@ -80,7 +80,7 @@ class Candidate:
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """How difficult it is by that solution, with the parts beside it; None where it has none."""
+        """Difficulty of the shortest solution together with those of earlier parts; None without a solution."""
         held = self.solved
         return measured(*held, *(part for each in self.beside for part in each.solved)) if held else None
 

@@ -11,7 +11,7 @@ COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
 
 
 class FitsLabel(Filter):
-    """The measured score of the shortest solution, or those of all parts, lies outside the band of the label.
+    """The score of the shortest solution, or of those of all parts together, lies outside the band of the label.
 
     Nothing is said of a question of no label, or one that only an integration answers.
     """

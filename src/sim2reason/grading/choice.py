@@ -59,7 +59,7 @@ def _with_value(content: str, letters: str, values: Sequence[float], unit: str |
 
 
 def _with_text(content: str, letters: str, texts: Sequence[str]) -> str:
-    """The letter of the option whose text an answer gives; empty where a letter before it is another one's."""
+    """Return the letter of the option whose text an answer repeats; empty if none, or after a different letter."""
     named, rest = _led(content)
     said, plain = _plain(rest), _plain(content)
     pairs = zip(letters, texts, strict=True)
@@ -68,12 +68,12 @@ def _with_text(content: str, letters: str, texts: Sequence[str]) -> str:
 
 
 def _led(content: str) -> tuple[str, str]:
-    """The letter at the beginning of an answer, if there is one, and what follows it."""
+    """Split an answer into the letter at its beginning, which may be empty, and the rest."""
     content = _RUN.sub(r"\2. \1\3}", content, count=1) if _RUN.match(content) else content
     led = _LED.match(content)
     return (led[1].upper(), content[led.end() :]) if led else ("", content)
 
 
 def _plain(text: str) -> str:
-    """A text without fonts, spaces and punctuation around its words, in capitals."""
+    """Normalize a text for comparison: upper case, without LaTeX fonts, spaces and punctuation around words."""
     return re.sub(r"[,;~\\]", "", _DRESS.sub("", text)).upper()

@@ -40,7 +40,7 @@ _BEGINNING: Final = re.compile(
     r"\s{0,8}(?:(?:assistant)?(?:analysis|commentary)(?=[^\s:,.;\-–—'’])"
     r"|Here are my reasoning steps:|Here(?: is|'s) my thought process:)"
 )
-"""How a response begins that begins with thinking: of gpt-oss without its tokens, of Apriel, of Granite 3.2."""
+"""Matches the beginning of a response that starts with thinking: of gpt-oss without its tokens, Apriel, Granite 3.2."""
 
 
 def without_thinking(text: str) -> str:

@@ -13,7 +13,7 @@ class Choice(Numeric):
     offers_options = True
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """A question for one of two; None for others, which are read as numeric questions."""
+        """Parse a question that asks for one of two; None for others, which are parsed as numeric questions."""
         own = [name for name, kind in KINDS.items() if kind.names_one]
         found = parse_question(text, study, words, own) if not words.symbolic else None
         return ParsedQuestion(self.name, found) if found is not None else None

@@ -117,7 +117,7 @@ class QuestionMode(ABC):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """The kinds of question, by name, that it can ask; by default all; of two, one is named with options only."""
+        """Names of the kinds that the mode can ask; by default all but those for one of two, which need options."""
         return frozenset(name for name, kind in KINDS.items() if self.offers_options or not kind.names_one)
 
     def offers(self, mechanism: Mechanism) -> bool:

@@ -59,12 +59,12 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
 
 
 def amounts(values: Sequence[float], unit: str) -> tuple[str, ...]:
-    """Numbers in one style, with their unit."""
+    """Format numbers in one style, with their unit."""
     return tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values))
 
 
 def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
-    """Numbers in one style: whole ones as they are, others in so many digits, in powers of ten if any needs that."""
+    """Format numbers in one style: integers, or `digits` significant digits, with powers of ten if one needs them."""
     if all(value == round(value) and abs(value) < 10**digits for value in values):
         return [str(round(value)) for value in values]
     powers = [_power(value, digits) for value in values]

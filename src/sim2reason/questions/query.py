@@ -21,7 +21,7 @@ class Query:
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """All that it asks about; by default its subject."""
+        """Names of everything that the query is about; by default of its subject."""
         return (self.subject,)
 
     @property

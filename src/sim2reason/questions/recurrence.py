@@ -39,7 +39,7 @@ def is_autonomous(mechanism: Mechanism) -> bool:
 
 
 def _is_steady(mechanism: Mechanism) -> bool:
-    """Whether time has no part in the equations, but for what a rocket burns."""
+    """Return whether the equations do not depend explicitly on time, apart from burning fuel."""
     reeled = any(isinstance(line.law, Inextensible) and line.law.reel for line in mechanism.lines)
     steady = all(f.law.profile.steady for f in mechanism.forces if isinstance(f.law, Push | Magnetic))
     return steady and not reeled

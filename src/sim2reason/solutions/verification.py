@@ -25,7 +25,7 @@ def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] 
 
 
 def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = None) -> str:
-    """Why a solution can't be shown, by its data; empty if it can. `earlier` are results of earlier parts by name."""
+    """Return why a solution's data fail the check; empty if they pass. `earlier` has results of earlier parts."""
     setting = forward(setting)
     said = named_in_text(setting) | dict(earlier or {})
     for name, value in data["givens"].items():

@@ -132,7 +132,7 @@ def _lettered(text: str, form: Form, said: Content) -> str:
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """Yield each pair of clauses into which a sentence can be cut at *and* or a comma; none of a very long sentence."""
+    """Split a sentence in two at each *and* or comma in turn and yield the pairs; none of very long sentences."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

@@ -260,7 +260,7 @@ def kind(cls: type[K]) -> type[K]:
 
 
 def by_share(rng: np.random.Generator) -> list[Kind]:
-    """All kinds that ask for a number alone, each the next one by its share: most motions offer only some."""
+    """Order all kinds that ask for a number alone at random, weighted by share; few motions offer all of them."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())

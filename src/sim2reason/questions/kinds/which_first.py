@@ -31,7 +31,7 @@ class WhichFirstKind(WhichKind):
     is_least = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """An event of this motion, with the same of another subject, else with another event."""
+        """Draw an event of the motion, and the same event of another subject or another event."""
         del targets
 
         def wanted(moment: Happening) -> bool:
@@ -53,16 +53,16 @@ class WhichFirstKind(WhichKind):
         return None
 
     def number(self, less: float, greater: float) -> float:
-        """The time between them."""
+        """Return the time between the two events, s."""
         return greater - less
 
     def measured(self, query: Query) -> Measured:
-        """A time, of a hundredth of a second at least."""
+        """Return a time difference of at least 0.01 s."""
         del query
         return Measured("difference", "s", least=1e-2)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """The subjects, where both do the same, else what happens."""
+        """Return the subjects if both do the same, else the clauses of both events."""
         first, second = (_clause(each.moment, words) for each in query.both)
         if first is None or second is None or first.subject == second.subject:
             return None
@@ -71,20 +71,20 @@ class WhichFirstKind(WhichKind):
         return _statement(first), _statement(second)
 
     def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
-        """As in: block A, 0.41 s before block B."""
+        """Return an option such as *block A, 0.41 s before block B*."""
         names, same = self.names(query, words), self._deed_of(query, words)
         assert names is not None
         name, other = names if first else names[::-1]
         return f"{name}, {number} before {other}" if same else f"{name} first, {number} earlier"
 
     def conclusion(self, query: WhichQuery, words: Words) -> str:
-        """As in: block A is the first to come to rest, earlier than block B by."""
+        """Return a clause such as *block A is the first to come to rest, earlier than block B by*."""
         first, second = self.names(query, words) or ("it", "the other")
         deed = self._deed_of(query, words)
         return f"{first} is the first to {deed}, earlier than {second} by" if deed else f"{first} first, earlier by"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: which of block A and block B is the first to come to rest, and how much earlier than the other?"""
+        """Return wordings such as *which of A and B is the first to come to rest, and how much earlier?*."""
         del noun
         assert isinstance(query, WhichQuery)
         deed = self._deed_of(query, words)
@@ -106,7 +106,7 @@ class WhichFirstKind(WhichKind):
         return self.oriented(_query(*moments), study)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every two events that it names."""
+        """Yield a query for each two events that a text names."""
         del targets
         if not text.lower().startswith(("which ", "find which ", "determine which ")):
             return
@@ -115,13 +115,13 @@ class WhichFirstKind(WhichKind):
         yield from (self.oriented(_query(*pair), study) for pair in combinations(named, 2))
 
     def _deed_of(self, query: WhichQuery, words: Words) -> str:
-        """What both do, if it is the same."""
+        """Return the infinitive for what both subjects do; empty if they do different things."""
         deeds = {_deed(clause) for each in query.both if (clause := _clause(each.moment, words)) is not None}
         return deeds.pop() if len(deeds) == 1 else ""
 
 
 def _moves_as_one(study: Study) -> bool:
-    """Whether all speeds are in a fixed proportion, so that one coordinate tells where everything is."""
+    """Return whether the motion has one degree of freedom: all speeds are in fixed proportions."""
     return study.once("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
 
 
@@ -143,14 +143,14 @@ def _clause(moment: Moment | None, words: Words) -> Clause | None:
 
 
 def _deed(clause: Clause) -> str:
-    """What the subject does, after *to*: *come to rest*, *move 0.50 m*; empty where there are no such words."""
+    """Return the infinitive of an event without *to*: *come to rest*, *move 0.50 m*; empty if it has none."""
     if clause.takes:
         return clause.takes.removeprefix("to ").removesuffix(AGAIN)
     return {"does": "", "do": "", "is": "be "}.get(clause.auxiliary, "has ") + clause.asked.replace(FIRST, "", 1)
 
 
 def _statement(clause: Clause) -> str:
-    """What happens: *block A comes to rest*."""
+    """Return the clause of an event: *block A comes to rest*."""
     return f"{clause.subject} {clause.told.replace(FIRST, '', 1).removesuffix(AGAIN)}"
 
 
@@ -162,7 +162,7 @@ def _is_named(moment: Happening, text: str, words: Words) -> bool:
 
 
 def _same(first: str, second: str, deed: str) -> tuple[str, ...]:
-    """The questions where two do the same."""
+    """Return wordings for two subjects of the same event."""
     return (
         f"which of {first} and {second} is the first to {deed}, and how much earlier than the other?",
         f"which is the first to {deed}, {first} or {second}, and how much earlier than the other?",
@@ -171,7 +171,7 @@ def _same(first: str, second: str, deed: str) -> tuple[str, ...]:
 
 
 def _two(first: str, second: str) -> tuple[str, ...]:
-    """The questions where two things happen."""
+    """Return wordings for two different events."""
     return (
         f"which happens first, and how much earlier: {first} or {second}?",
         f"which of these happens first, and how much earlier than the other: {first} or {second}?",

@@ -1,4 +1,4 @@
-"""Of which of two is a quantity greater, and by what factor?"""
+"""Which of two quantities is greater, and by what factor?"""
 
 import re
 from collections.abc import Iterator
@@ -21,7 +21,7 @@ from sim2reason.simulation.channels import Channel
 DISTANCE = "distance between {} and its starting point"
 INNER = ("state", "event", "start")
 HAS = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
-"""What one of two does whose quantity is the greater, where English has words for it."""
+"""Comparative phrases for the subject with the greater value of a quantity, where English has one."""
 LEAST = 1.1  # times: who is less far ahead is hardly ahead
 GREATEST = 30.0  # times: nobody would ask by what factor the greater one is greater than that
 MAGNITUDE = "magnitude of the "
@@ -29,14 +29,14 @@ MAGNITUDE = "magnitude of the "
 
 @kind
 class WhichGreaterKind(WhichKind):
-    """Of which of two is a quantity greater, and by what factor?"""
+    """Which of two quantities is greater, and by what factor?"""
 
     name = "which_greater"
     share = 0.06
     is_least = False
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A size of one of several subjects that have it, and of another one at the same moment."""
+        """Draw a quantity of one subject, and the same of another subject at the same moment."""
         offered = {target: targets[target] for group in _alike(targets) for target in group}
         shares = np.array([KINDS[name].share for name in INNER])
         order: list[int] = rng.choice(len(INNER), len(INNER), replace=False, p=shares / shares.sum()).tolist()
@@ -66,16 +66,16 @@ class WhichGreaterKind(WhichKind):
         return None
 
     def number(self, less: float, greater: float) -> float | None:
-        """By what factor the greater one is greater."""
+        """Return the ratio of the greater value to the smaller one."""
         return greater / less if less > 0.0 and greater < GREATEST * less else None
 
     def measured(self, query: Query) -> Measured:
-        """A factor above 1."""
+        """Return a dimensionless ratio above 1."""
         del query
         return Measured("ratio", "", least=LEAST)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """The subjects, where the quantity is a property of each, else both noun phrases."""
+        """Return the subjects if the quantity is a property of each, else both noun phrases."""
         nouns = _nouns(query, words)
         if nouns is None:
             return None
@@ -85,7 +85,7 @@ class WhichGreaterKind(WhichKind):
         return first[0], second[0]
 
     def _property(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """The property that both have, and what follows; None where options call them by noun phrases."""
+        """Return the common property and the words after it; None if options use noun phrases."""
         names, nouns = self.names(query, words), _nouns(query, words)
         if names is None or nouns is None or names[0] == nouns[0].phrase:
             return None
@@ -95,19 +95,19 @@ class WhichGreaterKind(WhichKind):
         return first[1], _tail(first[2], second[2]) or ""
 
     def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
-        """As in: block A, by a factor of 1.41."""
+        """Return an option such as *block A, by a factor of 1.41*."""
         names = self.names(query, words)
         assert names is not None
         return f"{names[0 if first else 1]}, by a factor of {number}"
 
     def conclusion(self, query: WhichQuery, words: Words) -> str:
-        """As in: block A has the greater kinetic energy, by a factor of."""
+        """Return a clause such as *block A has the greater kinetic energy, by a factor of*."""
         name, *_ = self.names(query, words) or ("it",)
         named = self._property(query, words)
         return f"{name} {_has(*named) if named is not None else 'is the greater'}, by a factor of"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: which of block A and block B has the greater kinetic energy after 2 s, and by what factor?"""
+        """Return wordings such as *which of A and B has the greater kinetic energy, and by what factor?*."""
         assert isinstance(query, WhichQuery)
         nouns = _nouns(query, words)
         if query.moment is None or noun is None or nouns is None:
@@ -136,7 +136,7 @@ class WhichGreaterKind(WhichKind):
         return self.oriented(_query(*pair), study)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every quantity of every two subjects that it names, at every moment."""
+        """Yield a query for each quantity, two subjects and moment that a text names."""
         del targets
         if not text.lower().startswith(("which ", "determine which ")):
             return
@@ -157,12 +157,12 @@ def _all(words: Words) -> Targets:
 
 
 def _is_of_moment(noun: Noun) -> bool:
-    """Whether it calls a value at a moment, neither what never changes nor a change over a stretch."""
+    """Return whether a phrase names a value at a moment, not a constant or a change over an interval."""
     return not (noun.timeless or noun.over or noun.phrase.startswith(AWKWARD))
 
 
 def _alike(offered: Targets) -> Iterator[list[Target]]:
-    """Sizes of one quantity that several subjects have at a moment."""
+    """Yield groups of targets: one quantity of several subjects."""
     sizes = [target for target, noun in offered.items() if target.sense is None and _is_of_moment(noun)]
     for name in dict.fromkeys(target.quantity for target in sizes):
         group = [target for target in sizes if target.quantity == name]
@@ -177,7 +177,7 @@ def _nouns(query: WhichQuery, words: Words) -> tuple[Noun, Noun] | None:
 
 
 def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | None:
-    """The subject, its property, and what follows: *block A*, *speed*, *relative to the ground*; None if it has none.
+    """Split a phrase into subject, property and rest: *block A*, *speed*, *relative to the ground*; or return None.
 
     The name must not hold an *and*, which would be misunderstood between two names.
     """
@@ -197,12 +197,12 @@ def _is_named(target: Target, noun: Noun, text: str, words: Words) -> bool:
 
 
 def _tail(first: str, second: str) -> str | None:
-    """What follows a property of two, *relative to the ground* if that must be said of one; None if it differs."""
+    """Return the words after a property of both, such as *relative to the ground*; None if they differ."""
     return first or second if first == second or not (first and second) else None
 
 
 def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
-    """The questions for what two have."""
+    """Return wordings for a property of two subjects."""
     return (
         f"which of {first} and {second} {has}{when}, and by what factor?",
         f"which {has}{when}, {first} or {second}, and by what factor?",
@@ -211,14 +211,14 @@ def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
 
 
 def _has(named: str, tail: str) -> str:
-    """*Is faster*, *has the greater kinetic energy*."""
+    """Return a predicate such as *is faster* or *has the greater kinetic energy*."""
     if named.startswith(MAGNITUDE):
         return f"has the {named.removeprefix(MAGNITUDE)} of greater magnitude{tail}"
     return f"{HAS.get(named, f'has the greater {named}')}{tail}"
 
 
 def _of_nouns(first: str, second: str, when: str) -> tuple[str, ...]:
-    """The questions for two quantities."""
+    """Return wordings for two quantities."""
     return (
         f"which is greater{when}, {first} or {second}, and by what factor?",
         f"which is the greater{when}, {first} or {second}, and by what factor is it greater?",

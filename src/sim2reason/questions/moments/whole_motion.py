@@ -1,4 +1,4 @@
-"""All of a motion: until it repeats itself, until all is at rest for good, or until its description ends."""
+"""The end of a whole motion: of its first period, its last movement, or its description."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Trace, ending
 @MOMENTS.register("whole_motion")
 @dataclass(frozen=True, slots=True)
 class WholeMotion(Moment):
-    """The instant after which nothing in a motion is new: all is as at the start, or all is at rest for good.
+    """The end of the first period of a motion, or the instant from which all is at rest for good.
 
     Of what does not depend on the place it is also the instant from which all moves uniformly for ever.
     A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
@@ -46,7 +46,7 @@ class WholeMotion(Moment):
         return True
 
     def time(self, trace: Trace) -> float | None:
-        """When all is as at the start again or, failing that, when the motion is over."""
+        """Return the end of the first period, s, or else of the motion; None if neither is known."""
         time = self._return(trace)
         if time is not None or not self.ends:
             return time

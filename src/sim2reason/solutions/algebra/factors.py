@@ -1,4 +1,4 @@
-"""Products and fractions as a number and powers of factors, in which equal factors find each other and cancel."""
+"""Products and fractions as a number times powers of factors, so that equal factors combine and cancel."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping

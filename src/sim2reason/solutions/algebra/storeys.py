@@ -1,8 +1,9 @@
-"""Formulas in whose fractions no fraction stands, with powers for equal factors and nothing left to cancel."""
+"""Reduction of formulas: no fraction within a fraction, powers for equal factors, common factors cancelled."""
 
 from collections.abc import Mapping
 from functools import reduce
 from math import lcm, sqrt
+from operator import is_
 
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import (
@@ -35,7 +36,7 @@ def one_storey(held: Expression) -> Expression:
     if not held.parts or isinstance(held, Worked):
         return held
     parts = [one_storey(part) for part in held.parts]
-    found = held if all(map(_is, parts, held.parts)) else held.built_of(parts)
+    found = held if all(map(is_, parts, held.parts)) else held.built_of(parts)
     return _one_storey(found)
 
 
@@ -54,10 +55,6 @@ def _one_storey(held: Expression) -> Expression:
             return _with_like_terms_added(held)
         case _:
             return held
-
-
-def _is(one: Expression, other: Expression) -> bool:
-    return one is other
 
 
 def is_storeyed(held: Expression) -> bool:

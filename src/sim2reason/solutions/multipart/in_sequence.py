@@ -30,11 +30,12 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
     for label, alone, setting in zip(LABELS, consistent(solutions, fixed), settings, strict=False):
         held = _without_repeated_checks(alone, earlier) if whole else alone
         solution = starting_from(held, earlier, whole=whole)
-        accepted = partial(_accepted, setting=setting, known=results_of(found, whole=whole))
+        known = results_of(found, whole=whole)
+        accepted = partial(_accepted, setting=setting, known=known)
         if whole:
             direct = (starting_from(each, earlier, whole=True) for each in shortened(held, earlier))
             solution = next((each for each in direct if accepted(each)), solution)
-        checked = solution if solution is held else verified(solution, setting, results_of(found, whole=whole))
+        checked = solution if solution is held else verified(solution, setting, known)
         found.append(checked if whole else without_unused(checked, accepted))
         earlier.append((label, found[-1]))
     if fault := naming_fault(found):

@@ -1,4 +1,4 @@
-"""The answers to two questions about one motion in one text, the second of which starts from what the first finds."""
+"""One text with the solutions of two questions about one motion; the second uses results of the first."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -6,14 +6,13 @@ from dataclasses import replace
 from sim2reason.grading.parts import LABELS
 from sim2reason.solutions.multipart.in_sequence import UNCLEAR, in_sequence
 from sim2reason.solutions.multipart.quantities import agree, meanings
-from sim2reason.solutions.multipart.quoting import SO, referred
+from sim2reason.solutions.multipart.quoting import AS_IN_PART, SO, referred
 from sim2reason.solutions.multipart.recall import EARLIER
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution, Step
 
 REFERENCES = EARLIER, "equations", "reference", "givens"
-"""Kinds of steps that only refer to an earlier part, which in one text has just been read, or to what is given."""
-AS_IN_PART, AS_BEFORE = f"As in part ({LABELS[0]}), ", SO
+"""Kinds of steps that only quote an earlier part or the givens, and are left out in one text."""
 
 
 def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> tuple[list[Solution], list[Step]]:
@@ -35,7 +34,7 @@ def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> t
 
 
 def _have_clear_names(parts: Sequence[Solution]) -> bool:
-    """Whether no name is introduced twice in other words."""
+    """Return whether no symbol is introduced twice with different words."""
     said: dict[str, str] = {}
     introduced = (pair for part in parts for pair in meanings(part).items())
     return all(agree(name, said.setdefault(name, words), words) for name, words in introduced)
@@ -45,5 +44,5 @@ def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) ->
     """Return a step with its place in the whole text, and those of the steps that it needs there."""
     needs = {places[need] for need in step.needs if need in places}
     needs |= {source[name] for name in (*step.symbols(), *referred(step.text)) if name in source}
-    text = step.text.replace(AS_IN_PART, AS_BEFORE)
+    text = step.text.replace(AS_IN_PART.format(LABELS[0]), SO)
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)), text=text)

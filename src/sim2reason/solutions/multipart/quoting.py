@@ -14,6 +14,7 @@ from sim2reason.solutions.solution import Relation, Solution, Step
 DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # what it is about may have formulas
 _INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
 SO = "So "  # before a result that follows from the last equations
+AS_IN_PART = "As in part ({}), "  # the same for a result whose equations an earlier part has solved
 SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
@@ -85,7 +86,7 @@ class _Told:
         first = self._parts.get(step.relations[0].latex()) if step.relations else None
         if first is None or not step.text.startswith(SO):
             return step
-        return replace(step, text=f"As in part ({first}), {step.text.removeprefix(SO)}")
+        return replace(step, text=f"{AS_IN_PART.format(first)}{step.text.removeprefix(SO)}")
 
     def _integrated(self, part: str, step: Step) -> Step:
         """Return an integration reduced to its results if an earlier part has integrated the same problem."""

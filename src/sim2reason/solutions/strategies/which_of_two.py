@@ -1,4 +1,4 @@
-"""Which of two: both answers, the second from what the first finds, and the time between them or their ratio."""
+"""Solutions of questions for one of two: both values, then their difference or ratio."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 @strategy
 class WhichOfTwo(Strategy):
-    """Both one after the other, which of them is the one, and the number beside its name."""
+    """Solves both queries in one text, then states which one is first or greater, and the number."""
 
     name = "which of two"
     cost = 1.0
@@ -27,12 +27,12 @@ class WhichOfTwo(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None: a name is no formula."""
+        """Return no kinds, since the answer names a body."""
         del mechanism
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why the strategy does not apply; empty if it does."""
         if not isinstance(setting.query, WhichQuery):
             return "it asks for none of two"
         found = KINDS[setting.query.kind].answer(setting.query, setting.study)
@@ -70,7 +70,7 @@ def _solved(inner: Setting) -> Solution:
 
 
 def _enter(part: Solution, book: Book) -> None:
-    """Let a book know all names of a solution."""
+    """Register all symbols of a solution in a book."""
     said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
     book.stated |= {name: said[name] for name in part.stated if name in said}
     book.constants |= part.constants
@@ -82,7 +82,7 @@ def _enter(part: Solution, book: Book) -> None:
 
 
 def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
-    """The numbers that the question says, with their units, as a list of givens has them."""
+    """Return the numbers in the question, with their units, as givens."""
     equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
     return [(name, said) for name, _, said in equations if name in part.stated]
 

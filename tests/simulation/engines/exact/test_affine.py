@@ -16,7 +16,7 @@ def inputs() -> tuple[Tape, Symbol, Symbol, Symbol]:
 
 
 def found(tape: Tape, acceleration: Number, margin: Number = 1.0) -> LinearEquations | None:
-    """What a tape says of one acceleration and one margin."""
+    """Return the affine coefficients found for a tape with one acceleration and one event margin."""
     return linear_equations(tape, [acceleration], [margin])
 
 

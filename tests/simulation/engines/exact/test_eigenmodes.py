@@ -136,7 +136,7 @@ def test_a_chain_of_a_small_and_a_large_mass_has_its_normal_modes_for_half_a_min
 
 
 def test_an_event_after_thousands_of_periods_is_found() -> None:
-    """The large mass reaches the small one, 3 m away, after 20000 of its periods; nothing is missed before."""
+    """A collision after 20,000 periods of the small mass is found at its time."""
     made, displaced = chain(0.01, 2.9)
     trace = whole(made, 20.0)
     assert stretches(trace) > 1

@@ -112,7 +112,7 @@ class Extreme(Functional):
         return self.sign * max(float(heights.max()), top)
 
     def _unbounded(self, trace: Trace, end: float) -> bool:
-        """Whether an impact makes the quantity infinite up to a time, s."""
+        """Return whether an impact before a time, s, makes the quantity infinite."""
         return self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:

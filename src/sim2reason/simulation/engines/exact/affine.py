@@ -1,4 +1,4 @@
-"""Numbers on a tape that are affine in its inputs: their coefficients, exact for the constants that the tape holds.
+"""Detection of results on a tape that are affine functions of its inputs, with exact rational coefficients.
 
 Equations of springs along fixed lines, dashpots and constant forces are of this kind. What is found here is a proof,
 and it loses no digit: differences of numbers of unlike size, as of a stiff and of a soft spring, would.
@@ -17,14 +17,14 @@ from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 
 Affine = dict[int, Fraction]
-"""The coefficients of inputs by their numbers, those that are not zero; the constant term stands at −1."""
+"""Nonzero coefficients by the number of the input; the key −1 has the constant term."""
 CONSTANT = -1
 TIME = 0  # the number of the input that is the time
 
 
 @dataclass(frozen=True)
 class LinearEquations:
-    """Accelerations and margins `base` + `slopes` · x, with x the coordinates, then their rates, (2n,)."""
+    """Accelerations and event margins as affine functions base + slopes · x of the state x = (q, q̇), (2n,)."""
 
     base: list[Fraction]  # (n,)
     slopes: list[list[Fraction]]  # (n, 2n)
@@ -38,7 +38,7 @@ class LinearEquations:
 
     @cached_property
     def squares(self) -> tuple[Complex, Complex]:
-        """Squares of angular frequencies, 1/s², and their modes of the coordinates, where nothing is damped."""
+        """Squared angular frequencies, 1/s², and mode shapes of undamped equations."""
         n = len(self.base)
         return eigenpairs([[-part for part in row[:n]] for row in self.slopes])
 

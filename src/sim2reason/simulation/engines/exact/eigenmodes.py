@@ -13,7 +13,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
-from sim2reason.simulation.engines.exact.damped_modes import SOUND, DampedModes, found_damped
+from sim2reason.simulation.engines.exact.damped_modes import REST, SOUND, DampedModes, found_damped
 from sim2reason.simulation.engines.exact.dop853 import Values
 
 TURNED = 1e-9  # of the largest eigenvalue: an imaginary part that is none
@@ -22,7 +22,6 @@ SHARE = 8  # pieces of the fastest period
 HALVINGS = 30
 FINE = 64  # the same where margins are looked at on each piece
 LONGEST = 2500 * FINE  # pieces that are looked at in one stretch
-REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 POLISHES = 60  # corrections of the time of a turn
 SHARP = 4e-16  # of a time: no need to know it better
 

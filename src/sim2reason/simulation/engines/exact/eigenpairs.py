@@ -1,4 +1,4 @@
-"""Eigenvalues and eigenvectors of small matrices to the last digit, also of small eigenvalues beside large ones."""
+"""Eigenvalues and eigenvectors of small matrices, accurate to rounding also for small eigenvalues beside large ones."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -27,15 +27,16 @@ def eigenpairs(matrix: Exact) -> tuple[Complex, Complex]:
     x, with residuals in rational numbers: J. Dongarra, C. Moler, J. Wilkinson, Improving the accuracy of computed
     eigenvalues and eigenvectors (1983). One that has the same eigenvalue as another stays as it is.
     """
-    found = np.linalg.eig(rounded(matrix))
+    plain = rounded(matrix)
+    found = np.linalg.eig(plain)
     rates, ways = np.asarray(found[0], np.complex128), np.asarray(found[1], np.complex128)
     largest = float(np.abs(rates).max())
-    pairs = [_improved(matrix, rates[number], ways[:, number], SHIFT * largest) for number in range(len(rates))]
+    pairs = [_improved(matrix, plain, rates[number], ways[:, number], SHIFT * largest) for number in range(len(rates))]
     return np.array([rate for rate, _ in pairs]), np.array([way for _, way in pairs]).T
 
 
-def _improved(matrix: Exact, rate: complex, way: Complex, shift: float) -> tuple[complex, Complex]:
-    n, first, plain = len(way), way.conj(), rounded(matrix)
+def _improved(matrix: Exact, plain: Array, rate: complex, way: Complex, shift: float) -> tuple[complex, Complex]:
+    n, first = len(way), way.conj()
     best, least = (rate, way), np.inf
     for _ in range(ROUNDS):
         residual = _residual(matrix, rate, way)

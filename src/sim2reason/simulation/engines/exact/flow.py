@@ -126,7 +126,7 @@ class Flow:
         return took
 
     def _is_small(self) -> bool:
-        """Whether all places that it was at are so near each other that steps are too coarse."""
+        """Return whether the motion so far is so small that the integrator's absolute error matters."""
         here, n = self.values[: self._equations.system.size], self._equations.system.size
         far = 0.0
         for step in reversed(self.steps):  # an ordinary motion is known by the first of them
@@ -262,7 +262,7 @@ def sampled(flow: Flow, times: Array) -> Array:
 
 
 def _on_steps(flow: Flow, times: Array) -> Array:
-    """Coordinates and rates at times within the steps of a flow, (m, 2n), or (1, 2n) if there is one step for all."""
+    """Return coordinates and rates at times within the steps of a flow, (m, 2n), or (1, 2n) for a single step."""
     table = flow.table
     at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
     numbers = set[int](at.tolist())

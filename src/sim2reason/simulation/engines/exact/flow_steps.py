@@ -1,4 +1,4 @@
-"""The steps of an integrator, with what lies between their ends."""
+"""Integrator steps with dense output."""
 
 from collections.abc import Sequence
 
@@ -9,7 +9,7 @@ from sim2reason.simulation.engines.exact.mode_code import Formulas
 
 
 class FlowStep:
-    """One step of the integrator, and what lies between its ends."""
+    """One integrator step with dense output."""
 
     __slots__ = ("_polynomial", "formulas", "length", "new", "stages", "time", "values")
 
@@ -38,7 +38,7 @@ class FlowStep:
         return self.formulas.margins(self.time + x * self.length, self.at(x))
 
     def closing(self, x: float) -> tuple[float, ...]:
-        """How fast what may pass comes together at a fraction of the step, and what is left between."""
+        """Return the closing speeds and distances of points that may pass each other, at a fraction of the step."""
         return self.formulas.closing(self.time + x * self.length, self.at(x))
 
 

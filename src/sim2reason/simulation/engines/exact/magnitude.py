@@ -1,4 +1,4 @@
-"""The size of a motion in its units, where that is small: an absolute error that others may have would be too large."""
+"""Estimate of the size of small motions, for which the integrator's usual absolute tolerance is too coarse."""
 
 from math import sqrt
 

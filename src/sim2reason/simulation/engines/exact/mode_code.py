@@ -39,7 +39,7 @@ class Formulas:
 
     @cached_property
     def linear(self) -> LinearEquations | None:
-        """The equations as linear ones; None if they are not, or if the motion leaves forces open."""
+        """Return the equations in linear form; None if they are nonlinear or leave forces undetermined."""
         return None if self.braced or self.held else self.find_linear()
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
