@@ -70,12 +70,14 @@ def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
     values = excess(trace.scan)
     if len(times) < 3:
         return times, values
-    before, here, after = values[:-2], values[1:-1], values[2:]
+    sizes = np.abs(values)
+    nearest = np.flatnonzero((sizes[1:-1] <= sizes[:-2]) & (sizes[1:-1] <= sizes[2:]))
+    before, here, after = values[nearest], values[nearest + 1], values[nearest + 2]
     bend = before - 2.0 * here + after
     with np.errstate(divide="ignore", invalid="ignore"):
         rise = np.abs((after - before) ** 2 / (8.0 * bend)) + np.abs(bend) / 8.0  # of a parabola over its middle sample
     same = (before * here > 0.0) & (after * here > 0.0) & (np.sign(bend) == np.sign(here))
-    close = np.flatnonzero(same & (np.abs(here) < 2.0 * rise) & (np.abs(here) <= np.minimum(abs(before), abs(after))))
+    close = nearest[same & (np.abs(here) < 2.0 * rise)]
     if not len(close):
         return times, values
     closer: list[Array] = [np.linspace(times[i], times[i + 2], FINE)[1:-1] for i in close.tolist()]

@@ -45,6 +45,10 @@ class Polynomial:
 
     def __mul__(self, other: "Polynomial") -> "Polynomial":
         """Their product; of one angle, sin² + cos² is 1."""
+        if (factor := self.number) is not None:
+            return other.scaled(factor)
+        if (factor := other.number) is not None:
+            return self.scaled(factor)
         found: dict[Monomial, float] = {}
         for one, a in self.terms.items():
             for two, b in other.terms.items():
@@ -96,10 +100,12 @@ class Polynomial:
 
     def put(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
         """With polynomials in place of symbols, of which each term holds at most first powers."""
+        if not any(_holds(monomial, values) for monomial in self.terms):
+            return self
         parts: list[Polynomial] = []
         for monomial, part in self.terms.items():
             if not _holds(monomial, values):
-                parts.append(Polynomial({tuple(sorted(monomial, key=written_order)): part}))
+                parts.append(Polynomial({monomial: part}))
                 continue
             term = Polynomial({(): part})
             for atom, power in monomial:

@@ -5,6 +5,7 @@ from math import cos
 from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
@@ -68,8 +69,8 @@ class _Turning(SwingAngle):
         self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
         self.began = book.value(self.first)
         moment = setting.query.moment
-        self.now, self.turned, self.turning = self.arm.seen(moment.side(setting.time) if moment is not None else 0.0)
-        self.way = 1.0 if self.arm.seen(0.0)[2] >= 0.0 else -1.0
+        self.now, self.turned, self.turning = self.arm.at(moment.side(setting.time) if moment is not None else 0.0)
+        self.way = 1.0 if self.arm.at(0.0)[2] >= 0.0 else -1.0
 
     # ---- what is asked
 
@@ -257,9 +258,9 @@ class _Turning(SwingAngle):
         return self.angular_acceleration
 
     def _swept(self) -> Expression:
-        def seen(time: float) -> tuple[float, float]:
-            angle, _, rate = self.arm.seen(time)
-            return angle, rate
+        def seen(times: Array) -> tuple[Array, Array]:
+            angles, _, rates = self.arm.seen(times)
+            return angles, rates
 
         return swept(self, seen)
 

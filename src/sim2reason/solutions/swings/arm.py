@@ -9,6 +9,7 @@ import numpy as np
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
@@ -81,22 +82,24 @@ class Arm:
         x, y, z = (float(part) / hypot(*apart) for part in apart)
         return x, y, z
 
-    def seen(self, time: float) -> tuple[float, float, float]:
-        """The angle from the downward vertical, positive on the side on which it begins, that from the start; its rate.
+    def at(self, time: float) -> tuple[float, float, float]:
+        """Return the same as `seen`, at one time."""
+        angles, turned, rates = self.seen(np.array([time]))
+        return float(angles[0]), float(turned[0]), float(rates[0])
 
-        For signs alone.
+    def seen(self, times: Array) -> tuple[Array, Array, Array]:
+        """Return angles from the downward vertical, angles from the start, and rates, each (n,), for signs alone.
+
+        They are positive on the side on which it begins.
         """
         m = self.setting.mechanism
-        state, number = (
-            self.setting.study.trace.sample(np.array([time])),
-            m.number[m.body[self.carrier].coordinates[0].name],
-        )
+        state, number = self.setting.study.trace.sample(times), m.number[m.body[self.carrier].coordinates[0].name]
         way = self.way(m)
         side = 1.0 if way[0] >= 0.0 else -1.0
         sense = -side * self.axis[1]  # about y, what points to the right goes down
-        turned = sense * float(state.q[0, number])
-        angle = side * atan2(way[0], -way[2]) + turned
-        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, number])
+        turned = sense * state.q[:, number]
+        angles = side * atan2(way[0], -way[2]) + turned
+        return (angles + pi) % (2.0 * pi) - pi, turned, sense * state.v[:, number]
 
     def _deflection(self, m: Mechanism) -> float:
         x, _, z = self.way(m)

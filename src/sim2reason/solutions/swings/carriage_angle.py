@@ -34,7 +34,7 @@ class CarriageAngle(SwingAngle):
         searched = isinstance(query, StretchQuery) and query.kind == "extremum"
         moment = query.moment
         when = time_of_greatest(setting) if searched else moment.side(setting.time) if moment is not None else 0.0
-        self.now, self.turned, self.turning = self.arm.seen(when)
+        self.now, self.turned, self.turning = self.arm.at(when)
         self.way = -1.0
         self.begins = isinstance(moment, AtStart) or when == 0.0
 

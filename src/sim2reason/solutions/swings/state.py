@@ -1,9 +1,10 @@
 """A swing at one moment: at which angle, and how fast."""
 
-from math import atan2, cos, hypot
+from math import cos
 
 import numpy as np
 
+from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
@@ -39,8 +40,9 @@ class SwingState(SwingAngle):
         moment = setting.query.moment
         assert moment is not None
         when = moment.side(setting.time)
-        self.began, (self.now, self.turning) = geometry(lexicon.mechanism)[1], self._seen(when)
-        self.way = 1.0 if self._seen(0.0)[1] >= 0.0 else -1.0
+        angles, rates = self._seen(np.array([0.0, when]))
+        self.began, self.now, self.turning = geometry(lexicon.mechanism)[1], float(angles[1]), float(rates[1])
+        self.way = 1.0 if rates[0] >= 0.0 else -1.0
         self._when_seen = when
 
     @cached_property
@@ -54,18 +56,16 @@ class SwingState(SwingAngle):
         angles = np.unwrap(np.arctan2(side * x, -z))
         return float(angles[-1] - angles[0])
 
-    def _seen(self, time: float) -> tuple[float, float]:
-        """The angle and its rate at a time, for signs alone."""
-        state = self.setting.study.trace.sample(np.array([time]))
+    def _seen(self, times: Array) -> tuple[Array, Array]:
+        """The angles and their rates at some times, each (n,), for signs alone."""
+        state = self.setting.study.trace.sample(times)
         found = pivot(self.setting.mechanism)
         assert found is not None
-        point = found[2]
-        center = state.frames.center(self.body)
-        apart = [float(np.ravel(part)[0]) - point[n] for n, part in enumerate(center.place)]
-        speed = [float(np.ravel(part)[0]) for part in center.velocity]
+        point, center = found[2], state.frames.center(self.body)
+        x, y, z = (np.broadcast_to(part, times.shape) - point[n] for n, part in enumerate(center.place))
         side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
-        across = side * (speed[0] * -apart[2] + speed[2] * apart[0])
-        return atan2(side * apart[0], -apart[2]), across / hypot(*apart) ** 2
+        across = side * (center.velocity[2] * x - center.velocity[0] * z)
+        return np.arctan2(side * x, -z), across / (x * x + y * y + z * z)
 
     # ---- the angle and the speed
 

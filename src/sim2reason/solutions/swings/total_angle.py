@@ -5,6 +5,7 @@ from math import ceil, pi
 
 import numpy as np
 
+from sim2reason.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -16,19 +17,19 @@ SAMPLES = 48  # of a period of small swings, at least
 TWICE = 2
 SLOW = 1e-7  # of the fastest: the end of what comes to rest there
 
-Seen = Callable[[float], tuple[float, float]]
+Seen = Callable[[Array], tuple[Array, Array]]
+"""Angles and their rates at times, each (n,)."""
 
 
 def swept(swing: SwingAngle, seen: Seen) -> Expression:
-    """The sum of all angles; `seen` gives the angle and its rate at a time, for signs and numbers of turns alone."""
+    """The sum of all angles; what is `seen` decides signs and numbers of turns alone."""
     end = swing.setting.time
     count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
-    states = [seen(float(time)) for time in np.linspace(0.0, end, count + 1)]
-    rates = np.array([rate for _, rate in states])
+    angles, rates = seen(np.linspace(0.0, end, count + 1))
     kept = np.sign(rates[np.abs(rates) > SLOW * np.abs(rates).max()])
     turns = int((kept[1:] != kept[:-1]).sum()) + swing.still
     if swing.goes_round:
-        return _round(swing, float(np.unwrap([angle for angle, _ in states])[-1]))
+        return _round(swing, float(np.unwrap(angles)[-1]))
     if not swing.falls:
         raise UnsolvedError("its centre of mass is on the other side of the axle")
     if not turns:
