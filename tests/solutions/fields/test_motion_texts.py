@@ -32,14 +32,21 @@ DRAG = LinearDrag(coefficient=0.5)
 TO_THE_RIGHT = Sense("to the right", (1.0, 0.0, 0.0), axis="x")
 
 
-def solved(quantity: str, moment: Moment, sign: str = "positive", speed: float = 2.0, **acting: object) -> Solution:
+def solved(
+    quantity: str,
+    moment: Moment,
+    sign: str = "positive",
+    speed: float = 2.0,
+    strategy: str = "motion in fields",
+    **acting: object,
+) -> Solution:
     start = Launched(speed=speed, angle=30.0) if speed else Released()
     particle = ChargedBead(mass=2.0, charge=3.0, sign=sign)  # type: ignore[arg-type]
     entity = EmEntity(particle=particle, start=start, **acting)  # type: ignore[arg-type]
     scene = Scene(entities=(Named(name="fields", entity=entity),))
     setting = asked(scene, Query("state", Target(quantity, BEAD, TO_THE_RIGHT), moment))
     solution = solve(setting)
-    assert solution.strategy == "motion in fields", solution.reason
+    assert solution.strategy == strategy, solution.reason
     assert setting.answer is not None
     assert not faults(solution, setting.answer)
     assert not read(solution.text).broken
@@ -130,6 +137,16 @@ def test_two_cases_name_their_velocities_apart() -> None:
     assert solution.answer is not None, solution.reason
     assert r"\dot{v}_{y,1}" in solution.text
     assert not read(solution.text).broken
+
+
+@pytest.mark.parametrize(("quantity", "expected"), [("displacement", 1.3 * 3**0.5), ("velocity", 3**0.5)])
+def test_no_law_is_written_where_no_force_acts(quantity: str, expected: float) -> None:
+    """The x component of 2 m/s at 30 degrees stays 2 cos 30° m/s, and 1.3 s later it is 1.3 s as far."""
+    solution = solved(quantity, AtTime(1.3), strategy="constant acceleration", electric=UNIFORM)
+    assert solution.answer is not None, solution.reason
+    assert abs(solution.answer / expected - 1.0) < 1e-9
+    assert "No force acts on" in solution.text
+    assert "0 = m" not in solution.text
 
 
 @pytest.mark.parametrize(

@@ -35,6 +35,8 @@ def one_storey(held: Expression) -> Expression:
     """
     if not held.parts or isinstance(held, Worked):
         return held
+    if isinstance(held, Absolute) and isinstance(held.inside, Number):
+        return Number(abs(held.inside.x))
     parts = [one_storey(part) for part in held.parts]
     found = held if all(map(is_, parts, held.parts)) else held.built_of(parts)
     return _one_storey(found)

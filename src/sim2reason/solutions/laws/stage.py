@@ -84,7 +84,7 @@ class Stage:
     def place(self, k: int) -> Polynomial:
         """Return how far a coordinate has come at the end, in m."""
         shared, before = self._shared(k), self.places.get(k, NIL)
-        if self.uniform:
+        if self.uniform or (shared is None and k in self.dynamics.unforced):
             return self._glided(k, before)
         if shared is None:
             if self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
@@ -94,9 +94,9 @@ class Stage:
 
     def gain(self, k: int) -> Polynomial:
         """Return how far a coordinate has come in this stage alone, in m."""
-        if self.uniform:
-            return self._glided(k, NIL)
         shared = self._shared(k)
+        if self.uniform or (shared is None and k in self.dynamics.unforced):
+            return self._glided(k, NIL)
         if shared is None and k == self.end.coordinate and self.end.distance is not None:
             return self.end.distance
         if shared is None and k not in self.dynamics.frozen:

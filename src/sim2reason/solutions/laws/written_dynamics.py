@@ -24,6 +24,7 @@ from sim2reason.solutions.laws.selection import needed
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
 from sim2reason.solutions.laws.tension_checks import verify_taut
+from sim2reason.solutions.laws.unforced import tell_unforced
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
@@ -34,8 +35,10 @@ class WrittenDynamics(Dynamics):
 
     def reach(self, goals: Sequence[str]) -> None:
         """Write the way to some unknowns, such as ``q3`` or ``T1``; their `names` are known then."""
-        goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in self.frozen)]
-        self.names |= {f"q{k}": NIL for k in self.frozen}
+        still = self.frozen | self.unforced
+        tell_unforced(self, goals)
+        goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in still)]
+        self.names |= {f"q{k}": NIL for k in still}
         if not goals:
             return
         rows, unknowns = self.laws(goals)
@@ -238,8 +241,7 @@ class DynamicsWriter:
                 who = capital(self.d.setting.called(self._body(group[0].number)))
                 step.say(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
                 continue
-            inertia = self._inertia(group, equation)
-            law = step.law(equation.forces.expression(), inertia)
+            law = step.law(equation.forces.expression(), self._inertia(group, equation))
             step.say(f"{equation.label} {self._why(group)}: {law}.".strip())
         step.close()
 
@@ -264,8 +266,7 @@ class DynamicsWriter:
 
     def _mass(self, group: Sequence[Row]) -> bool:
         """Return whether anything moves with a group that has a mass, or a moment of inertia."""
-        newton = self.d.newton
-        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in newton.moved(b.name)}
+        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in self.d.newton.moved(b.name)}
         return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
 
     def _body(self, k: int) -> str:
