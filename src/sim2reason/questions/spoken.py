@@ -5,7 +5,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
-from math import isclose
+from math import floor, isclose, log10
 
 import numpy as np
 
@@ -28,6 +28,7 @@ class OwnSymbol:
 
 
 DIGITS = r"\d{1,20}"  # of a number before its point or after it: a float written in full has no more that matter
+ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8)  # leading digits of the numbers that teachers choose
 EXACT = 1e-13  # relative: numbers that differ by less are one
 METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
 OWN = {
@@ -105,3 +106,14 @@ def digits(value: float) -> str:
 def spoken(value: float) -> float:
     """A positive number as it will be said."""
     return float(two_digits(value))
+
+
+def round_number(value: float, least: float, most: float) -> float:
+    """Return the round number nearest to a positive one, such as 0.4, 1.5 or 25, that lies between two bounds.
+
+    Where none does, the number is returned with two significant digits.
+    """
+    tens = floor(log10(value))
+    found = [float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND]
+    fitting = [number for number in found if least <= number <= most]
+    return min(fitting, key=lambda number: abs(log10(number / value)), default=spoken(value))

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim2reason.questions.choices import apart, bears_from
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.spoken import spoken
+from sim2reason.questions.spoken import round_number
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -28,10 +28,11 @@ class AtTime(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A time of two digits, away from events and not before all that the text gives can bear."""
+        """A round number of seconds, away from events and not before all that the text gives can bear."""
         del words
         earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
-        moment = cls(spoken(rng.uniform(min(max(earliest, bears_from(study.trace)), latest), latest)))
+        earliest = min(max(earliest, bears_from(study.trace)), latest)
+        moment = cls(round_number(rng.uniform(earliest, latest), earliest, latest))
         return [moment] if moment.time(study.trace) is not None and apart(moment.after, study.trace) else []
 
     @classmethod

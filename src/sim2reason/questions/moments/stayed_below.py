@@ -12,7 +12,7 @@ from sim2reason.questions.moments.bounced import GROUND, Bounced, struck
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
-from sim2reason.questions.spoken import spoken
+from sim2reason.questions.spoken import round_number
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -43,7 +43,10 @@ class StayedBelow(DistanceThreshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return more than the height of the top after the first bounce; None if there is no such top."""
         top = TopAfterBounce(name).time(trace)
-        return spoken(rng.uniform(LOW, HIGH) * float(Height.evaluate(trace.at(top), name)[0])) if top else None
+        if not top:
+            return None
+        height = float(Height.evaluate(trace.at(top), name)[0])
+        return round_number(rng.uniform(LOW, HIGH) * height, LOW * height, HIGH * height)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:

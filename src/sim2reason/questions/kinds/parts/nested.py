@@ -12,6 +12,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import BEYOND, SHORTEST, Study
 from sim2reason.questions.targets import Noun, Targets
@@ -72,7 +73,7 @@ class NestedKind(Kind):
         shares = np.array([KINDS[name].share for name in self.inner])
         kinds: list[int] = rng.choice(len(shares), len(shares), replace=False, p=shares / shares.sum()).tolist()
         drawn = (KINDS[self.inner[number]].draw(study, words, targets, rng) for number in kinds)
-        for inner in islice((query for query in drawn if query is not None and is_plain(query)), DRAWS):
+        for inner in islice((query for query in drawn if query is not None and _is_natural(query)), DRAWS):
             if not self._is_named(inner, words, targets):
                 continue
             for path in islice(self._numbers(study, words, rng), NUMBERS):
@@ -163,6 +164,11 @@ def _has_subject(inner: Query, study: Study) -> bool:
     """Whether a changed mechanism still has what is asked about."""
     target = inner.target
     return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
+
+
+def _is_natural(inner: Query) -> bool:
+    """Return whether a query is plain and about something that happens, since an instant would be arbitrary."""
+    return is_plain(inner) and not isinstance(inner.moment, AtTime)
 
 
 def is_plain(inner: Query) -> bool:

@@ -15,6 +15,7 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
 from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.phrasing import again, asking
@@ -252,4 +253,4 @@ def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
         if here:
             events += happens
             found.append(here[int(rng.integers(len(here)))])
-    return found
+    return sorted(found, key=lambda moment: isinstance(moment, AtTime))  # an instant only where nothing happens

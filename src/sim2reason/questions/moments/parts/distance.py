@@ -8,7 +8,7 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Displacement
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.spoken import spoken
+from sim2reason.questions.spoken import round_number
 from sim2reason.simulation.trace import Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
@@ -27,8 +27,9 @@ class DistanceThreshold(Threshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """A part of how far it gets."""
         reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
-        distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.strings else LONGEST)
-        return spoken(distance) if distance >= SHORTEST else None
+        whole = min(reached, TIED if trace.mechanism.strings else LONGEST)
+        distance = rng.uniform(NEAREST, FARTHEST) * whole
+        return round_number(distance, NEAREST * whole, FARTHEST * whole) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
         """How much farther it is than the distance."""
