@@ -124,7 +124,7 @@ def test_axes_are_told_where_one_is_used(target: Target, told: bool) -> None:
 def _prompts(scene: Scene, mode: str) -> list[CertifiedQuestion]:
     """Some questions about a scene, in several wordings."""
     found: list[CertifiedQuestion] = []
-    for seed in range(6):
+    for seed in range(10):
         rng = np.random.default_rng(seed)
         search = QuestionSearch(scene, seed)
         question = search.ask(MODES[mode], rng, Counter())

@@ -28,7 +28,7 @@ class OwnSymbol:
 
 
 DIGITS = r"\d{1,20}"  # of a number before its point or after it: a float written in full has no more that matter
-ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8)  # leading digits of the numbers that teachers choose
+ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of the numbers that teachers choose
 EXACT = 1e-13  # relative: numbers that differ by less are one
 METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
 OWN = {

@@ -19,6 +19,7 @@ class StringImpulse(Integral):
 
     name, unit, least = "impulse of a tension", "N s", 1e-3
     of, needs = Strings(), ("mass",)
+    weight = 0.2  # where its force is constant, that is asked for instead
     phrase = "the impulse of the tension in {string}"
     how = "how large is the impulse of the tension in {string} {when}?"
 

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Self
 
 import numpy as np
 
 from sim2reason.questions.choices import apart, bears_from
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.spoken import round_number
+from sim2reason.questions.spoken import round_number, spoken
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -28,12 +29,14 @@ class AtTime(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A round number of seconds, away from events and not before all that the text gives can bear."""
+        """A time away from events and not before all that the text gives can bear: a round number if there is one."""
         del words
         earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
         earliest = min(max(earliest, bears_from(study.trace)), latest)
-        moment = cls(round_number(rng.uniform(earliest, latest), earliest, latest))
-        return [moment] if moment.time(study.trace) is not None and apart(moment.after, study.trace) else []
+        drawn = float(rng.uniform(earliest, latest))
+        moments = (cls(after) for after in (round_number(drawn, earliest, latest), spoken(drawn)))
+        fitting = (m for m in moments if m.time(study.trace) is not None and apart(m.after, study.trace))
+        return [*islice(fitting, 1)]
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:

@@ -86,8 +86,9 @@ class StretchKind(Kind):
     def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
-        if not self.ends_matter:
+        if not self.ends_matter:  # whole motions take the fewest words
             ends = [moment for moment in ends if not moment.stated]
+            ends.sort(key=lambda moment: not isinstance(moment, WholeMotion))
         for _ in range(TRIES):
             if not offered:
                 break
