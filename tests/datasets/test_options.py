@@ -18,7 +18,7 @@ from sim2reason.exports import EXPORTS, Place
 from sim2reason.grading import Outcome
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
 
-CELLS = [("pulley", "easy", 0), ("rotation", "medium", 0), ("hybrid", "hard", 0)]
+CELLS = [("pulley", "easy", 0), ("rotation", "medium", 0), ("hybrid", "hard", 1)]
 
 
 @cache

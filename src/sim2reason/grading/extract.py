@@ -76,10 +76,15 @@ def boxed(response: object) -> str:
         raise Refused(Outcome.NO_ANSWER, why)
     if fault := fault_of_box(text, *found):
         raise Refused(Outcome.UNREADABLE, fault)
-    answer = text[slice(*found)].lstrip(BLANK).rstrip("\ufeff")  # a backslash may need the space behind it
+    answer = content(text, found)
     if len(answer) > MAX_ANSWER:
         raise Refused(Outcome.TOO_LONG, f"the answer has more than {MAX_ANSWER} characters")
     return answer
+
+
+def content(text: str, box: tuple[int, int]) -> str:
+    """Return the content of a box from its start to its end, without blanks around it."""
+    return text[slice(*box)].lstrip(BLANK).rstrip("\ufeff")  # a backslash may need the space behind it
 
 
 def closed_boxes(text: str) -> list[tuple[int, int]]:

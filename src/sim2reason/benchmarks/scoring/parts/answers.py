@@ -3,7 +3,7 @@ r"""Where answers stand in a response: in its boxes, after the thinking."""
 import re
 from typing import Final
 
-from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, spoken
+from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, spoken
 from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.score import Refused
 
@@ -35,21 +35,21 @@ def boxes(response: str) -> list[str]:
         while spans and spans[-1][0] > begin:  # boxes within this one
             spans.pop()
         spans.append((begin, end))
-    found = (text[slice(*span)] for span in spans[-MOST:] if not fault_of_box(text, *span))
-    return [content for content in found if content.strip() and len(content) <= MAX_ANSWER]
+    found = (content(text, span) for span in spans[-MOST:] if not fault_of_box(text, *span))
+    return [answer for answer in found if answer.strip() and len(answer) <= MAX_ANSWER]
 
 
-def in_box(content: str) -> str:
+def in_box(answer: str) -> str:
     """A response that has nothing but this answer."""
-    return rf"\boxed{{{content}}}"
+    return rf"\boxed{{{answer}}}"
 
 
-def parts(content: str, *, thousands: bool = True) -> list[str]:
+def parts(answer: str, *, thousands: bool = True) -> list[str]:
     """What stands between commas, semicolons or *and* outside all brackets, without dollars.
 
     With `thousands` a comma before three digits belongs to a number.
     """
-    text = _AND.sub(",", _BLANK.sub(" ", content))
+    text = _AND.sub(",", _BLANK.sub(" ", answer))
     text = _THOUSANDS.sub("", text) if thousands else text
     found, depth, start = list[str](), 0, 0
     for place, sign in enumerate(text):
