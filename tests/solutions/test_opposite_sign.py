@@ -26,7 +26,7 @@ def said(formula: Expression, value: float) -> str:
 
 @pytest.mark.parametrize(
     ("shift", "told"),
-    [(-3.0, "$m$ would be $-2.0000$ or $-4.0000$, both negative."), (0.5, "")],
+    [(-3.0, "the formula would give $-2.0000$ or $-4.0000$ for $m$, both negative."), (0.5, "")],
 )
 def test_both_roots_are_looked_at(shift: float, told: str) -> None:
     """√(3 + F) + c is √5 + c for F, and c ± 1 for −F."""
@@ -38,7 +38,7 @@ def test_both_roots_are_looked_at(shift: float, told: str) -> None:
 def test_the_unknown_of_a_quadratic_equation_would_be_negative() -> None:
     text = solution_text("hybrid-hard-reverse-301931-0")
     assert "Only a magnitude is given; with $-F_" in text
-    assert r"$M_P$ would be $-0.69916\ \text{kg}$ or $-31.797\ \text{kg}$, both negative." in text
+    assert r"the formula would give $-0.69916\ \text{kg}$ or $-31.797\ \text{kg}$ for $M_P$, both negative." in text
 
 
 def test_a_sine_of_another_angle_is_not_that_of_the_unknown() -> None:

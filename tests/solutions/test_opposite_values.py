@@ -7,7 +7,7 @@ def test_a_sign_that_was_chosen_is_told_to_be_supposed_and_the_other_one_is_excl
     """The displacement of a puck hangs on the unknown mass, so nothing says at first that it is to the left."""
     text = solution_text("collision-hard-reverse-301926-0")
     assert "$s_{A,3} = -s_{A,2}$, supposing that this is positive." in text
-    other = r"$m_C$ would be $-2.3529\ \text{kg}$ or $-3.1287\ \text{kg}$, both negative."
+    other = r"the formula would give $-2.3529\ \text{kg}$ or $-3.1287\ \text{kg}$ for $m_C$, both negative."
     assert f"Only a magnitude is given; with $-s_{{A,3}}$ in place of $s_{{A,3}}$, {other}" in text
 
 

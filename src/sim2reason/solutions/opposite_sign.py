@@ -76,7 +76,8 @@ def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expr
         value = max(map(book.value, branches))
     except UnsolvedError:  # a branch has no value, or there are more than two
         return ""
-    would = f"${name}$ would be {' or '.join(f'${number}$' for number in found)}"
+    given = " or ".join(f"${number}$" for number in found)  # maybe no solutions, as the formula comes from squares
+    would = f"the formula would give {given} for ${name}$"
     if value < 0.0 < book.values[name]:
         for branch in branches:
             exceeds(book, step, ZERO, branch)

@@ -208,7 +208,7 @@ class Inversion:
             how = f"{step.derived(*sides)}{same}, so"
             said = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
         else:
-            said, how = f"These equations determine ${self.unknown}$;", "the numerical solution is"
+            said, how = "These equations together", "have the numerical solution"
         step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
         self._roots.drop(step, self.unknown, others)

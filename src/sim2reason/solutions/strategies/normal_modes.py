@@ -274,7 +274,8 @@ class _Modal(LinearWay):
         """Write a sum over modes, or its derivative of some order after the sum itself, once; return its symbol."""
         if (base, i) not in self._known:
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
-            name = self.names[i] if base == "x" else self.book.fresh(base, self.setting.mark(body))
+            own = base == "x" and self.setting.stated is None  # a value that is given is no function of time
+            name = self.names[i] if own else self.book.fresh(base, self.setting.mark(body))
             whole, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
             course = f"${whole.latex()}$; " if order else ""
             apart = ", apart from the common motion," if self._all.common else ""
