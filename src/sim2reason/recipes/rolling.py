@@ -53,13 +53,13 @@ IDEAS = {
         Idea(KIND, {**ROLLS, "start?": 1.0}),
     ),
     "medium": (  # it slips until it rolls, slips all the way on too steep a slope, or has its weight on one side
-        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 2.0),
+        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 0.5),
         Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.3}),
         Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 1.0, _hole_counts),
     ),
     "hard": (
         Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 1.0, _hole_counts),
-        Idea(KIND, LIVELY, 2.0),
+        Idea(KIND, LIVELY, 4.0),
         Idea(
             PRISM,
             {"rate?": 1.0, "rate": Range(4.5, 6.0), "angle": Range(6.0, 12.0), "shape": ("octagonal", "decagonal")},
