@@ -1,0 +1,93 @@
+"""Texts that tell a whole scene in the words of textbooks: the library's text of the story that they tell."""
+
+import re
+from dataclasses import dataclass
+
+from sim2reason.parsing.ordinary.amounts import Amount, set_apart
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, compiled
+
+LONGEST = 1500  # characters of a text that may be a story
+GENERAL = (
+    r"(?:(?:take|use|let|assume|with|where|here) )?(?:the )?(?:acceleration (?:due to|of) gravity (?:is |as )?)?"
+    r"(?:g (?:= |is |as |to be )?)?<g:accel>",
+    r"(?:neglect|ignore|neglecting|ignoring|disregard) (?:all |any )?(?:the )?"
+    r"(?:air resistance|air drag|drag|air friction|resistance of the air|effects? of (?:the )?air)",
+    r"(?:the )?air resistance (?:is|can be|may be) (?:negligible|neglected|ignored)",
+    r"(?:without|no|negligible) (?:air resistance|air drag)",
+)
+"""What any story may say: how strong gravity is, and that there is no air."""
+FILLERS = frozenset(
+    "a an the it its they is are was be and then of on at to in with by which that from as where has have having"
+    " there this so . initially when while".split()
+)
+ARTICLES = r"(?:an?|another|second|one|two|three)"
+GENERIC = frozenset({"body", "object", "mass", "particle"})
+
+
+@dataclass(frozen=True, slots=True)
+class Retold:
+    """The library's text of a story, and what it needs that the original text does not give."""
+
+    text: str
+    missing: tuple[str, ...]
+
+
+def retold(text: str) -> list[Retold]:
+    """Return the library's text of each story that a text tells, with nothing left over."""
+    if len(text) > LONGEST:
+        return []
+    words, amounts = normalised(text)
+    if any(not amount.kind for amount in amounts):
+        return []
+    found = (_told(story, words, amounts) for story in STORIES.values())
+    return [each for each in found if each is not None]
+
+
+def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
+    """Return a text in lower case with numbers set apart and each full stop a word of its own, and its numbers."""
+    apart, amounts = set_apart(" ".join(text.split()))
+    plain = re.sub(r"[,;:()]", " ", apart.lower())
+    plain = re.sub(r"\.(?=\s|$)", " . ", plain.replace("=", " = "))
+    return f" {' '.join(plain.split())} ", amounts
+
+
+def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | None:
+    """Return a story as the library tells it; None if the text tells another, or anything more."""
+    if not all(compiled(pattern).search(words) for pattern in story.opening):
+        return None
+    given: dict[str, str | Amount] = {}
+    left = words
+    for pattern in (*story.phrases, *GENERAL):
+        left = _taken(pattern, left, amounts, given)
+        if not left:
+            return None
+    if story.bodies:
+        if not _one_body(story.bodies, left):
+            return None
+        left = compiled(rf"(?:{story.bodies})").sub("|", left)
+    if any(word not in FILLERS and word != "|" for word in left.split()):
+        return None
+    told = Told(given)
+    text = story.tell(told)
+    return Retold(text, tuple(dict.fromkeys(told.missing))) if told.missing or told.whole else None
+
+
+def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[str, str | Amount]) -> str:
+    """Return what a pattern leaves of a text, noting the facts that it finds; empty if they contradict others."""
+    expression = compiled(pattern)
+    for found in expression.finditer(words):
+        for name, said in found.groupdict().items():
+            if said is None:
+                continue
+            index = re.search(r"\d+", said) if said[0] == "#" else None
+            value = amounts[int(index[0])] if index is not None else name
+            if given.setdefault(name, value) != value:
+                return ""
+    return expression.sub("|", words)
+
+
+def _one_body(nouns: str, words: str) -> bool:
+    """Return whether a text speaks of one body: it uses one noun, and introduces it once."""
+    used = {found[0].strip() for found in compiled(nouns).finditer(words)}
+    introduced = compiled(rf"{ARTICLES} (?:[\w#|-]{{1,20}} ){{0,3}}?(?:{nouns})").findall(words)
+    return len(used - GENERIC) <= 1 and len(introduced) <= 1
