@@ -55,6 +55,8 @@ def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | Non
     """Return a story as the library tells it; None if the text tells another, or anything more."""
     if not all(compiled(pattern).search(words) for pattern in story.opening):
         return None
+    if story.never and compiled(story.never).search(words):
+        return None
     given: dict[str, str | Amount] = {}
     left = words
     for pattern in (*story.phrases, *GENERAL):

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from sim2reason.parsing.ordinary.amounts import Amount, shown
+from sim2reason.parsing.ordinary.amounts import Amount
 from sim2reason.registry import Registry
 
 USUAL_G = "9.8 m/s²"
@@ -76,6 +76,7 @@ class Story:
         phrases: patterns of all that may be said, tried in order; `<name:kind>` is a number of a kind, and a named
             group a fact that is said or not. Each place of a text is taken by the first pattern that fits.
         bodies: a pattern of the nouns for the body; a text may use one of them only. Empty where phrases name them.
+        never: a pattern of what tells another scene in the words of this one, as a slope that moves.
         tell: the library's text with what the text tells.
     """
 
@@ -84,10 +85,11 @@ class Story:
     phrases: tuple[str, ...]
     tell: Callable[[Told], str]
     bodies: str = ""
+    never: str = ""
 
     def __post_init__(self) -> None:
         """Refuse patterns that are no regular expressions when they are declared."""
-        for pattern in (*self.opening, *self.phrases, self.bodies):
+        for pattern in (*self.opening, *self.phrases, self.bodies, self.never):
             compiled(pattern)
 
 
@@ -95,11 +97,6 @@ def compiled(pattern: str) -> re.Pattern[str]:
     """Return the regular expression of a pattern, which begins and ends where words do."""
     told = re.sub(r"<(\w+):(\w+)>", r"(?P<\1>#\2\\d{1,3}#)", pattern)
     return re.compile(rf"(?<![\w#-])(?:{told})(?![\w#-])")
-
-
-def plus(amount: float) -> str:
-    """Return a length with its unit."""
-    return f"{shown(amount)} m"
 
 
 STORIES: Registry[Story] = Registry("parsing.ordinary.stories")

@@ -3,25 +3,28 @@
 from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
 
 BLOCK = r"block|box|crate|body|object|book|package|mass|particle"
+"""Nouns of the one body; a text that says *mass* or *body* besides means the same one."""
 SLOPE = r"(?:inclined plane|incline|ramp|slope|hill)"
 FLOOR = r"(?:floor|table|tabletop|surface|plane|ground)"
 MASS = r"(?:mass )?(?:of |is )?(?:m = )?<mass:mass>"
 STARTS = r"(?:(?:is|are) )?(?:released|let go|starts|slides|slips|starts moving|held and released|placed and released)"
 SPEED = r"(?:an? |the )?(?:initial )?(?:speed|velocity) (?:of |is )?(?:v = )?<speed:speed>"
 FRICTION = (
-    r"(?:the )?coefficients? of static and kinetic friction (?:are |of |= )?<static:plain> and <kinetic:plain>"
+    r"(?:the )?coefficients? of static and kinetic friction@ (?:are |of |= )?<static:plain> and <kinetic:plain>"
     r"(?: respectively)?",
-    r"(?:the )?coefficient of static friction (?:is |of |= )?<static:plain>",
-    r"(?:the )?coefficient of (?:kinetic|sliding|dynamic) friction (?:is |of |= )?<kinetic:plain>",
-    r"(?:the )?(?:coefficient of friction|friction coefficient) (?:static and kinetic )?(?:is |of |= )?<mu:plain>",
+    r"(?:the )?coefficient of static friction@ (?:is |of |= )?<static:plain>",
+    r"(?:the )?coefficient of (?:kinetic|sliding|dynamic) friction@ (?:is |of |= )?<kinetic:plain>",
+    r"(?:the )?(?:coefficient of friction|friction coefficient)@ (?:static and kinetic )?(?:is |of |= )?<mu:plain>",
     r"(?:and )?that of kinetic friction (?:is )?<kinetic:plain>",
 )
+MOVES = r"(?:moves|moving|slides|sliding|launched|sent|pushed|accelerat\w{1,5}|rises|released)"
+CARRIED = rf"(?:{SLOPE}|{FLOOR})(?: (?:that|which|itself))?(?: is)? {MOVES}|{MOVES} (?:{SLOPE}|{FLOOR})"
 BETWEEN = rf" between (?:the |it )?(?:(?:{BLOCK}) )?and (?:the )?(?:{SLOPE}|{FLOOR})"
 
 
 def friction(where: str) -> tuple[str, ...]:
     """Return the patterns of coefficients of friction, with and without the two bodies between which it acts."""
-    return (*(each.replace(" friction ", f" friction(?:{where})? ", 1) for each in FRICTION),)
+    return tuple(each.replace("@", f"(?:{where})?") for each in FRICTION)
 
 
 def surface(told: Told, *, static_matters: bool) -> tuple[str, str]:
@@ -64,30 +67,25 @@ STORIES.add(
         opening=(SLOPE, BLOCK),
         phrases=(
             *friction(BETWEEN),
-            rf"(?P<smooth>(?:frictionless|smooth))(?: and)?(?: fixed)?(?= (?:<angle:angle> )?{SLOPE})",
-            rf"(?P<smooth>frictionless|smooth|without friction)(?= (?:and )?fixed {SLOPE})",
-            rf"(?:the )?(?:{SLOPE}|{FLOOR}) (?:is|has) (?P<smooth>frictionless|smooth|no friction)",
+            rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
+            rf"(?:(?:the |its )?(?:{SLOPE}|surface) )?(?:is |has )(?P<smooth>frictionless|smooth|no friction)",
             r"(?P<smooth>without (?:any )?friction|there is no friction|no friction acts|friction is negligible)",
-            rf"(?P<rough>rough)(?= (?:fixed )?(?:<angle:angle> )?{SLOPE})",
+            rf"(?P<rough>rough)(?=(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
             MASS,
-            r"(?:at rest )?(?:and )?(?:then )?(?:(?:is )?(?:released|let go)) (?P<rest>from rest)",
-            rf"(?:{STARTS} )?(?P<rest>from rest)",
             r"(?:held )?(?P<rest>at rest and (?:then )?(?:released|let go))",
-            rf"(?:and )?(?:slides|slips|moves) (?:down|downwards)(?: the)?(?: {SLOPE})?",
-            rf"(?:at|from|near) the top(?: of)?",
-            rf"(?:is )?(?:launched|sent|projected|pushed|shot|kicked|given a push|slides|moves|thrown) (?P<up>up)"
-            rf"(?: along)?(?= (?:the |an? )?)",
-            rf"(?:is )?(?:launched|projected) (?:from|at) (?:the )?(?:bottom|foot|base)(?: of)?",
-            rf"(?:from|at) the (?:bottom|foot|base)(?: of)?",
-            rf"(?P<up>up) (?=(?:the|an?) )",
+            rf"(?:{STARTS} )?(?P<rest>from rest)",
+            r"(?:at|from|near) the (?:top|bottom|foot|base)(?: of)?",
             SPEED,
             r"<speed:speed>",
-            rf"(?:inclined |tilted |sloping |rising |makes |making )?(?:at )?(?:an angle (?:of )?)?<angle:angle>"
-            rf"(?: angle)?(?: (?:to|with|from|above) the horizontal)?",
-            r"(?:rests|lies|sits|is placed|placed|stationary|fixed|slides|initial(?:ly)?|moving)",
+            r"(?:(?:inclined|tilted|sloping|rising|makes|making) )?(?:at )?(?:an angle (?:of )?)?<angle:angle>"
+            r"(?: angle)?(?: (?:to|with|from|above) the horizontal)?",
+            r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|slips|moves|given a push)",
+            r"(?P<up>up)(?: along)?",
+            r"down|rests|lies|sits|placed|stationary|fixed|initial",
             SLOPE,
         ),
         bodies=BLOCK,
+        never=CARRIED,
         tell=_slope,
     ),
 )
@@ -110,20 +108,20 @@ STORIES.add(
         opening=(FLOOR, BLOCK),
         phrases=(
             *friction(BETWEEN),
-            rf"(?P<smooth>frictionless|smooth)(?= (?:and )?(?:(?:horizontal|level|flat) )?{FLOOR})",
-            rf"(?P<rough>rough)(?= (?:and )?(?:(?:horizontal|level|flat) )?{FLOOR})",
+            rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
+            rf"(?P<rough>rough)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
             MASS,
             SPEED,
-            r"(?P<stops>until it (?:stops|comes to rest))",
-            r"(?:and )?(?:finally |eventually )?(?P<stops>(?:stops|comes to rest))",
-            r"(?:is )?(?:launched|sent|projected|pushed|shot|given|slides|sliding|moves|moving|starts|starts moving)"
-            r"(?: to the right)?(?: along| across| over| on)?",
-            r"<speed:speed>(?: to the right)?",
-            rf"(?:horizontal |level |flat )(?={FLOOR})",
-            rf"(?:rests|lies|sits|is placed|fixed|across|along)",
+            r"(?:until it )?(?:finally |eventually )?(?P<stops>stops|comes to rest)",
+            r"<speed:speed>",
+            rf"(?:horizontal|level|flat)(?: and (?:rough|smooth))?(?= {FLOOR})",
+            r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|moves|starts)",
+            rf"(?:{BLOCK}|it)(?: is)?(?: initially)? moving",
+            r"to the right|along|across|over|rests|lies|sits|placed|initially|given",
             FLOOR,
         ),
         bodies=BLOCK,
+        never=CARRIED,
         tell=_floor,
     ),
 )
