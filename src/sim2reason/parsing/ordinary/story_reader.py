@@ -67,7 +67,7 @@ def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | Non
         if not _one_body(story.bodies, left):
             return None
         left = compiled(rf"(?:{story.bodies})").sub("|", left)
-    if any(word not in FILLERS and word != "|" for word in left.split()):
+    if any(word.strip("|") and word not in FILLERS for word in left.split()):
         return None
     told = Told(given)
     text = story.tell(told)

@@ -37,7 +37,7 @@ STORIES.add(
             r"(?:thin )?(?P<hoop>hoop|ring)",
             r"(?:thin |hollow )?spherical (?P<shell>shell)",
             r"(?:thin-walled|thin) (?:hollow )?(?P<pipe>tube|pipe|cylinder)",
-            r"(?:rolls|roll|rolling)? ?(?P<grips>without (?:slipping|sliding))",
+            r"(?:(?:rolls|roll|rolling) )?(?P<grips>without (?:slipping|sliding))",
             r"(?:(?:released|starts|starting|rolls|let go) )?(?P<rest>from rest)",
             r"(?:inclined |making )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: angle)?"
             r"(?: (?:to|with|above) the horizontal)?",

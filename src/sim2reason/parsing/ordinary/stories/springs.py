@@ -11,7 +11,7 @@ STIFF = (
 MASS = r"(?:mass (?:of |is )?)?(?:m = )?<mass:mass>"
 REST = (
     r"(?:and )?(?:then )?(?:held )?(?P<rest>at rest and (?:then )?(?:released|let go))",
-    r"(?:released|let go|starts)? ?(?P<rest>from rest)",
+    r"(?:(?:released|let go|starts) )?(?P<rest>from rest)",
     r"(?:and )?(?:then )?(?P<rest>released|let go)",
 )
 EQUILIBRIUM = r"(?:its |the )?(?:equilibrium|relaxed|rest|natural)(?: position| length)?"
@@ -44,7 +44,7 @@ STORIES.add(
             rf"(?P<inwards>compressed|pushed|pushed in) (?:by )?<by:length>(?: (?:from) {EQUILIBRIUM})?",
             *REST,
             r"(?:light|massless|ideal)(?= spring)|horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits"
-            r"|wall|end|one|other",
+            r"|wall|(?:(?:one|other|free) )?end",
             rf"spring|{FLOOR}",
         ),
         bodies=BLOCK,

@@ -9,7 +9,7 @@ TOGETHER = r"everything|system|they|both|blocks|masses|bodies|weights|objects"
 STRING = (
     r"(?:light|massless|inextensible|thin|ideal|long|single|weightless)(?= (?:and )?(?:\w{3,14} )?(?:string|rope|cord))",
     r"string|rope|cord",
-    r"(?:that |which )?(?:passes|passing|hung|hangs|runs|running|slung|goes|going|draped|strung)? ?over",
+    r"(?:(?:that|which) )?(?:passes|passing|hung|hangs|runs|running|slung|goes|going|draped|strung) over|over",
     r"(?:light|massless|frictionless|smooth|fixed|ideal|small|weightless)"
     r"(?= (?:and )?(?:(?:light|massless|frictionless|smooth|fixed|ideal|small) )?pulley)",
     r"(?:the )?pulley is (?:light|massless|frictionless|smooth|ideal)"
