@@ -82,7 +82,9 @@ def parse_scene(
     whole = [each for story in stories if not story.missing for each in _as_library_text(story, rng)]
     if len(whole) == 1:
         return whole[0]
-    raise _sent_on(text, _with_missing(_with_nearest(readings.stuck or 0, said), stories) if plain else readings.refusal())
+    raise _sent_on(
+        text, _with_missing(_with_nearest(readings.stuck or 0, said), stories) if plain else readings.refusal()
+    )
 
 
 @dataclass(frozen=True)

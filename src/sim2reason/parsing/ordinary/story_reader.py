@@ -69,7 +69,7 @@ def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | Non
         left = compiled(rf"(?:{story.bodies})").sub("|", left)
     if any(word.strip("|") and word not in FILLERS for word in left.split()):
         return None
-    told = Told(given)
+    told = Told(given, words)
     text = story.tell(told)
     return Retold(text, tuple(dict.fromkeys(told.missing))) if told.missing or told.whole else None
 

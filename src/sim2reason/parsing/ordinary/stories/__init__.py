@@ -15,6 +15,7 @@ class Told:
     """What a text tells of a story, by name; it notes what the story asks for and the text does not give."""
 
     given: Mapping[str, str | Amount]
+    words: str = ""
     missing: list[str] = field(default_factory=list[str])
     asked: set[str] = field(default_factory=set[str])
 
@@ -22,6 +23,10 @@ class Told:
         """Return whether the text says something."""
         self.asked.add(name)
         return name in self.given
+
+    def nouns(self, pattern: str) -> list[str]:
+        """Return the nouns of a pattern that the text uses, each once, those in the plural without their *s*."""
+        return list(dict.fromkeys(compiled(rf"(?P<noun>{pattern})s?").findall(self.words)))
 
     def amount(self, name: str, called: str) -> Amount | None:
         """Return a number that the story can not do without, which messages call `called`; None if it is missing."""

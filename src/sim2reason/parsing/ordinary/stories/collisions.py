@@ -3,19 +3,27 @@
 from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
 
 NOUN = r"(?:cart|trolley|glider|puck|block|ball|sphere)"
+NOUNS = frozenset({"cart", "block", "puck", "ball", "sphere"})  # which the library has for such bodies
 HITS = r"(?:(?:and|then) )?(?:hits|strikes|collides with|collides head-on with|runs into|bumps into)"
-MOVING = r"(?:(?:that|which) )?(?:is )?(?:initially )?(?:moving|moves|travelling|traveling|travels|rolling|sliding|slides)"
+MOVING = (
+    r"(?:(?:that|which) )?(?:is )?(?:initially )?(?:moving|moves|travelling|traveling|travels|rolling|sliding|slides)"
+)
 AT = r"at (?:a speed of )?"
 STILL = r"(?:(?:that|which) )?(?:is )?(?:initially )?(?P<still>at rest|stationary)"
 SECOND = r"(?:an?|another|a second)"
-AGAINST = r"(?:(?P<toward>towards? it|in the opposite direction|the other way)|(?P<ahead>in the same direction|ahead of it))"
+AGAINST = (
+    r"(?:(?P<toward>towards? it|in the opposite direction|the other way)|(?P<ahead>in the same direction|ahead of it))"
+)
 TRACK = r"(?:track|air track|table|surface|floor|rail)"
 ONE, OTHER = "the speed of the first body", "the speed of the second body"
 
 
 def _collision(told: Told) -> str:
-    noun = "ball" if told.has("ball") else "cart"
-    if told.has("block"):
+    nouns = told.nouns(NOUN)
+    noun = nouns[0] if nouns[0] in NOUNS else "cart"
+    if len(nouns) > 1:
+        told.missing.append("bodies of one kind")
+    if noun == "block":
         told.one_of("that the surface is frictionless", "smooth")
     told.has("smooth")
     way = told.one_of("how the second body moves", "still", "toward", "ahead")

@@ -9,7 +9,9 @@ def _pendulum(told: Told) -> str:
     held = told.one_of("what the bob hangs on, a string or a rod", "cord", "rod")
     length = told.number("length", "the length of the pendulum")
     hanger = "light rigid rod" if held == "rod" else "light inextensible string"
-    text = f"A small ball of mass {told.or_symbol('mass', 'm')} hangs from a fixed point by a {hanger} of length {length}."
+    text = (
+        f"A small ball of mass {told.or_symbol('mass', 'm')} hangs from a fixed point by a {hanger} of length {length}."
+    )
     start = told.one_of("how the bob starts", "rest", "speed")
     low = told.one_of("the angle to the vertical at the start", "angle", "low") == "low"
     at = "the ball hangs straight down"

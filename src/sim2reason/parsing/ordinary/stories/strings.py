@@ -67,9 +67,9 @@ def _table(told: Told) -> str:
     one = told.number("a", "the mass of the block on the table")
     other = told.number("b", "the mass of the hanging block")
     return (
-        f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. A light string tied to block A runs to the"
+        f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to the"
         f" right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
-        f" {rubs}{END} long enough. {told.gravity}"
+        f" {END} long enough. {told.gravity}"
     )
 
 
@@ -80,9 +80,9 @@ def _incline(told: Told) -> str:
     one = told.number("a", "the mass of the block on the slope")
     other = told.number("b", "the mass of the hanging block")
     return (
-        f"Block A of mass {one} lies on a {rough}, fixed plane inclined at {angle} to the horizontal. A light string"
-        " tied to block A runs up the slope, passes over a light fixed pulley and runs straight down to block B"
-        f" ({other}). {rubs}{END} long enough. {told.gravity}"
+        f"Block A of mass {one} lies on a {rough}, fixed plane inclined at {angle} to the horizontal. {rubs}A light"
+        " string tied to block A runs up the slope, passes over a light fixed pulley and runs straight down to block B"
+        f" ({other}). {END} long enough. {told.gravity}"
     )
 
 
@@ -120,7 +120,9 @@ STORIES.add(
     Story(
         summary="A block on a slope is joined to a hanging one.",
         opening=(r"pulley", SLOPE, r"hang(?:s|ing)|hung|suspended"),
-        phrases=_on(SLOPE, r"(?:inclined )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: (?:to|with) the horizontal)?"),
+        phrases=_on(
+            SLOPE, r"(?:inclined )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: (?:to|with) the horizontal)?"
+        ),
         tell=_incline,
     ),
 )
