@@ -15,9 +15,11 @@ def _charge(told: Told) -> str:
     amount = replace(charge, digits=charge.digits.lstrip(MINUS)).text if charge is not None else "?"
     mass, field = told.value("mass", "the mass of the particle"), told.value("field", "the strength of the field")
     speed = told.value("speed", "the speed of the particle")
-    way = "positive"
-    if told.one_of("how the field is directed to the velocity", "across", "out", "into") == "into":
-        way = "negative"
+    told.one_of("that the velocity is perpendicular to the field", "across")
+    turned = told.has("out") or told.has("into")
+    way = "negative" if turned and told.one_of("the direction of the field", "out", "into") == "into" else "positive"
+    if told.has("enters"):
+        told.missing.append("how far the field extends that it enters")
     force = abs(charge.value) * speed * field if charge is not None else 0.0
     if not told.has("weightless") and charge is not None and force < STRONG * mass * G:
         told.missing.append("that there is no gravity")
@@ -44,7 +46,8 @@ STORIES.add(
             r"(?:points |directed |pointing )?(?P<out>out of the (?:page|paper|plane))",
             r"(?:points |directed |pointing )?(?P<into>into the (?:page|paper|plane))",
             r"(?P<weightless>there is no gravity|(?:gravity|its weight) is negligible|(?:neglect|ignore) gravity)",
-            r"uniform|magnetic|field|enters|moves|moving|travels|shot|charged|into|small",
+            r"(?P<enters>enters|shot into|into)",
+            r"uniform|magnetic|field|moves|moving|travels|charged|small|points|directed",
         ),
         bodies=r"particle|bead|ion|ball",
         tell=_charge,

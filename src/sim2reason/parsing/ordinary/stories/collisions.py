@@ -60,8 +60,11 @@ STORIES.add(
             rf"and {SECOND} <m2:mass> {NOUN} {MOVING} (?P<toward>(?:to the )?left) {AT}<v2:speed>",
             rf"<m1:mass> {NOUN} {MOVING} (?:(?:to the )?right )?{AT}<v1:speed>(?: to the right)?",
             rf"{NOUN} of (?:mass )?<m1:mass> {MOVING} (?:(?:to the )?right )?{AT}<v1:speed>(?: to the right)?",
-            rf"(?:(?:{NOUN}s|they|bodies) )?(?:are )?(?:initially |at first )?<gap:length> (?:apart|away|ahead|in front of it)"
-            r"(?: initially| at first)?",
+            (
+                rf"(?:(?:{NOUN}s|they|bodies) )?(?:are )?(?:initially |at first )?<gap:length>"
+                r" (?:apart|away|ahead|in front of it)"
+                r"(?: initially| at first)?"
+            ),
             r"(?:they |and )?(?P<stick>stick together|couple together|sticks? to it|couple)(?: after the collision)?",
             r"(?:(?:the )?collision is )?(?P<stick>perfectly inelastic(?:ally)?|completely inelastic(?:ally)?)",
             r"(?:(?:the )?collision is )?(?:perfectly )?(?P<elastic>elastic(?:ally)?)(?: collision)?",

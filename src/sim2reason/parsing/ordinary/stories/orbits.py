@@ -34,8 +34,10 @@ STORIES.add(
             r"(?P<circle>circular orbit|circle) (?:of |with )?(?:a )?(?:radius (?:of )?)?<away:length>",
             r"(?P<circle>circular orbit|circle)",
             r"(?:radius (?:of )?|distance (?:of )?)?<away:length>(?: away)?(?: from (?:the|its) (?:star|sun)| away)?",
-            r"(?:speed (?:of )?)?<speed:speed> (?P<across>(?:perpendicular|at right angles) to the line"
-            r"(?: (?:to|joining it to|from it to) the (?:star|sun))?)",
+            (
+                r"(?:speed (?:of )?)?<speed:speed> (?P<across>(?:perpendicular|at right angles) to the line"
+                r"(?: (?:to|joining it to|from it to) the (?:star|sun))?)"
+            ),
             r"moves|moving|orbits|goes|round|around|orbit|planet|comet|star|sun",
         ),
         tell=_orbit,

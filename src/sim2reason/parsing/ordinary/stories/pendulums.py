@@ -38,12 +38,18 @@ STORIES.add(
         phrases=(
             r"(?:mass (?:of |is )?)?<mass:mass>",
             r"(?:length (?:of |is )?)?<length:length>(?: long)?",
-            r"(?:light|massless|inextensible|thin|ideal|weightless|rigid)(?= (?:and )?(?:\w{3,14} |\| ){0,2}"
-            r"(?:string|cord|thread|rod))",
+            (
+                r"(?:light|massless|inextensible|thin|ideal|weightless|rigid)(?= (?:and )?(?:\w{3,14} |\| ){0,2}"
+                r"(?:string|cord|thread|rod))"
+            ),
+            r"(?P<cord>string|cord|thread) is (?:light|massless|inextensible)",
+            r"(?P<rod>rod) is (?:light|massless|rigid)",
             r"(?P<cord>string|cord|thread|simple pendulum)",
             r"(?P<rod>rod)",
-            r"(?:makes |making |through |drawn aside |pulled aside |displaced )?(?:at |by |to )?(?:an angle (?:of )?)?"
-            r"<angle:angle>(?: angle)?(?: (?:to|from|with) the (?:downward )?vertical)",
+            (
+                r"(?:makes |making |through |drawn aside |pulled aside |displaced )?(?:at |by |to )?(?:an angle (?:of )?)?"
+                r"<angle:angle>(?: angle)?(?: (?:to|from|with) the (?:downward )?vertical)"
+            ),
             r"(?:hangs|hanging) (?P<low>straight down|vertically|at rest)",
             r"(?P<low>at (?:its|the) lowest point)",
             r"(?:(?:held|pulled aside|drawn aside|pulled|drawn|starts|released|let go|swings) )?(?P<rest>from rest)",

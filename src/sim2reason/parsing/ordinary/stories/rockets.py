@@ -42,12 +42,16 @@ STORIES.add(
             rf"(?:burns|burning) (?:{FUEL} )?(?:at )?(?:a |the )?(?:constant )?(?:rate of )?<rate:rate>(?: of {FUEL})?",
             rf"(?:{FUEL} )?(?:rate of )?<rate:rate>",
             r"(?:relative )?exhaust (?:speed|velocity) (?:of |is )?<exhaust:speed>(?: relative to (?:the rocket|itself))?",
-            rf"(?:ejects|ejecting|expels|expelling)(?: the)? {GAS}(?: backwards)? at (?:a )?(?:speed (?:of )?)?"
-            rf"<exhaust:speed>(?: relative to (?:the rocket|itself))?",
+            (
+                rf"(?:ejects|ejecting|expels|expelling)(?: the)? {GAS}(?: backwards)? at (?:a )?(?:speed (?:of )?)?"
+                rf"<exhaust:speed>(?: relative to (?:the rocket|itself))?"
+            ),
             r"(?P<space>in (?:deep|empty|free|outer) space)(?: far from (?:all|any) (?:other )?bod(?:y|ies))?",
             r"(?P<space>far from (?:all|any) (?:other )?bod(?:y|ies))",
-            r"(?:takes off |lifts off |launched |starts |stands )?(?:vertically |upright |straight up )?"
-            r"(?P<ground>(?:from|on) (?:the )?(?:level )?ground)",
+            (
+                r"(?:takes off |lifts off |launched |starts |stands )?(?:vertically |upright |straight up )?"
+                r"(?P<ground>(?:from|on) (?:the )?(?:level )?ground)"
+            ),
             r"(?:initially )?(?:starts |starting )?(?P<rest>(?:from|at) rest)",
             rf"rocket|until (?:all )?(?:the |no )?{FUEL} (?:is gone|is used up|is left|runs out)|floats",
         ),

@@ -39,9 +39,12 @@ STORIES.add(
             r"(?:thin-walled|thin) (?:hollow )?(?P<pipe>tube|pipe|cylinder)",
             r"(?:(?:rolls|roll|rolling) )?(?P<grips>without (?:slipping|sliding))",
             r"(?:(?:released|starts|starting|rolls|let go) )?(?P<rest>from rest)",
-            r"(?:inclined |making )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: angle)?"
-            r"(?: (?:to|with|above) the horizontal)?",
-            r"(?:and )?(?:rolls|rolling|roll)(?: straight)?(?: down)?|down|at the top of|from the top of|placed|fixed|rough",
+            (
+                r"(?:inclined |making )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: angle)?"
+                r"(?: (?:to|with|above) the horizontal)?"
+            ),
+            r"(?:and )?(?:rolls|rolling|roll)(?: straight)?(?: down)?",
+            r"down|at the top of|from the top of|placed|fixed|rough",
             SLOPE,
         ),
         tell=_rolls,

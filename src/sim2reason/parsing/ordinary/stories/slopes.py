@@ -2,16 +2,18 @@
 
 from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
 
-BLOCK = r"block|box|crate|body|object|book|package|mass|particle"
+BLOCK = r"block|box|crate|body|object|book|package|mass|particle|sled|skier|puck|brick|cube"
 """Nouns of the one body; a text that says *mass* or *body* besides means the same one."""
-SLOPE = r"(?:inclined plane|incline|ramp|slope|hill)"
+SLOPE = r"(?:inclined plane|plane(?= (?:(?:that|which) is )?inclined)|incline|ramp|slope|hill)"
 FLOOR = r"(?:floor|table|tabletop|surface|plane|ground)"
 MASS = r"(?:mass )?(?:of |is )?(?:m = )?<mass:mass>"
-STARTS = r"(?:(?:is|are) )?(?:released|let go|starts|slides|slips|starts moving|held and released|placed and released)"
+STARTS = r"(?:(?:is|are) )?(?:released|let go|starts|starting|slides|sliding|slips|starts moving)"
 SPEED = r"(?:an? |the )?(?:initial )?(?:speed|velocity) (?:of |is )?(?:v = )?<speed:speed>"
 FRICTION = (
-    r"(?:the )?coefficients? of static and kinetic friction@ (?:are |of |= )?<static:plain> and <kinetic:plain>"
-    r"(?: respectively)?",
+    (
+        r"(?:the )?coefficients? of static and kinetic friction@ (?:are |of |= )?<static:plain> and <kinetic:plain>"
+        r"(?: respectively)?"
+    ),
     r"(?:the )?coefficient of static friction@ (?:is |of |= )?<static:plain>",
     r"(?:the )?coefficient of (?:kinetic|sliding|dynamic) friction@ (?:is |of |= )?<kinetic:plain>",
     r"(?:the )?(?:coefficient of friction|friction coefficient)@ (?:static and kinetic )?(?:is |of |= )?<mu:plain>",
@@ -71,17 +73,22 @@ STORIES.add(
             rf"(?:(?:the |its )?(?:{SLOPE}|surface) )?(?:is |has )(?P<smooth>frictionless|smooth|no friction)",
             r"(?P<smooth>without (?:any )?friction|there is no friction|no friction acts|friction is negligible)",
             rf"(?P<rough>rough)(?=(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
+            r"plane(?= (?:(?:that|which) is )?inclined)",
             MASS,
-            r"(?:held )?(?P<rest>at rest and (?:then )?(?:released|let go))",
+            r"(?:held )?(?P<rest>at rest and (?:is )?(?:then )?(?:released|let go))",
             rf"(?:{STARTS} )?(?P<rest>from rest)",
+            r"(?:starts|begins) (?P<rest>at rest)",
             r"(?:at|from|near) the (?:top|bottom|foot|base)(?: of)?",
             SPEED,
             r"<speed:speed>",
-            r"(?:(?:inclined|tilted|sloping|rising|makes|making) )?(?:at )?(?:an angle (?:of )?)?<angle:angle>"
-            r"(?: angle)?(?: (?:to|with|from|above) the horizontal)?",
+            (
+                r"(?:(?:inclined|tilted|sloping|rising|makes|making) )?(?:at )?"
+                r"(?:(?:an |of )?(?:angle|inclination) (?:of )?)?<angle:angle>"
+                r"(?: angle)?(?: (?:to|with|from|above) the horizontal)?"
+            ),
             r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|slips|moves|given a push)",
             r"(?P<up>up)(?: along)?",
-            r"down|rests|lies|sits|placed|stationary|fixed|initial",
+            r"down|rests|lies|sits|placed|stationary|fixed|initial|given",
             SLOPE,
         ),
         bodies=BLOCK,
@@ -112,7 +119,7 @@ STORIES.add(
             rf"(?P<rough>rough)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
             MASS,
             SPEED,
-            r"(?:until it )?(?:finally |eventually )?(?P<stops>stops|comes to rest)",
+            r"(?:until it )?(?:finally |eventually )?(?P<stops>stops|comes to rest|slides to rest)",
             r"<speed:speed>",
             rf"(?:horizontal|level|flat)(?: and (?:rough|smooth))?(?= {FLOOR})",
             r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|moves|starts)",

@@ -39,12 +39,18 @@ STORIES.add(
             *STIFF,
             MASS,
             rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:horizontal|level|fixed))? {FLOOR})",
-            rf"(?P<out>pulled|stretched|pulled aside|drawn) (?:out |away )?(?:by )?<by:length>(?: (?:from|past|beyond)"
-            rf" {EQUILIBRIUM}| away)?",
+            (
+                rf"(?P<out>pulled|stretched|pulled aside|drawn) (?:out |away )?(?:by )?<by:length>"
+                rf"(?: (?:from|past|beyond)"
+                rf" {EQUILIBRIUM}| away)?"
+            ),
             rf"(?P<inwards>compressed|pushed|pushed in) (?:by )?<by:length>(?: (?:from) {EQUILIBRIUM})?",
             *REST,
-            r"(?:light|massless|ideal)(?= spring)|horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits"
-            r"|wall|(?:(?:one|other|free) )?end",
+            (
+                r"(?:light|massless|ideal)(?= spring)",
+                r"horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits"
+                r"|wall|(?:(?:one|other|free) )?end",
+            ),
             rf"spring|{FLOOR}",
         ),
         bodies=BLOCK,
@@ -85,15 +91,20 @@ STORIES.add(
             *STIFF,
             MASS,
             r"(?:natural|unstretched|relaxed) length (?:of |is )?<natural:length>",
-            r"(?:pulled|drawn|displaced) (?:down|downwards?) (?:by )?<below:length>"
-            r"(?: (?:from|below) (?:its |the )?equilibrium(?: position)?)",
+            (
+                r"(?:pulled|drawn|displaced) (?:down|downwards?) (?:by )?<below:length>"
+                r"(?: (?:from|below) (?:its |the )?equilibrium(?: position)?)"
+            ),
             r"<below:length> below (?:its |the )?equilibrium(?: position)?",
             r"(?:spring )?stretched by <out:length>",
             r"(?:spring )?(?:has |with )?(?:an? )?(?:initial )?length (?:of )?<long:length>",
             r"(?:spring )?(?:is )?(?P<unstretched>unstretched|relaxed|at its natural length)",
             *REST,
-            rf"(?:light|massless|ideal|vertical|vertical light)(?= spring)|{HANGS}|attached|ceiling|vertically|end|lower"
-            r"|held|fixed",
+            (
+                r"(?:light|massless|ideal|vertical|vertical light)(?= spring)",
+                rf"{HANGS}|attached|ceiling|vertically|end|lower"
+                r"|held|fixed",
+            ),
             r"spring",
         ),
         bodies=BLOCK,

@@ -7,16 +7,22 @@ ONE = r"(?:block|mass|weight|body|object|load|box|bucket|crate)"
 SEVERAL = r"(?:blocks|masses|weights|bodies|objects|loads)"
 TOGETHER = r"everything|system|they|both|blocks|masses|bodies|weights|objects"
 STRING = (
-    r"(?:light|massless|inextensible|thin|ideal|long|single|weightless)(?= (?:and )?(?:\w{3,14} )?(?:string|rope|cord))",
+    r"(?:light|massless|inextensible|thin|ideal|weightless)(?= (?:and )?(?:\w{3,14} )?(?:string|rope|cord))",
     r"string|rope|cord",
     r"(?:(?:that|which) )?(?:passes|passing|hung|hangs|runs|running|slung|goes|going|draped|strung) over|over",
-    r"(?:light|massless|frictionless|smooth|fixed|ideal|small|weightless)"
-    r"(?= (?:and )?(?:(?:light|massless|frictionless|smooth|fixed|ideal|small) )?pulley)",
-    r"(?:the )?pulley is (?:light|massless|frictionless|smooth|ideal)"
-    r"(?: and (?:light|massless|frictionless|smooth))?",
+    (
+        r"(?:light|massless|frictionless|smooth|fixed|ideal|small|weightless)"
+        r"(?= (?:and )?(?:(?:light|massless|frictionless|smooth|fixed|ideal|small) )?pulley)"
+    ),
+    (
+        r"(?:the )?pulley is (?:light|massless|frictionless|smooth|ideal)"
+        r"(?: and (?:light|massless|frictionless|smooth))?"
+    ),
     r"pulley",
-    rf"(?:(?:{TOGETHER}) )?(?:is |are )?(?:held )?(?:initially )?(?:at rest and )?(?:then )?"
-    r"(?:released|let go|starts?|start moving|starts moving) (?P<rest>from rest)",
+    (
+        rf"(?:(?:{TOGETHER}) )?(?:is |are )?(?:held )?(?:initially )?(?:at rest and )?(?:then )?"
+        r"(?:released|let go|starts?|start moving|starts moving) (?P<rest>from rest)"
+    ),
     rf"(?:(?:{TOGETHER}) )?(?:is |are )?(?:held |initially )?(?P<rest>at rest and (?:then )?(?:released|let go))",
 )
 TIED = r"(?:connected|attached|joined|tied|linked|fastened)"
@@ -48,11 +54,11 @@ STORIES.add(
         summary="Two blocks hang on either side of a pulley.",
         opening=(r"pulley", rf"{SEVERAL}|{ONE}", r"hangs?|hung|suspended|hanging|connected|attached|joined|tied|ends"),
         phrases=(
-            rf"(?:two )?{SEVERAL} (?:of )?(?:masses )?(?:of )?<a:mass> and <b:mass>",
+            rf"(?:two )?{SEVERAL} (?:of )?(?:mass(?:es)? )?(?:of )?<a:mass> and <b:mass>",
             rf"(?:two )?{SEVERAL} <a:mass> and <b:mass>",
             rf"<a:mass> {ONE} and (?:an? )?<b:mass> {ONE}",
             rf"{ONE} of (?:mass )?<a:mass> and (?:an? )?(?:{ONE} of (?:mass )?|another of (?:mass )?)<b:mass>",
-            r"(?:from |to |at |by )?(?:the )?(?:two |opposite |both )?ends of",
+            r"(?:from |to |at |by )?(?:the |its )?(?:two |opposite |both )?ends(?: of)?",
             *STRING,
             rf"{TIED}(?: together)?|hang|hung|hanging|suspended|vertically",
         ),
@@ -67,8 +73,8 @@ def _table(told: Told) -> str:
     one = told.number("a", "the mass of the block on the table")
     other = told.number("b", "the mass of the hanging block")
     return (
-        f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to the"
-        f" right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
+        f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to"
+        f" the right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
         f" {END} long enough. {told.gravity}"
     )
 
@@ -99,7 +105,7 @@ def _on(place: str, more: str) -> tuple[str, ...]:
         *BODIES,
         *STRING,
         more,
-        rf"{TIED}|rests|lies|sits|placed|horizontal|level|pulled",
+        rf"{TIED}|runs from it|rests|lies|sits|placed|horizontal|level|pulled",
         rf"(?:at )?(?:the |its )?(?:edge|end|top) of (?:the )?{place}|at (?:the|its) (?:edge|top)",
         place,
         rf"(?:the )?{ONE}(?= \|| (?:is|rests|lies) )",
