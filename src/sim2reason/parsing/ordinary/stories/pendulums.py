@@ -47,8 +47,8 @@ STORIES.add(
             r"(?P<cord>string|cord|thread|simple pendulum)",
             r"(?P<rod>rod)",
             (
-                r"(?:makes |making |through |drawn aside |pulled aside |displaced )?(?:at |by |to )?(?:an angle (?:of )?)?"
-                r"<angle:angle>(?: angle)?(?: (?:to|from|with) the (?:downward )?vertical)"
+                r"(?:makes |making |through |drawn aside |pulled aside |displaced )?(?:at |by |to )?"
+                r"(?:an angle (?:of )?)?<angle:angle>(?: angle)?(?: (?:to|from|with) the (?:downward )?vertical)"
             ),
             r"(?:hangs|hanging) (?P<low>straight down|vertically|at rest)",
             r"(?P<low>at (?:its|the) lowest point)",

@@ -41,7 +41,7 @@ STORIES.add(
             r"(?:(?:initial|total) )?(?:mass (?:of |is )?)?<mass:mass>",
             rf"(?:burns|burning) (?:{FUEL} )?(?:at )?(?:a |the )?(?:constant )?(?:rate of )?<rate:rate>(?: of {FUEL})?",
             rf"(?:{FUEL} )?(?:rate of )?<rate:rate>",
-            r"(?:relative )?exhaust (?:speed|velocity) (?:of |is )?<exhaust:speed>(?: relative to (?:the rocket|itself))?",
+            r"(?:relative )?exhaust (?:speed|velocity) (?:of |is )?<exhaust:speed>(?: relative to it)?",
             (
                 rf"(?:ejects|ejecting|expels|expelling)(?: the)? {GAS}(?: backwards)? at (?:a )?(?:speed (?:of )?)?"
                 rf"<exhaust:speed>(?: relative to (?:the rocket|itself))?"

@@ -46,11 +46,8 @@ STORIES.add(
             ),
             rf"(?P<inwards>compressed|pushed|pushed in) (?:by )?<by:length>(?: (?:from) {EQUILIBRIUM})?",
             *REST,
-            (
-                r"(?:light|massless|ideal)(?= spring)",
-                r"horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits"
-                r"|wall|(?:(?:one|other|free) )?end",
-            ),
+            r"(?:light|massless|ideal)(?= spring)",
+            r"horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits|wall|(?:(?:one|other|free) )?end",
             rf"spring|{FLOOR}",
         ),
         bodies=BLOCK,
@@ -100,11 +97,8 @@ STORIES.add(
             r"(?:spring )?(?:has |with )?(?:an? )?(?:initial )?length (?:of )?<long:length>",
             r"(?:spring )?(?:is )?(?P<unstretched>unstretched|relaxed|at its natural length)",
             *REST,
-            (
-                r"(?:light|massless|ideal|vertical|vertical light)(?= spring)",
-                rf"{HANGS}|attached|ceiling|vertically|end|lower"
-                r"|held|fixed",
-            ),
+            r"(?:light|massless|ideal|vertical|vertical light)(?= spring)",
+            rf"{HANGS}|attached|ceiling|vertically|end|lower|held|fixed",
             r"spring",
         ),
         bodies=BLOCK,
