@@ -376,6 +376,131 @@ REFUSED = [
         "m/s perpendicular to the field."
     ),
     "A ball is dropped from a height of 20 m and bounces.",
+    "A block is launched from the top of a frictionless 30° incline at 3 m/s.",
+    "The 30° slope is frictionless. A block is at rest and released. The slope is released from rest.",
+    "A block slides up from rest on a frictionless 30° slope.",
+    "A block is released from rest on a 30° slope. The floor is frictionless.",
+    "A 2 kg block is released from rest on a frictionless 30° slope and slides to a rough floor.",
+    "A 2 kg block is released from rest on a frictionless 30° slope and slides down to a level floor.",
+    "A 3 kg slope is inclined at 30° and frictionless. A block is released from rest on it.",
+    "A block is released from rest on a frictionless 30° slope with a mass of 3 kg.",
+    "A block on a slope of mass 3 kg is released from rest; the frictionless slope is inclined at 30°.",
+    "A block is given an initial speed of 3 m/s down a smooth slope at 15°.",
+    "A block slides at 3 m/s up a smooth slope at 15° to the vertical.",
+    "A block slides across a slope of 20°, frictionless, at 3 m/s.",
+    "A ball is thrown from a height of 20 m to a height of 30 m at 5 m/s horizontally.",
+    "A ball is thrown horizontally at 5 m/s from a 20 m wide cliff.",
+    "A ball is thrown horizontally at 5 m/s from a cliff and lands 20 m above the ground.",
+    "A ball is thrown horizontally at 5 m/s from the ground.",
+    "A ball is thrown horizontally at 5 m/s to a building 20 m high from the ground.",
+    "A ball is thrown from the ground at 20 m/s at 60° above the horizontal over a wall 5 m high.",
+    "A ball is thrown at 20 m/s at 60° above the horizontal to a wall 5 m high.",
+    "A ball is thrown from level ground at 20 m/s at 60° to the vertical.",
+    "A ball is thrown straight up at 10 m/s from a height of 2 m and is dropped.",
+    "A body is hit by a ball thrown horizontally at 5 m/s from a cliff 20 m high.",
+    "A building is 20 m high. A ball is thrown horizontally at 5 m/s from a height of 10 m.",
+    "A ball is thrown horizontally at 5 m/s from a table 1 m high on a building 20 m high.",
+    "A ball on a 1 m string is released from rest at 40° to the vertical and hits the ground.",
+    "A pendulum on a 2 kg string of length 1 m is released from rest at 40° to the vertical.",
+    "A pendulum of length 1 m on a string hangs from the ceiling at rest.",
+    "A ball on a string 1 m long and a string of 2 m is released from rest at 40° to the vertical.",
+    "A pendulum bob on a rod of mass 2 kg and length 1 m is released from rest at 30° to the vertical.",
+    "A ball on a light rod 1 m long is released from rest at its lowest point.",
+    (
+        "A 2 kg block on a smooth table is attached to a spring of stiffness 80 N/m and pulled 10 cm from "
+        "the wall and released."
+    ),
+    "A 2 kg block on a smooth table is attached to a 1 kg spring of stiffness 80 N/m and pulled 10 cm and released.",
+    (
+        "A 2 kg block on a smooth table is attached to a spring of stiffness 80 N/m and another of 20 N/m "
+        "and pulled 10 cm and released."
+    ),
+    (
+        "A 2 kg block on a smooth table is attached to a spring of length 1 m and stiffness 80 N/m and "
+        "pulled 10 cm and released."
+    ),
+    (
+        "A 2 kg block hangs on a vertical spring of stiffness 80 N/m and natural length 1 m and is pulled "
+        "down 10 cm and released."
+    ),
+    (
+        "A 4 kg block on a frictionless table is connected by a light string over a pulley to a hanging 2 "
+        "kg block, and to a wall. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a frictionless table and a 2 kg hanging block are connected by two strings over "
+        "a pulley. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a 3 kg frictionless table is connected by a light string over a pulley to a "
+        "hanging block. The system is released from rest."
+    ),
+    (
+        "A 3 kg mass hangs from a pulley, and a 5 kg mass hangs from a light string over the pulley. They "
+        "are released from rest."
+    ),
+    "A 3 kg block and a 5 kg block are connected by a light string and a pulley, and released from rest.",
+    (
+        "A 3 kg block and a 5 kg block are connected by a light string over a pulley on a slope. They are "
+        "released from rest."
+    ),
+    (
+        "A 3 kg block and a 5 kg block hang from the same end of a light string over a pulley. They are "
+        "released from rest."
+    ),
+    "A solid sphere of radius 10 cm rolls without slipping from rest up a 20° slope.",
+    "A solid sphere and a solid sphere roll from rest down a 20° slope without slipping.",
+    "A solid sphere in a thin spherical shell rolls from rest down a 20° slope without slipping.",
+    "Two solid spheres roll from rest down a 20° slope without slipping.",
+    "A solid sphere on a cart rolls from rest down a 20° slope without slipping.",
+    (
+        "A rocket of mass 900 kg without fuel, 700 kg of it fuel, is in deep space and burns 5 kg/s with "
+        "an exhaust speed of 2.5 km/s."
+    ),
+    (
+        "A rocket of mass 900 kg, 700 kg of it fuel, moves at 3 km/s in deep space and burns 5 kg/s with "
+        "an exhaust speed of 2.5 km/s."
+    ),
+    "A rocket of mass 900 kg, 1000 kg of it fuel, in deep space burns 5 kg/s with an exhaust speed of 2.5 km/s.",
+    "Two rockets of mass 900 kg, 700 kg of it fuel, in deep space burn 5 kg/s with an exhaust speed of 2.5 km/s.",
+    "A 3 kg cart moving at 4 m/s hits a 1 kg cart at rest 2 m away on a rough track; they stick together.",
+    "A 3 kg cart moving at 4 m/s hits a 1 kg cart at rest 2 m away; they stick together and hit a wall.",
+    (
+        "A 3 kg cart moving at 4 m/s hits a 1 kg cart at rest 2 m away; they stick together. A 2 kg cart "
+        "is at rest 3 m away."
+    ),
+    "A 3 kg cart moving at 4 m/s to the left hits a 1 kg cart at rest 2 m away; they stick together.",
+    "A 3 kg cart moving at 4 m/s hits a 1 kg ball at rest 2 m away; they stick together.",
+    (
+        "A 3 kg cart moving at 4 m/s hits a 1 kg cart moving at 5 m/s in the same direction; they stick "
+        "together. They are 2 m apart."
+    ),
+    "A planet of mass 1 solar mass moves round a star in a circular orbit of radius 1 au.",
+    "A planet moves round a star of 1 solar mass in a circular orbit of radius 1 au, and another planet at 2 au.",
+    "Two planets move round a star of 1 solar mass in a circular orbit of radius 1 au.",
+    (
+        "Two particles of mass 1e-26 kg and charge 1.6e-19 C move in a uniform magnetic field of 0.5 T at "
+        "1e5 m/s perpendicular to the field."
+    ),
+    (
+        "A particle of mass 1e-26 kg and charge 1.6e-19 C moves in a uniform magnetic field of 0.5 T and "
+        "an electric field at 1e5 m/s perpendicular to the field."
+    ),
+    (
+        "A particle of mass 1e-26 kg and charge 1.6e-19 C moves in a magnetic field of 0.5 T at 1e5 m/s "
+        "perpendicular to the field."
+    ),
+    (
+        "A planet is 1 au from the sun of mass 1 solar mass and the sun moves at 30 km/s at right angles "
+        "to the line to the sun."
+    ),
+    "A 3 kg block slides at 2 m/s on a rough floor; the coefficient of static friction is 0.3.",
+    "A 3 kg block slides at 2 m/s on a rough floor until it stops at a wall; the coefficient of friction is 0.3.",
+    "A floor slides at 2 m/s over a block; the coefficient of friction is 0.3.",
+    "A box on a table is pushed at 2 m/s; the coefficient of friction is 0.3. The surface is smooth.",
+    "A block slides at 2 m/s on a table 1 m above the floor; the coefficient of friction is 0.3.",
+    "A block slides at 2 m/s on a table; the coefficient of friction between the block and the floor is 0.3.",
+    "A block slides at 2 m/s over a floor, then over a table; the coefficient of friction is 0.3.",
 ]
 
 

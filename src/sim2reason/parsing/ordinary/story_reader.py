@@ -61,6 +61,7 @@ FILLERS = frozenset(
 )
 ARTICLES = r"(?:an?|another|second|one|two|three)"
 GENERIC = frozenset({"body", "object", "mass", "particle"})
+PLACES = frozenset({"surface", "plane", "slope", "incline", "inclined plane"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,8 +101,10 @@ def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | Non
         left = _taken(pattern, left, amounts, given)
         if not left:
             return None
+    if not _one(story.place, words, PLACES):
+        return None
     if story.bodies:
-        if not _one_body(story.bodies, left):
+        if not _one(story.bodies, left, GENERIC):
             return None
         left = compiled(rf"(?:{story.bodies})").sub("|", left)
     if any(word.strip("|") and word not in FILLERS for word in left.split()):
@@ -116,17 +119,26 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
     expression = compiled(pattern)
     for found in expression.finditer(words):
         for name, said in found.groupdict().items():
-            if said is None:
+            name = name.removeprefix("keep").removeprefix("_")
+            if said is None or not name:
                 continue
             index = re.search(r"\d+", said) if said[0] == "#" else None
             value = amounts[int(index[0])] if index is not None else name
             if given.setdefault(name, value) != value:
                 return ""
-    return expression.sub("|", words)
+    return expression.sub(_kept, words)
 
 
-def _one_body(nouns: str, words: str) -> bool:
-    """Return whether a text speaks of one body: it uses one noun, and introduces it once."""
+def _kept(found: re.Match[str]) -> str:
+    """Return what stays of what a pattern has taken."""
+    kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
+    return next(kept, "|")
+
+
+def _one(nouns: str, words: str, generic: frozenset[str]) -> bool:
+    """Return whether a text speaks of one thing: it uses one noun beside generic ones, and introduces it once."""
+    if not nouns:
+        return True
     used = {found[0].strip() for found in compiled(nouns).finditer(words)}
     introduced = compiled(rf"{ARTICLES} (?:[\w#|-]{{1,20}} ){{0,3}}?(?:{nouns})").findall(words)
-    return len(used - GENERIC) <= 1 and len(introduced) <= 1
+    return len(used - generic) <= 1 and len(introduced) <= 1

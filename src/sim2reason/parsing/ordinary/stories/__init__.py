@@ -79,8 +79,10 @@ class Story:
         summary: what happens, in a few words.
         opening: patterns each of which occurs in a text that tells this story.
         phrases: patterns of all that may be said, tried in order; `<name:kind>` is a number of a kind, and a named
-            group a fact that is said or not. Each place of a text is taken by the first pattern that fits.
+            group a fact that is said or not; what a group called `keep` or `keep_fact` holds stays for later patterns.
+            Each place of a text is taken by the first pattern that fits.
         bodies: a pattern of the nouns for the body; a text may use one of them only. Empty where phrases name them.
+        place: a pattern of the nouns for the surface that it moves on, of which a text may name one only, too.
         never: a pattern of what tells another scene in the words of this one, as a slope that moves.
         tell: the library's text with what the text tells.
     """
@@ -90,11 +92,12 @@ class Story:
     phrases: tuple[str, ...]
     tell: Callable[[Told], str]
     bodies: str = ""
+    place: str = ""
     never: str = ""
 
     def __post_init__(self) -> None:
         """Refuse patterns that are no regular expressions when they are declared."""
-        for pattern in (*self.opening, *self.phrases, self.bodies, self.never):
+        for pattern in (*self.opening, *self.phrases, self.bodies, self.place, self.never):
             compiled(pattern)
 
 
@@ -102,6 +105,18 @@ def compiled(pattern: str) -> re.Pattern[str]:
     """Return the regular expression of a pattern, which begins and ends where words do."""
     told = re.sub(r"<(\w+):(\w+)>", r"(?P<\1>#\2\\d{1,3}#)", pattern)
     return re.compile(rf"(?<![\w#-])(?:{told})(?![\w#-])")
+
+
+def mass_of(nouns: str) -> tuple[str, ...]:
+    """Return the patterns by which a text gives the mass of its body, and not that of something else."""
+    others = "|".join(noun for noun in nouns.split("|") if noun != "mass")
+    return (
+        r"a (?P<keep>mass) of <mass:mass>(?= (?:is|hangs|lies|rests|on|slides))",
+        rf"<mass:mass>(?= (?:(?:small|solid|uniform|thin|wooden|point) )?(?:{nouns}))",
+        rf"(?P<keep>{others}) (?:(?:of|with|has|having) )?(?:an? )?(?:mass )?(?:of )?(?:m = )?<mass:mass>",
+        rf"(?:the )?mass of (?:the )?(?:{nouns}) is <mass:mass>",
+        rf"(?:the )?(?:{nouns}) (?:has a mass of|has mass) <mass:mass>",
+    )
 
 
 STORIES: Registry[Story] = Registry("parsing.ordinary.stories")

@@ -35,7 +35,7 @@ STORIES.add(
     "charge in a magnetic field",
     Story(
         summary="A charged particle moves across a uniform magnetic field.",
-        opening=(r"magnetic field", r"particle|bead|ion|ball"),
+        opening=(r"uniform magnetic field", r"particle|bead|ion|ball"),
         phrases=(
             r"(?:mass (?:of |is )?)?(?:m = )?<mass:mass>",
             r"(?:positive )?(?:charge (?:of |is )?)?(?:q = )?<charge:charge>(?: charge)?",

@@ -30,6 +30,8 @@ def _collision(told: Told) -> str:
     second = "at rest"
     if way in ("toward", "ahead"):
         second = f"moving with velocity {'−' if way == 'toward' else ''}{told.number('v2', OTHER)}"
+    if way == "ahead" and told.value("v2", OTHER) >= told.value("v1", ONE):
+        told.missing.append("a first body that is faster than the second")
     result = told.one_of("what the collision is like, elastic or not", "stick", "elastic", "e")
     ends = {"stick": "All collisions are perfectly inelastic.", "elastic": "Every collision is elastic."}
     end = ends.get(result) or f"The coefficient of restitution of every collision is {told.number('e', '')}."

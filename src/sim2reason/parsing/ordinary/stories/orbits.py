@@ -40,6 +40,7 @@ STORIES.add(
             ),
             r"moves|moving|orbits|goes|round|around|orbit|planet|comet|star|sun",
         ),
+        never=r"(?:star|sun) (?:(?:that|which) )?(?:moves|moving|orbits|goes)",
         tell=_orbit,
     ),
 )

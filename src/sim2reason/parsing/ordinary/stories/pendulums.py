@@ -1,6 +1,6 @@
 """A bob on a string or a rod."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
 
 BOB = r"bob|ball|sphere|mass|object|particle|body|weight|stone"
 
@@ -36,7 +36,8 @@ STORIES.add(
         summary="A bob on a string or a rod swings.",
         opening=(r"string|cord|thread|rod|pendulum", rf"{BOB}|pendulum"),
         phrases=(
-            r"(?:mass (?:of |is )?)?<mass:mass>",
+            *mass_of(BOB),
+            r"(?P<keep>simple pendulum of length #length\d{1,3}#) and mass <mass:mass>",
             r"(?:length (?:of |is )?)?<length:length>(?: long)?",
             (
                 r"(?:light|massless|inextensible|thin|ideal|weightless|rigid)(?= (?:and )?(?:\w{3,14} |\| ){0,2}"

@@ -1,8 +1,9 @@
 """A round body that rolls down a slope."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
 from sim2reason.parsing.ordinary.stories.slopes import SLOPE
 
+SHAPES = r"sphere|ball|cylinder|disc|disk|hoop|ring|shell|tube|pipe"
 ROUND = {
     "ball": "A uniform solid sphere",
     "cylinder": "A uniform solid cylinder",
@@ -30,13 +31,14 @@ STORIES.add(
         summary="A sphere, cylinder, hoop or shell rolls down a slope.",
         opening=(r"rolls?|rolling", SLOPE),
         phrases=(
-            r"(?:mass (?:of |is )?)?<mass:mass>",
+            *mass_of(SHAPES),
+            rf"(?P<keep>(?:{SHAPES}) of radius #length\d{{1,3}}#) and mass <mass:mass>",
             r"(?:radius (?:of |is )?)?<radius:length>(?: radius| in radius)?",
-            r"(?:uniform )?solid (?:uniform )?(?P<ball>sphere|ball)",
-            r"(?:uniform )?solid (?:uniform )?(?P<cylinder>cylinder|disc|disk)",
-            r"(?:thin )?(?P<hoop>hoop|ring)",
-            r"(?:thin |hollow )?spherical (?P<shell>shell)",
-            r"(?:thin-walled|thin) (?:hollow )?(?P<pipe>tube|pipe|cylinder)",
+            r"(?:uniform )?solid (?:uniform )?(?P<keep_ball>sphere|ball)",
+            r"(?:uniform )?solid (?:uniform )?(?P<keep_cylinder>cylinder|disc|disk)",
+            r"(?:thin )?(?P<keep_hoop>hoop|ring)",
+            r"(?:thin |hollow )?spherical (?P<keep_shell>shell)",
+            r"(?:thin-walled|thin) (?:hollow )?(?P<keep_pipe>tube|pipe|cylinder)",
             r"(?:(?:rolls|roll|rolling) )?(?P<grips>without (?:slipping|sliding))",
             r"(?:(?:released|starts|starting|rolls|let go) )?(?P<rest>from rest)",
             (
@@ -47,6 +49,8 @@ STORIES.add(
             r"down|at the top of|from the top of|placed|fixed|rough",
             SLOPE,
         ),
+        bodies=SHAPES,
+        place=SLOPE,
         tell=_rolls,
     ),
 )

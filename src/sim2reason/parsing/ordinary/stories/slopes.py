@@ -1,12 +1,11 @@
 """A block alone on a fixed plane: a slope or a level floor."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
 
 BLOCK = r"block|box|crate|body|object|book|package|mass|particle|sled|skier|puck|brick|cube"
 """Nouns of the one body; a text that says *mass* or *body* besides means the same one."""
 SLOPE = r"(?:inclined plane|plane(?= (?:(?:that|which) is )?inclined)|incline|ramp|slope|hill)"
 FLOOR = r"(?:floor|table|tabletop|surface|plane|ground)"
-MASS = r"(?:mass )?(?:of |is )?(?:m = )?<mass:mass>"
 STARTS = r"(?:(?:is|are) )?(?:released|let go|starts|starting|slides|sliding|slips|starts moving)"
 SPEED = r"(?:an? |the )?(?:initial )?(?:speed|velocity) (?:of |is )?(?:v = )?<speed:speed>"
 FRICTION = (
@@ -74,7 +73,7 @@ STORIES.add(
             r"(?P<smooth>without (?:any )?friction|there is no friction|no friction acts|friction is negligible)",
             rf"(?P<rough>rough)(?=(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
             r"plane(?= (?:(?:that|which) is )?inclined)",
-            MASS,
+            *mass_of(BLOCK),
             r"(?:held )?(?P<rest>at rest and (?:is )?(?:then )?(?:released|let go))",
             rf"(?:{STARTS} )?(?P<rest>from rest)",
             r"(?:starts|begins) (?P<rest>at rest)",
@@ -93,6 +92,7 @@ STORIES.add(
         ),
         bodies=BLOCK,
         never=CARRIED,
+        place=SLOPE,
         tell=_slope,
     ),
 )
@@ -117,7 +117,7 @@ STORIES.add(
             *friction(BETWEEN),
             rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
             rf"(?P<rough>rough)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
-            MASS,
+            *mass_of(BLOCK),
             SPEED,
             r"(?:until it )?(?:finally |eventually )?(?P<stops>stops|comes to rest|slides to rest)",
             r"<speed:speed>",
@@ -129,6 +129,7 @@ STORIES.add(
         ),
         bodies=BLOCK,
         never=CARRIED,
+        place=FLOOR,
         tell=_floor,
     ),
 )

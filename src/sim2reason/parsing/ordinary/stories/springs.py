@@ -1,14 +1,13 @@
 """A block on a spring, level or hanging."""
 
 from sim2reason.parsing.ordinary.amounts import shown
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
 
 BLOCK = r"block|mass|box|body|object|cart|glider|weight|ball"
 FLOOR = r"(?:floor|table|tabletop|surface|track|air track)"
 STIFF = (
     r"(?:(?:a )?(?:spring )?(?:stiffness|spring constant|force constant|constant) (?:of |is )?)?(?:k = )?<k:stiffness>",
 )
-MASS = r"(?:mass (?:of |is )?)?(?:m = )?<mass:mass>"
 REST = (
     r"(?:and )?(?:then )?(?:held )?(?P<rest>at rest and (?:then )?(?:released|let go))",
     r"(?:(?:released|let go|starts) )?(?P<rest>from rest)",
@@ -37,14 +36,14 @@ STORIES.add(
         opening=(r"spring", FLOOR),
         phrases=(
             *STIFF,
-            MASS,
+            *mass_of(BLOCK),
             rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:horizontal|level|fixed))? {FLOOR})",
             (
                 rf"(?P<out>pulled|stretched|pulled aside|drawn) (?:out |away )?(?:by )?<by:length>"
                 rf"(?: (?:from|past|beyond)"
-                rf" {EQUILIBRIUM}| away)?"
+                rf" {EQUILIBRIUM}| away| out)?(?! from)"
             ),
-            rf"(?P<inwards>compressed|pushed|pushed in) (?:by )?<by:length>(?: (?:from) {EQUILIBRIUM})?",
+            rf"(?P<inwards>compressed|pushed|pushed in) (?:by )?<by:length>(?: (?:from) {EQUILIBRIUM})?(?! from)",
             *REST,
             r"(?:light|massless|ideal)(?= spring)",
             r"horizontal|level|attached|connected|joined|fixed|tied|rests|lies|sits|wall|(?:(?:one|other|free) )?end",
@@ -86,7 +85,7 @@ STORIES.add(
         opening=(r"spring", rf"{HANGS}|vertical"),
         phrases=(
             *STIFF,
-            MASS,
+            *mass_of(BLOCK),
             r"(?:natural|unstretched|relaxed) length (?:of |is )?<natural:length>",
             (
                 r"(?:pulled|drawn|displaced) (?:down|downwards?) (?:by )?<below:length>"

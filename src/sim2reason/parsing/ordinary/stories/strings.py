@@ -52,7 +52,12 @@ STORIES.add(
     "atwood machine",
     Story(
         summary="Two blocks hang on either side of a pulley.",
-        opening=(r"pulley", rf"{SEVERAL}|{ONE}", r"hangs?|hung|suspended|hanging|connected|attached|joined|tied|ends"),
+        opening=(
+            r"pulley",
+            r"over",
+            rf"{SEVERAL}|{ONE}",
+            r"hangs?|hung|suspended|hanging|connected|attached|joined|tied|ends",
+        ),
         phrases=(
             rf"(?:two )?{SEVERAL} (?:of )?(?:mass(?:es)? )?(?:of )?<a:mass> and <b:mass>",
             rf"(?:two )?{SEVERAL} <a:mass> and <b:mass>",

@@ -1,11 +1,14 @@
 """A ball that is thrown or dropped."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
 
 BALL = r"ball|stone|rock|projectile|cannonball|bullet|pebble|object|particle|body|arrow|coin|marble"
 HIGH = r"(?:cliff|building|tower|bridge|roof|balcony|window|table|platform|wall|house)"
 THROWN = r"(?:thrown|launched|projected|fired|shot|kicked|hit|tossed|hurled)"
+FROM = r"(?:from|off) (?:(?:the )?(?:top|edge|roof) of )?(?:an? |the )?(?:vertical )?"
 GROUND = r"(?:the )?(?:level |flat |horizontal )?ground(?: level)?"
+
+ABOVE = rf"above (?:{GROUND}|(?:the )?(?:water|sea))"
 
 
 def _way(told: Told) -> str:
@@ -38,13 +41,14 @@ STORIES.add(
         summary="A ball is thrown, or let fall.",
         opening=(BALL, rf"{THROWN}|dropped|falls|fall|released from rest|throws|drops"),
         phrases=(
-            r"(?:mass (?:of )?)?<mass:mass>",
+            *mass_of(BALL),
             r"(?:with )?(?:an? |the )?(?:initial )?(?P<level>horizontal) (?:speed|velocity) (?:of |is )?<speed:speed>",
             r"(?:with )?(?:an? |the )?(?:initial |muzzle |launch )?(?:speed|velocity) (?:of |is )?<speed:speed>",
             r"(?:at )?<speed:speed>",
+            rf"{FROM}<height:length>(?: (?:high|tall))? {HIGH}",
+            rf"{FROM}{HIGH} (?:of (?:a )?height (?:of )?|that is |which is )?<height:length>(?: (?:high|tall|{ABOVE}))?",
             rf"(?:from )?(?:a |the )?height (?:of )?<height:length>(?: above {GROUND})?",
-            rf"<height:length> (?:high|tall|above (?:{GROUND}|(?:the )?(?:water|sea)))",
-            rf"<height:length>(?= {HIGH})",
+            rf"<height:length> {ABOVE}",
             rf"(?P<ground>(?:from|on|over) {GROUND})",
             r"(?:(?:from|off) )?(?:the )?(?:top|edge|roof)(?: of)?(?= (?:an? |the |\|))",
             r"(?P<level>horizontally)",
@@ -57,7 +61,6 @@ STORIES.add(
             r"(?P<drop>from rest)",
             rf"{THROWN}(?: into the air)?",
             r"(?:small|initially|high|golf|tennis|cricket)",
-            rf"(?:off )?(?:an? |the )?(?:vertical )?{HIGH}",
         ),
         bodies=BALL,
         tell=_throw,
