@@ -382,8 +382,6 @@ REFUSED = [
     "A block is released from rest on a 30° slope. The floor is frictionless.",
     "A 2 kg block is released from rest on a frictionless 30° slope and slides to a rough floor.",
     "A 2 kg block is released from rest on a frictionless 30° slope and slides down to a level floor.",
-    "A 3 kg slope is inclined at 30° and frictionless. A block is released from rest on it.",
-    "A block is released from rest on a frictionless 30° slope with a mass of 3 kg.",
     "A block on a slope of mass 3 kg is released from rest; the frictionless slope is inclined at 30°.",
     "A block is given an initial speed of 3 m/s down a smooth slope at 15°.",
     "A block slides at 3 m/s up a smooth slope at 15° to the vertical.",
@@ -501,6 +499,114 @@ REFUSED = [
     "A block slides at 2 m/s on a table 1 m above the floor; the coefficient of friction is 0.3.",
     "A block slides at 2 m/s on a table; the coefficient of friction between the block and the floor is 0.3.",
     "A block slides at 2 m/s over a floor, then over a table; the coefficient of friction is 0.3.",
+    "A block is released from rest on a smooth 30° slope and a ball is dropped from a height of 20 m.",
+    "A ball is dropped from rest on a smooth 30° slope.",
+    "A stone of mass 2 kg and a stone are dropped from a height of 20 m.",
+    "A stone is dropped from a height of 20 m at rest on the ground.",
+    "A stone is thrown up at 20 m/s from the ground.",
+    "A stone is dropped from the top of a building 20 m above the ground on a hill.",
+    "A ball is thrown horizontally at 3 m/s and at 4 m/s from a cliff 45 m high.",
+    "A ball is kicked from the ground at 20 m/s.",
+    "A ball is fired at a 5 m wall at 20 m/s horizontally from a height of 3 m.",
+    "A ball is kicked at 30° to the horizontal from the ground on the Moon at 20 m/s.",
+    "A ball is thrown horizontally at 12 m/s from a cliff 45 m high and has a mass of 2 kg and a charge of 3 C.",
+    "A block of mass 2 kg is released from rest at the bottom of a frictionless incline of 30° attached to a string.",
+    "A block is launched up a frictionless incline of 30° at 3 m/s and 4 m/s.",
+    "A block is launched up a frictionless incline of 30° at 3 m/s. The incline is 40°.",
+    "A block is launched up a frictionless incline of 30° from rest.",
+    "A block slides down a frictionless incline of 30° from a height of 2 m from rest.",
+    "A pendulum of length 1 m on a light string is released from rest at 40° to the vertical at a height of 3 m.",
+    "A bob on a light string 1 m long is released from rest at 40° to the vertical, and another bob is at rest.",
+    "A bob on a light string 1 m long is released from rest at 40° to the vertical with a speed of 2 m/s.",
+    "A bob on a light string 1 m long hangs straight down at 40° to the vertical and is released from rest.",
+    "A bob on a light string 1 m long is given a horizontal speed of 2 m/s at 40° to the vertical.",
+    "A bob on a string attached to a rod of length 1 m is released from rest at 40° to the vertical.",
+    "A conical pendulum of length 1 m is released from rest at 40° to the vertical on a string.",
+    (
+        "A 2 kg block on a frictionless table is attached to a spring of stiffness 80 N/m, pulled 10 cm "
+        "and then compressed 5 cm and released."
+    ),
+    (
+        "A 2 kg block on a frictionless table is attached to a spring of stiffness 80 N/m and pulled 10 "
+        "cm and pushed at 3 m/s and released."
+    ),
+    (
+        "A 2 kg block on a frictionless table is attached to a damped spring of stiffness 80 N/m and "
+        "pulled 10 cm and released."
+    ),
+    (
+        "A 2 kg block on a frictionless table is attached to a spring of stiffness 80 N/m and displaced "
+        "10 cm from equilibrium and released."
+    ),
+    (
+        "A 2 kg block on a frictionless table is attached to a vertical spring of stiffness 80 N/m and "
+        "pulled 10 cm and released."
+    ),
+    (
+        "A 2 kg block on a frictionless table is attached to one end of a spring of stiffness 80 N/m and "
+        "a 3 kg block to the other end, pulled 10 cm and released."
+    ),
+    "A 2 kg block is pressed 10 cm against a spring of stiffness 80 N/m on a frictionless table and released.",
+    "A 2 kg block is pushed 10 cm on a frictionless table from a spring of stiffness 80 N/m and released.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m away off-centre. The collision is elastic.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m away at 30°. The collision is elastic.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m away. The collision is elastic. They are 3 m apart.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m away. The collision is inelastic.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m away. The collision is not elastic.",
+    "A 1 kg ball moving at 4 m/s hits a stationary 1 kg ball 2 m high. The collision is elastic.",
+    (
+        "A rocket of mass 900 kg, 700 kg of it fuel, is launched from the ground at 30° and burns 5 kg/s "
+        "with an exhaust speed of 2.5 km/s."
+    ),
+    (
+        "A rocket of mass 900 kg, 700 kg of it fuel, starts from the ground in deep space and burns 5 "
+        "kg/s with an exhaust speed of 2.5 km/s."
+    ),
+    (
+        "A rocket of mass 900 kg, 700 kg of it fuel, in deep space burns 5 kg/s for 10 s with an exhaust "
+        "speed of 2.5 km/s."
+    ),
+    (
+        "A rocket of mass 900 kg, 700 kg of it fuel, in deep space has a thrust of 5 N with an exhaust "
+        "speed of 2.5 km/s."
+    ),
+    "A planet moves round a star of 1 solar mass on a circle of diameter 1 au.",
+    "A planet moves round a star of 1 solar mass at a distance of 1 au.",
+    "A planet moves round a star of 1 solar mass in a circular orbit of radius 1 au at 10 km/s.",
+    "A particle of mass 1e-26 kg and charge 1.6e-19 C is at rest in a uniform magnetic field of 0.5 T.",
+    "A particle of mass 1e-26 kg and charge 1.6e-19 C moves at 1e5 m/s in a uniform magnetic field of 0.5 T.",
+    "A 3 kg block and a 5 kg block hang from a light string over two pulleys. They are released from rest.",
+    "A 3 kg block and a 5 kg block hang from a light string over a pulley in a lift. They are released from rest.",
+    "A 3 kg block and a 5 kg block hang from a light string over a pulley. The 3 kg block moves at 2 m/s.",
+    (
+        "A 3 kg block and a 5 kg block hang from a light string over a pulley. They are released from "
+        "rest 2 m above the floor."
+    ),
+    (
+        "A 4 kg block on a frictionless table is connected by a light string over a pulley to a hanging 2 "
+        "kg block and pulled by a 10 N force. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a frictionless table is connected by a light string over a rough pulley to a "
+        "hanging 2 kg block. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a table is connected by a light string over a frictionless pulley to a hanging 2 "
+        "kg block. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a frictionless table is connected by a light spring over a pulley to a hanging 2 "
+        "kg block. The system is released from rest."
+    ),
+    (
+        "A 4 kg block on a frictionless 30° incline is connected by a light string over a pulley at the "
+        "bottom of the incline to a hanging 2 kg block. The system is released from rest."
+    ),
+    "A solid sphere rolls from rest down a frictionless 20° slope without slipping.",
+    "A solid sphere rolls from rest down a 20° slope without slipping. The coefficient of friction is 0.1.",
+    "A hollow solid sphere rolls from rest down a 20° slope without slipping.",
+    "A solid sphere rolls without slipping from rest down a 20° slope and up a 30° slope.",
+    "A solid sphere rolls without slipping from rest on a 20° slope of mass 3 kg.",
 ]
 
 
@@ -570,6 +676,19 @@ def test_amounts_are_converted(text: str, wanted: str) -> None:
 )
 def test_hostile_texts_end_soon(text: str) -> None:
     """Long, repetitive and odd texts are no stories."""
+    assert retold(text) == []
+
+
+OTHER_BODIES = [
+    "A 3 kg slope is inclined at 30° and frictionless. A block is released from rest on it.",
+    "A block is released from rest on a frictionless 30° slope with a mass of 3 kg.",
+    "A 2 kg block is released from rest on a frictionless 30° incline?",
+]
+
+
+@pytest.mark.parametrize("text", OTHER_BODIES)
+def test_a_number_of_something_else_makes_no_story(text: str) -> None:
+    """The mass of a slope is not that of the block, and a question is no story."""
     assert retold(text) == []
 
 

@@ -91,22 +91,16 @@ def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
 
 def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | None:
     """Return a story as the library tells it; None if the text tells another, or anything more."""
-    if not all(compiled(pattern).search(words) for pattern in story.opening):
-        return None
-    if story.never and compiled(story.never).search(words):
+    begins = all(compiled(pattern).search(words) for pattern in story.opening)
+    if not begins or (story.never and compiled(story.never).search(words)):
         return None
     given: dict[str, str | Amount] = {}
     left = words
     for pattern in (*story.phrases, *GENERAL):
-        left = _taken(pattern, left, amounts, given)
-        if not left:
-            return None
-    if not _one(story.place, words, PLACES):
+        left = _taken(pattern, left, amounts, given) if left else ""
+    if not left or not _one(story.place, words, PLACES) or not _one(story.bodies, left, GENERIC):
         return None
-    if story.bodies:
-        if not _one(story.bodies, left, GENERIC):
-            return None
-        left = compiled(rf"(?:{story.bodies})").sub("|", left)
+    left = compiled(story.bodies).sub("|", left) if story.bodies else left
     if any(word.strip("|") and word not in FILLERS for word in left.split()):
         return None
     told = Told(given, words)
@@ -118,8 +112,8 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
     """Return what a pattern leaves of a text, noting the facts that it finds; empty if they contradict others."""
     expression = compiled(pattern)
     for found in expression.finditer(words):
-        for name, said in found.groupdict().items():
-            name = name.removeprefix("keep").removeprefix("_")
+        for group, said in found.groupdict().items():
+            name = group.removeprefix("keep").removeprefix("_")
             if said is None or not name:
                 continue
             index = re.search(r"\d+", said) if said[0] == "#" else None

@@ -33,7 +33,7 @@ STORIES.add(
     "block on a level spring",
     Story(
         summary="A block on a smooth table swings on a spring.",
-        opening=(r"spring", FLOOR),
+        opening=(r"spring", r"attached|connected|joined|tied|fixed", FLOOR),
         phrases=(
             *STIFF,
             *mass_of(BLOCK),

@@ -46,7 +46,7 @@ STORIES.add(
             r"(?:with )?(?:an? |the )?(?:initial |muzzle |launch )?(?:speed|velocity) (?:of |is )?<speed:speed>",
             r"(?:at )?<speed:speed>",
             rf"{FROM}<height:length>(?: (?:high|tall))? {HIGH}",
-            rf"{FROM}{HIGH} (?:of (?:a )?height (?:of )?|that is |which is )?<height:length>(?: (?:high|tall|{ABOVE}))?",
+            rf"{FROM}{HIGH} (?:of (?:a )?height (?:of )?|that is )?<height:length>(?: (?:high|tall|{ABOVE}))?",
             rf"(?:from )?(?:a |the )?height (?:of )?<height:length>(?: above {GROUND})?",
             rf"<height:length> {ABOVE}",
             rf"(?P<ground>(?:from|on|over) {GROUND})",
