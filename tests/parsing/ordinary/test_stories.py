@@ -1,6 +1,7 @@
 """Whole scenes in the words of textbooks: the numbers of the scene that is read, and texts that are refused."""
 
 from functools import reduce
+from math import log, radians, sin, sqrt
 
 import pytest
 
@@ -9,6 +10,10 @@ from sim2reason.parsing import parse_scene
 from sim2reason.parsing.ordinary.amounts import set_apart
 from sim2reason.parsing.ordinary.stories import STORIES
 from sim2reason.parsing.ordinary.story_reader import retold
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.prompt import words_of
 
 UNDERSTOOD = {
     (
@@ -262,6 +267,74 @@ UNDERSTOOD = {
         "A rocket floats in deep space. Its mass is 500 kg including 400 kg of fuel; it burns 4 "
         "kg/s and the exhaust speed is 2 km/s."
     ): "rocket.dry=100",
+    (
+        "A 5.0-kg block slides from rest down a frictionless ramp that is inclined at 25° above the horizontal."
+    ): "plane.angle=25",
+    (
+        "A 4.0 kg crate is given an initial velocity of 6.0 m/s up a ramp inclined at 20°. The "
+        "coefficients of static and kinetic friction are 0.5 and 0.3."
+    ): "plane.friction=0.3 plane.static_friction=0.5 speed=6",
+    (
+        "A 20 kg sled slides on level ground with an initial speed of 8 m/s. The coefficient of "
+        "kinetic friction between the sled and the ground is 0.1."
+    ): "speed=8 plane.friction=0.1",
+    (
+        "A projectile is launched with a speed of 35 m/s at an angle of 50° above the horizontal "
+        "from the top of a 60 m high cliff."
+    ): "height=60 angle=50",
+    (
+        "A stone is thrown vertically upward from the edge of a 40 m high cliff with an initial speed of 12 m/s."
+    ): "height=40 angle=90 side=above",
+    "A ball of mass 300 g is dropped from a window 15 m above the ground.": "ball.mass=0.3 height=15",
+    (
+        "A bullet is fired horizontally at 400 m/s from a height of 1.6 m above level ground. Air "
+        "resistance is negligible."
+    ): "height=1.6",
+    (
+        "A 2 kg mass and a 3 kg mass are attached to the ends of a massless rope that passes over a "
+        "frictionless, massless pulley. The system is released from rest."
+    ): "system.blocks.0.mass=2",
+    (
+        "A block of mass 2 kg on a smooth table is connected by a light inextensible string passing "
+        "over a smooth pulley to a hanging block of mass 3 kg. The system is released from rest."
+    ): "system.plane.friction=0",
+    (
+        "A 1 kg pendulum bob hangs from a light string of length 2 m. It is pulled aside to an "
+        "angle of 30° from the vertical and released from rest."
+    ): "hanger.length=2 angle=30 bob.mass=1",
+    (
+        "A 0.25 kg mass on a frictionless horizontal surface is attached to a spring with a spring "
+        "constant of 100 N/m. It is pulled 4 cm from its equilibrium position and released."
+    ): "springs.0.stiffness=100",
+    (
+        "A uniform solid sphere of mass 2 kg and radius 0.1 m is released from rest and rolls "
+        "without slipping down a plane inclined at 30° to the horizontal."
+    ): "body.radius=0.1 body.mass=2",
+    "A hoop starts from rest and rolls without slipping down a ramp with an angle of 18°.": "plane.angle=18",
+    (
+        "A 1000 kg rocket in deep space, 800 kg of which is fuel, burns fuel at a rate of 10 kg/s "
+        "with an exhaust speed of 3000 m/s."
+    ): "rocket.dry=200 rate=10 exhaust=3",
+    (
+        "A 2 kg cart moving at 3 m/s collides elastically with a 1 kg cart at rest 1 m ahead."
+    ): "restitution=1 gliders.1.x=1",
+    (
+        "A ball of mass 2 kg moving at 5 m/s collides head-on with a ball of mass 3 kg at rest. The "
+        "balls are initially 4 m apart. The coefficient of restitution is 0.8."
+    ): "restitution=0.8 gliders.1.mass=3",
+    (
+        "Two carts on a frictionless track approach each other: a 2 kg cart moving right at 3 m/s "
+        "and a 1 kg cart moving left at 2 m/s. They are 4 m apart. They stick together."
+    ): "gliders.1.v=-2 restitution=0",
+    "A planet orbits a star of mass 2e30 kg on a circular orbit of radius 1.5e11 m.": "planets.0.vy=6.29301799155",
+    (
+        "A particle of charge 3.2e-19 C and mass 6.6e-27 kg moves with a speed of 2e6 m/s "
+        "perpendicular to a uniform magnetic field of strength 0.8 T."
+    ): "magnetic.strength=0.8",
+    (
+        "A block of mass 2 kg is released from rest on a rough slope inclined at 35° to the "
+        "horizontal with coefficient of friction 0.25."
+    ): "plane.friction=0.25",
 }
 """By a text in ordinary English, some parameters of the first entity of its scene, and of the world."""
 
@@ -677,6 +750,53 @@ def test_amounts_are_converted(text: str, wanted: str) -> None:
 def test_hostile_texts_end_soon(text: str) -> None:
     """Long, repetitive and odd texts are no stories."""
     assert retold(text) == []
+
+
+ANSWERS = {
+    "A 2 kg block is released from rest at the top of a frictionless incline of 30 degrees.": (
+        "What is the acceleration of the block?",
+        9.8 / 2,
+    ),
+    "A ball is thrown horizontally at 12 m/s from a cliff 45 m high.": (
+        "After what time does the ball land?",
+        sqrt(2 * 45 / 9.8),
+    ),
+    "A 3 kg block and a 5 kg block are connected by a light string that passes over a smooth pulley. They are released"
+    " from rest.": ("What is the tension in the string?", 2 * 3 * 5 * 9.8 / 8),
+    "A 4 kg block lies on a rough horizontal table and is tied by a string over a pulley to a hanging 3 kg mass. The"
+    " coefficient of friction between the block and the table is 0.2. The system starts from rest.": (
+        "What is the acceleration of block A?",
+        (3 - 0.2 * 4) * 9.8 / 7,
+    ),
+    "A solid sphere rolls from rest down a 20° slope without slipping.": (
+        "What is the acceleration of the sphere?",
+        5 / 7 * 9.8 * sin(radians(20)),
+    ),
+    "A 2 kg block slides along a level floor at 4 m/s. The coefficient of kinetic friction is 0.3.": (
+        "How far does the block slide before it stops?",
+        4**2 / (2 * 0.3 * 9.8),
+    ),
+    "A rocket of mass 900 kg, 700 kg of it fuel, is at rest in deep space and burns 5 kg/s with an exhaust speed of"
+    " 2.5 km/s.": ("What is the speed of the rocket when its fuel runs out?", 2500 * log(900 / 200)),
+    "A 3 kg cart moving at 4 m/s hits a 1 kg cart at rest 2 m away; they stick together.": (
+        "What is the velocity of cart A after 1 s?",
+        3.0,
+    ),
+    "A planet moves round a star of 1 solar mass in a circular orbit of radius 1 au.": (
+        "What is the period of the planet?",
+        1.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("text", ANSWERS)
+def test_answers_about_stories_agree_with_closed_forms(text: str) -> None:
+    """Questions about the scene that was read have the answers of a textbook."""
+    question, wanted = ANSWERS[text]
+    scene = parse_scene(text).scene
+    found = understood(question, motion_of(scene), words_of(describe(scene)))
+    assert found is not None
+    assert found.followed.answer == pytest.approx(wanted, rel=1e-6)
 
 
 OTHER_BODIES = [

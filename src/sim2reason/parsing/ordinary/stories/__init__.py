@@ -112,7 +112,7 @@ def mass_of(nouns: str) -> tuple[str, ...]:
     others = "|".join(noun for noun in nouns.split("|") if noun != "mass")
     return (
         r"a (?P<keep>mass) of <mass:mass>(?= (?:is|hangs|lies|rests|on|slides))",
-        rf"<mass:mass>(?= (?:(?:small|solid|uniform|thin|wooden|point) )?(?:{nouns}))",
+        rf"<mass:mass>(?= (?:(?:small|solid|uniform|thin|wooden|pendulum) )?(?:{nouns}))",
         rf"(?P<keep>{others}) (?:(?:of|with|has|having) )?(?:an? )?(?:mass )?(?:of )?(?:m = )?<mass:mass>",
         rf"(?:the )?mass of (?:the )?(?:{nouns}) is <mass:mass>",
         rf"(?:the )?(?:{nouns}) (?:has a mass of|has mass) <mass:mass>",

@@ -4,7 +4,7 @@ from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
 
 NOUN = r"(?:cart|trolley|glider|puck|block|ball|sphere)"
 NOUNS = frozenset({"cart", "block", "puck", "ball", "sphere"})  # which the library has for such bodies
-HITS = r"(?:(?:and|then) )?(?:hits|strikes|collides with|collides head-on with|runs into|bumps into)"
+HITS = r"(?:(?:and|then) )?(?:hits|strikes|collides with|collides head-on with|runs into|bumps into|elastically with)"
 MOVING = (
     r"(?:(?:that|which) )?(?:is )?(?:initially )?(?:moving|moves|travelling|traveling|travels|rolling|sliding|slides)"
 )
@@ -50,6 +50,8 @@ STORIES.add(
         summary="Two bodies collide on a straight level track.",
         opening=(rf"{HITS}|collide|approach", NOUN),
         phrases=(
+            r"collides (?P<keep_elastic>elastically)(?= with)",
+            rf"two (?:{NOUN})s|approach(?:ing)? each other|move towards? each other",
             rf"{HITS} {SECOND} {NOUN} of (?:mass )?<m2:mass> {STILL}",
             rf"{HITS} {SECOND} <m2:mass> {NOUN} {STILL}",
             rf"{HITS} {SECOND} (?P<still>stationary) <m2:mass> {NOUN}",

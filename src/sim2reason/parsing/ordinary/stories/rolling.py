@@ -31,6 +31,7 @@ STORIES.add(
         summary="A sphere, cylinder, hoop or shell rolls down a slope.",
         opening=(r"rolls?|rolling", SLOPE),
         phrases=(
+            r"plane(?= (?:(?:that|which) is )?inclined)",
             *mass_of(SHAPES),
             rf"(?P<keep>(?:{SHAPES}) of radius #length\d{{1,3}}#) and mass <mass:mass>",
             r"(?:radius (?:of |is )?)?<radius:length>(?: radius| in radius)?",
