@@ -680,6 +680,9 @@ REFUSED = [
     "A hollow solid sphere rolls from rest down a 20° slope without slipping.",
     "A solid sphere rolls without slipping from rest down a 20° slope and up a 30° slope.",
     "A solid sphere rolls without slipping from rest on a 20° slope of mass 3 kg.",
+    "A 2 kg block is released from rest at 2 m/s² on a frictionless 30° incline.",
+    "A block slides on a frictionless floor at 3 m/s until it stops.",
+    "A ball is dropped from a height of 20 m at 3 m/s².",
 ]
 
 

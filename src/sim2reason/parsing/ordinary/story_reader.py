@@ -9,10 +9,8 @@ from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, compiled
 LONGEST = 1500  # characters of a text that may be a story
 RESERVED = re.compile(r"[#|]")  # which stand for numbers and for what has been read
 GENERAL = (
-    (
-        r"(?:(?:take|use|let|assume|with|where|here) )?(?:the )?(?:acceleration (?:due to|of) gravity (?:is |as )?)?"
-        r"(?:g (?:= |is |as |to be )?)?<g:accel>"
-    ),
+    r"(?:(?:take|use|let|assume|with|where|here) )?g (?:= |is |as |to be )?<g:accel>",
+    r"(?:(?:take|use|assume) )?(?:the )?acceleration (?:due to|of) gravity (?:is |as |to be )?(?:g = )?<g:accel>",
     (
         r"(?:neglect|ignore|neglecting|ignoring|disregard) (?:all |any )?(?:the )?"
         r"(?:air resistance|air drag|drag|air friction|resistance of the air|effects? of (?:the )?air)"

@@ -100,7 +100,8 @@ STORIES.add(
 
 def _floor(told: Told) -> str:
     rough, rubs = surface(told, static_matters=False)
-    told.has("stops")
+    if told.has("stops") and rough == "smooth":
+        told.missing.append("what stops the block on a smooth surface")
     speed = told.number("speed", "the initial speed of the block")
     return (
         f"A block of mass {told.or_symbol('mass', 'm')} lies on a {rough}, fixed horizontal plane. {rubs}"
