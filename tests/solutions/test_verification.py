@@ -1,11 +1,18 @@
 """The gate: what does not lead to the answer from its own data is no solution, and the next strategy is tried."""
 
+import json
 from dataclasses import replace
 from importlib import import_module
 
 import pytest
 
 from plain_scenes import atwood
+from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.solutions import Relation, Solution, Step, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.checking import recompute
@@ -80,6 +87,22 @@ def test_what_a_question_leaves_unknown_is_not_given(problem: str) -> None:
     assert not refusal(data, held)
     data["givens"][data["goal"]] = data["answer"] / data["scale"]
     assert "is not given by the text" in refusal(data, held)
+
+
+def test_a_wrong_sign_is_refused_where_the_answer_is_the_same() -> None:
+    """With m_lift = µu/g, the distance u t - g t²/2 - … is the same for the times u/g - m/µ and u/g + m/µ."""
+    rocket = RocketEntity(
+        rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=9.0
+    )  # which waits until it lifts off
+    scene = Scene(entities=(Named(name="e", entity=rocket),))
+    held = asked(scene, Query("event", Target("displacement", "e.rocket"), BurnedOut("e.rocket")))
+    data = as_data(solve(held))
+    assert not refusal(data, held)
+    relations = (relation for step in data["steps"] for relation in step["relations"])
+    lasts = next(relation for relation in relations if relation["left"] == r"t_{\text{up}}")
+    lasts["right"] = json.loads(json.dumps(lasts["right"]).replace('["*", -1.0, "m_1"]', '"m_1"'))
+    assert recompute(data).answer == pytest.approx(held.answer, rel=1e-9)
+    assert r"t_{\text{up}} is" in refusal(data, held)
 
 
 def test_a_result_of_an_earlier_part_is_given_by_its_name() -> None:

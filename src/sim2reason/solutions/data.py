@@ -4,7 +4,7 @@ from typing import Any
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.trees import tree
-from sim2reason.solutions.solution import Integration, Relation, Solution, Step
+from sim2reason.solutions.solution import Integration, Relation, Solution, Step, with_unit
 
 Data = dict[str, Any]
 
@@ -13,8 +13,9 @@ def as_data(solution: Solution) -> Data:
     """Write a solution with an answer as JSON values.
 
     `givens` are numbers by symbol; each step has its relations, whose sides are prefix trees as in
-    `sim2reason.solutions.checking`, and the `integration` of a phase or None; `scale` is the value of the answer where
-    that of the goal is 1; `whole` says that the answer is a count.
+    `sim2reason.solutions.checking`, the `results` whose numbers its text states, by symbol in SI units, and the
+    `integration` of a phase or None; `scale` is the value of the answer where that of the goal is 1; `whole` says that
+    the answer is a count.
     """
     givens = {
         relation.left.name: float(relation.right.x)
@@ -25,7 +26,7 @@ def as_data(solution: Solution) -> Data:
         "strategy": solution.strategy,
         "givens": givens,
         "phases": [{"begins": phase.begins, "ends": phase.ends} for phase in solution.phases],
-        "steps": [_step(step) for step in solution.steps],
+        "steps": [_step(step) | {"results": _results(step, solution)} for step in solution.steps],
         "goal": solution.goal,
         "unit": solution.unit,
         "scale": float(solution.said(1.0)),
@@ -33,6 +34,13 @@ def as_data(solution: Solution) -> Data:
         "formula": solution.formula,
         "answer": solution.answer,
     }
+
+
+def _results(step: Step, solution: Solution) -> dict[str, float]:
+    """Return the values of the names that a step gives and its text states as numbers."""
+    shown = ((r.left.name, r.unit) for r in step.relations if isinstance(r.left, Symbol) and r.left.name in step.gives)
+    values = ((name, unit, solution.values[name]) for name, unit in shown if name in solution.values)
+    return {name: value for name, unit, value in values if f"= {with_unit(value, unit)}" in step.text}
 
 
 def _step(step: Step) -> Data:

@@ -9,6 +9,7 @@ from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import SAME, WELL, Solution
 
+STATED = 1e-5  # relative: how well results hold, of which five digits are stated
 WHY = "recomputed from what it states, it does not lead to the answer"
 
 
@@ -38,7 +39,14 @@ def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = 
         return found.faults[0]
     if setting.answer is None or not found.agrees(setting.answer, SAME):
         return f"it leads to {found.answer}, not to {setting.answer}"
-    return ""
+    return next(_misstated(data, found.values), "")
+
+
+def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:
+    """Yield which stated results do not follow, since opposite errors may lead to the right answer."""
+    for name, value in ((name, value) for step in data["steps"] for name, value in step["results"].items()):
+        if name in values and abs(values[name] - value) > STATED * abs(value):
+            yield f"{name} is {values[name]:.6g}, not {value:.6g}"
 
 
 def named_in_text(setting: Setting) -> dict[str, float]:
