@@ -83,7 +83,7 @@ STORIES.add(
             (
                 r"(?:(?:inclined|tilted|sloping|rising|makes|making) )?(?:at )?"
                 r"(?:(?:an |of )?(?:angle|inclination) (?:of )?)?<angle:angle>"
-                r"(?: angle)?(?: (?:to|with|from|above) the horizontal)?"
+                rf"(?: angle)?(?: (?:to|with|from|above) the horizontal)?(?! (?:to|with|from) the {SLOPE})"
             ),
             r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|slips|moves|given a push)",
             r"(?P<up>up)(?: along)?",
