@@ -91,7 +91,7 @@ REFUSED = {
     "A 0.40-kg block on a frictionless horizontal surface is attached to a wall by a spring of force constant"
     " 80 N/m.": (1, r"0\.40 kg.*80 N/m"),
     "A mass of 200 g hangs from a vertical spring whose spring constant is 25 N/m.": (1, r"ceiling.*0\.2 kg.*25 N/m"),
-    "A ball is thrown straight up from the ground at 20 m/s.": (1, "20 m/s straight up"),
+    "A green ball is thrown straight up from the ground at 20 m/s.": (1, "20 m/s straight up"),
     "Two blocks of masses 2.0 kg and 5.0 kg lie on the two sides of a double incline with angles of 30° and 45°.": (
         1,
         "30°",

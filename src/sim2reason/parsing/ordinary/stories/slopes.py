@@ -1,0 +1,136 @@
+"""A block alone on a fixed plane: a slope or a level floor."""
+
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
+
+BLOCK = r"block|box|crate|body|object|book|package|mass|particle|sled|skier|puck|brick|cube"
+"""Nouns of the one body; a text that says *mass* or *body* besides means the same one."""
+SLOPE = r"(?:inclined plane|plane(?= (?:(?:that|which) is )?inclined)|incline|ramp|slope|hill)"
+FLOOR = r"(?:floor|table|tabletop|surface|plane|ground)"
+STARTS = r"(?:(?:is|are) )?(?:released|let go|starts|starting|slides|sliding|slips|starts moving)"
+SPEED = r"(?:an? |the )?(?:initial )?(?:speed|velocity) (?:of |is )?(?:v = )?<speed:speed>"
+FRICTION = (
+    (
+        r"(?:the )?coefficients? of static and kinetic friction@ (?:are |of |= )?<static:plain> and <kinetic:plain>"
+        r"(?: respectively)?"
+    ),
+    r"(?:the )?coefficient of static friction@ (?:is |of |= )?<static:plain>",
+    r"(?:the )?coefficient of (?:kinetic|sliding|dynamic) friction@ (?:is |of |= )?<kinetic:plain>",
+    r"(?:the )?(?:coefficient of friction|friction coefficient)@ (?:static and kinetic )?(?:is |of |= )?<mu:plain>",
+    r"(?:and )?that of kinetic friction (?:is )?<kinetic:plain>",
+)
+MOVES = r"(?:moves|moving|slides|sliding|launched|sent|pushed|accelerat\w{1,5}|rises|released)"
+CARRIED = rf"(?:{SLOPE}|{FLOOR})(?: (?:that|which|itself))?(?: is)? {MOVES}|{MOVES} (?:{SLOPE}|{FLOOR})"
+BETWEEN = rf" between (?:the |it )?(?:(?:{BLOCK}) )?and (?:the )?(?:{SLOPE}|{FLOOR})"
+
+
+def friction(where: str) -> tuple[str, ...]:
+    """Return the patterns of coefficients of friction, with and without the two bodies between which it acts."""
+    return tuple(each.replace("@", f"(?:{where})?") for each in FRICTION)
+
+
+def surface(told: Told, *, static_matters: bool) -> tuple[str, str]:
+    """Return the library's word for a surface, and the sentence on its friction."""
+    if told.has("smooth"):
+        told.one_of("the friction", "smooth", "mu", "kinetic", "static", "rough")
+        return "smooth", ""
+    told.has("rough")
+    if told.has("mu"):
+        told.one_of("the coefficient of friction", "mu", "kinetic", "static")
+        mu = told.number("mu", "")
+    elif told.has("static") or static_matters:
+        kinetic = told.number("kinetic", "the coefficient of kinetic friction, or that the surface is frictionless")
+        static = told.number("static", "the coefficient of static friction, or that the surface is frictionless")
+        return "rough", (
+            f"The coefficient of static friction on this plane is {static}, that of kinetic friction {kinetic}. "
+        )
+    else:
+        mu = told.number("kinetic", "the coefficient of friction, or that the surface is frictionless")
+    return "rough", f"The coefficient of friction (static and kinetic) on this plane is {mu}. "
+
+
+def _slope(told: Told) -> str:
+    rough, rubs = surface(told, static_matters=True)
+    angle = told.number("angle", "the angle of the slope")
+    start = told.one_of("how the block starts, from rest or with what speed", "rest", "up")
+    sent = "The motion starts from rest."
+    if start == "up":
+        sent = f"At t = 0 the block moves up the slope at speed {told.number('speed', 'the speed of the block')}."
+    return (
+        f"A block of mass {told.or_symbol('mass', 'm')} lies on a {rough}, fixed plane inclined at {angle} to the"
+        f" horizontal. {rubs}{sent} {told.gravity}"
+    )
+
+
+STORIES.add(
+    "block on a slope",
+    Story(
+        summary="A block slides on a fixed slope, released or sent up it.",
+        opening=(SLOPE, BLOCK),
+        phrases=(
+            *friction(BETWEEN),
+            rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
+            rf"(?:(?:the |its )?(?:{SLOPE}|surface) )?(?:is |has )(?P<smooth>frictionless|smooth|no friction)",
+            r"(?P<smooth>without (?:any )?friction|there is no friction|no friction acts|friction is negligible)",
+            rf"(?P<rough>rough)(?=(?: (?:fixed|#angle\d{{1,3}}#)){{0,2}} {SLOPE})",
+            r"plane(?= (?:(?:that|which) is )?inclined)",
+            *mass_of(BLOCK),
+            r"(?:held )?(?P<rest>at rest and (?:is )?(?:then )?(?:released|let go))",
+            rf"(?:{STARTS} )?(?P<rest>from rest)",
+            r"(?:starts|begins) (?P<rest>at rest)",
+            r"(?:at|from|near) the (?:top|bottom|foot|base)(?: of)?",
+            SPEED,
+            r"<speed:speed>",
+            (
+                r"(?:(?:inclined|tilted|sloping|rising|makes|making) )?(?:at )?"
+                r"(?:(?:an |of )?(?:angle|inclination) (?:of )?)?<angle:angle>"
+                rf"(?: angle)?(?: (?:to|with|from|above) the horizontal)?(?! (?:to|with|from) the {SLOPE})"
+            ),
+            r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|slips|moves|given a push)",
+            r"(?P<up>up)(?: along)?",
+            r"down|rests|lies|sits|placed|stationary|fixed|initial|given",
+            SLOPE,
+        ),
+        bodies=BLOCK,
+        never=CARRIED,
+        place=SLOPE,
+        tell=_slope,
+    ),
+)
+
+
+def _floor(told: Told) -> str:
+    rough, rubs = surface(told, static_matters=False)
+    if told.has("stops") and rough == "smooth":
+        told.missing.append("what stops the block on a smooth surface")
+    speed = told.number("speed", "the initial speed of the block")
+    return (
+        f"A block of mass {told.or_symbol('mass', 'm')} lies on a {rough}, fixed horizontal plane. {rubs}"
+        f"At t = 0 the block moves to the right along the plane at speed {speed}. {told.gravity}"
+    )
+
+
+STORIES.add(
+    "block on a floor",
+    Story(
+        summary="A block slides on a level floor, until friction stops it if there is any.",
+        opening=(FLOOR, BLOCK),
+        phrases=(
+            *friction(BETWEEN),
+            rf"(?P<smooth>frictionless|smooth)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
+            rf"(?P<rough>rough)(?=(?: and)?(?: (?:horizontal|level|flat))? {FLOOR})",
+            *mass_of(BLOCK),
+            SPEED,
+            r"(?:until it )?(?:finally |eventually )?(?P<stops>stops|comes to rest|slides to rest)",
+            r"<speed:speed>",
+            rf"(?:horizontal|level|flat)(?: and (?:rough|smooth))?(?= {FLOOR})",
+            r"(?:launched|sent|projected|pushed|shot|kicked|slides|sliding|moves|starts)",
+            rf"(?:{BLOCK}|it)(?: is)?(?: initially)? moving",
+            r"to the right|along|across|over|rests|lies|sits|placed|initially|given",
+            FLOOR,
+        ),
+        bodies=BLOCK,
+        never=CARRIED,
+        place=FLOOR,
+        tell=_floor,
+    ),
+)

@@ -1,0 +1,139 @@
+"""Two blocks joined by a string over a pulley."""
+
+from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.stories.slopes import FLOOR, SLOPE, friction, surface
+
+ONE = r"(?:block|mass|weight|body|object|load|box|bucket|crate)"
+SEVERAL = r"(?:blocks|masses|weights|bodies|objects|loads)"
+TOGETHER = r"everything|system|they|both|blocks|masses|bodies|weights|objects"
+STRING = (
+    r"(?:light|massless|inextensible|thin|ideal|weightless)(?= (?:and )?(?:\w{3,14} )?(?:string|rope|cord))",
+    r"string|rope|cord",
+    r"(?:(?:that|which) )?(?:passes|passing|hung|hangs|runs|running|slung|goes|going|draped|strung) over|over",
+    (
+        r"(?:light|massless|frictionless|smooth|fixed|ideal|small|weightless)"
+        r"(?= (?:and )?(?:(?:light|massless|frictionless|smooth|fixed|ideal|small) )?pulley)"
+    ),
+    (
+        r"(?:the )?pulley is (?:light|massless|frictionless|smooth|ideal)"
+        r"(?: and (?:light|massless|frictionless|smooth))?"
+    ),
+    r"pulley",
+    (
+        rf"(?:(?:{TOGETHER}) )?(?:is |are )?(?:held )?(?:initially )?(?:at rest and )?(?:then )?"
+        r"(?:released|let go|starts?|start moving|starts moving) (?P<rest>from rest)"
+    ),
+    rf"(?:(?:{TOGETHER}) )?(?:is |are )?(?:held |initially )?(?P<rest>at rest and (?:then )?(?:released|let go))",
+)
+TIED = r"(?:connected|attached|joined|tied|linked|fastened)"
+HANGS = r"(?:hangs|hanging|hung|suspended)(?: freely| vertically)?(?: (?:over|off) the (?:edge|side))?"
+HANGING = (
+    rf"(?:freely |vertically )?hanging <b:mass> {ONE}",
+    rf"(?:freely |vertically )?hanging {ONE} (?:of |with )?(?:a )?(?:mass )?(?:of )?<b:mass>",
+    rf"<b:mass> (?:freely |vertically )?hanging {ONE}",
+    rf"<b:mass> {ONE} (?:that |which )?(?:is )?{HANGS}",
+    rf"{ONE} of (?:mass )?<b:mass> (?:that |which )?(?:is )?{HANGS}",
+)
+END = "Everything is released from rest with the string taut. There is no friction at the pulley, and every string is"
+BODIES = (rf"an? <a:mass> {ONE}", rf"{ONE} of (?:mass )?<a:mass>", rf"{ONE} <a:mass>")
+START = "how the blocks start"
+
+
+def _atwood(told: Told) -> str:
+    told.one_of(START, "rest")
+    one, other = told.number("a", "the mass of one block"), told.number("b", "the mass of the other block")
+    return (
+        f"A light string is tied to block A of mass {one}; it runs straight up, passes over a light fixed pulley and"
+        f" runs straight down to block B of mass {other}. {END} long enough. {told.gravity}"
+    )
+
+
+STORIES.add(
+    "atwood machine",
+    Story(
+        summary="Two blocks hang on either side of a pulley.",
+        opening=(
+            r"pulley",
+            r"over",
+            rf"{SEVERAL}|{ONE}",
+            r"hangs?|hung|suspended|hanging|connected|attached|joined|tied|ends",
+        ),
+        phrases=(
+            rf"(?:two )?{SEVERAL} (?:of )?(?:mass(?:es)? )?(?:of )?<a:mass> and <b:mass>",
+            rf"(?:two )?{SEVERAL} <a:mass> and <b:mass>",
+            rf"<a:mass> {ONE} and (?:an? )?<b:mass> {ONE}",
+            rf"{ONE} of (?:mass )?<a:mass> and (?:an? )?(?:{ONE} of (?:mass )?|another of (?:mass )?)<b:mass>",
+            r"(?:from |to |at |by )?(?:the |its )?(?:two |opposite |both )?ends(?: of)?",
+            *STRING,
+            rf"{TIED}(?: together)?|hang|hung|hanging|suspended|vertically",
+        ),
+        tell=_atwood,
+    ),
+)
+
+
+def _table(told: Told) -> str:
+    told.one_of(START, "rest")
+    rough, rubs = surface(told, static_matters=True)
+    one = told.number("a", "the mass of the block on the table")
+    other = told.number("b", "the mass of the hanging block")
+    return (
+        f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to"
+        f" the right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
+        f" {END} long enough. {told.gravity}"
+    )
+
+
+def _incline(told: Told) -> str:
+    told.one_of(START, "rest")
+    rough, rubs = surface(told, static_matters=True)
+    angle = told.number("angle", "the angle of the slope")
+    one = told.number("a", "the mass of the block on the slope")
+    other = told.number("b", "the mass of the hanging block")
+    return (
+        f"Block A of mass {one} lies on a {rough}, fixed plane inclined at {angle} to the horizontal. {rubs}A light"
+        " string tied to block A runs up the slope, passes over a light fixed pulley and runs straight down to block B"
+        f" ({other}). {END} long enough. {told.gravity}"
+    )
+
+
+def _on(place: str, more: str) -> tuple[str, ...]:
+    """Return the phrases on a block that lies on a place of some name."""
+    between = rf" between (?:the |it )?(?:(?:block|mass|box|crate) )?and (?:the )?{place}"
+    adjectives = r"(?: and)?(?: (?:horizontal|level|fixed|flat|#angle\d{1,3}#)){0,2}"
+    return (
+        *friction(between),
+        rf"(?P<smooth>frictionless|smooth)(?={adjectives} {place})",
+        rf"(?P<rough>rough)(?={adjectives} {place})",
+        rf"(?:the )?{place} is (?:(?P<smooth>frictionless|smooth)|(?P<rough>rough))",
+        *HANGING,
+        *BODIES,
+        *STRING,
+        more,
+        rf"{TIED}|runs from it|rests|lies|sits|placed|horizontal|level|pulled",
+        rf"(?:at )?(?:the |its )?(?:edge|end|top) of (?:the )?{place}|at (?:the|its) (?:edge|top)",
+        place,
+        rf"(?:the )?{ONE}(?= \|| (?:is|rests|lies) )",
+    )
+
+
+STORIES.add(
+    "block on a table and hanging block",
+    Story(
+        summary="A hanging block pulls another along a table.",
+        opening=(r"pulley", FLOOR, r"hang(?:s|ing)|hung|suspended"),
+        phrases=_on(FLOOR, r"flat"),
+        tell=_table,
+    ),
+)
+STORIES.add(
+    "block on a slope and hanging block",
+    Story(
+        summary="A block on a slope is joined to a hanging one.",
+        opening=(r"pulley", SLOPE, r"hang(?:s|ing)|hung|suspended"),
+        phrases=_on(
+            SLOPE, r"(?:inclined )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: (?:to|with) the horizontal)?"
+        ),
+        tell=_incline,
+    ),
+)
