@@ -33,7 +33,7 @@ from sim2reason.questions.moments.parts.spring_turn import SpringTurn
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.spoken import said, say, spoken, two_digits
+from sim2reason.questions.spoken import round_number, said, say, spoken, two_digits
 from sim2reason.questions.targets import targets
 from sim2reason.scene_files import load
 from sim2reason.simulation.scenes import simulate
@@ -175,6 +175,24 @@ def test_spoken_numbers_have_two_digits_and_are_what_is_said(value: float) -> No
     assert float(said) == spoken(value) == pytest.approx(value, rel=0.05)
     assert "e" not in said
     assert spoken(spoken(value)) == spoken(value)
+
+
+@given(st.floats(0.01, 900.0), st.floats(1.0, 3.0))
+def test_a_round_number_is_the_nearest_between_its_bounds(value: float, factor: float) -> None:
+    """Two of them are at most a factor of 1.4 apart, so that wide bounds always hold one."""
+    found, bounds = round_number(value, value / factor, value * factor), (value / factor, value * factor)
+    if factor > 1.4:
+        assert bounds[0] <= found <= bounds[1]
+        assert max(found / value, value / found) <= 1.4**0.5 * (1.0 + 1e-9)
+    if not bounds[0] <= found <= bounds[1]:
+        assert found == spoken(value)
+
+
+@pytest.mark.parametrize(
+    ("value", "least", "most", "found"), [(0.44, 0.2, 1.0, 0.4), (17.0, 10.0, 20.0, 15.0), (6.4, 6.1, 6.9, 6.4)]
+)
+def test_round_numbers(value: float, least: float, most: float, found: float) -> None:
+    assert round_number(value, least, most) == found
 
 
 @pytest.mark.parametrize(("value", "said"), [(0.5, "0.50"), (0.996, "1.0"), (12.4, "12"), (0.05, "0.050")])

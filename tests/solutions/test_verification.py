@@ -90,7 +90,7 @@ def test_what_a_question_leaves_unknown_is_not_given(problem: str) -> None:
 
 
 def test_a_wrong_sign_is_refused_where_the_answer_is_the_same() -> None:
-    """With m_lift = µu/g, the distance u t - g t²/2 - … is the same for the times u/g - m/µ and u/g + m/µ."""
+    """The planted sign changes the burning time from u/g - m/µ to u/g + m/µ, and u t - g t²/2 is equal at both."""
     rocket = RocketEntity(
         rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=9.0
     )  # which waits until it lifts off

@@ -35,7 +35,7 @@ class Stroke(NamedTuple):
 
 
 class Option(NamedTuple):
-    """A label at one place, the cost of that place alone, and the leader line from the label to its body, if any."""
+    """A candidate position of a label, its cost apart from other labels, and its leader line to the body, if any."""
 
     label: Label
     later: float

@@ -1,4 +1,4 @@
-"""Other values for unknown lengths and angles in figures, since readers could measure a figure to scale."""
+"""Replacement of unknown lengths and angles in figures, so that the answer can't be measured in a figure to scale."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -84,7 +84,7 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
 
 
 def _is_alike(angle: float, other: float) -> bool:
-    """Return whether two angles lie in one quadrant, the second well away from its ends."""
+    """Return whether two angles, in degrees, are in the same quadrant and the second is not close to its limits."""
     beyond = other % QUADRANT
     clear = CLEAR <= beyond <= QUADRANT - CLEAR or abs(angle) < 2.0 * CLEAR
     return clear and angle // QUADRANT == other // QUADRANT and copysign(1.0, angle) == copysign(1.0, other)

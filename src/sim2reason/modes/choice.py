@@ -13,7 +13,7 @@ class Choice(Numeric):
     offers_options = True
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Parse a question that asks for one of two; None for others, which are parsed as numeric questions."""
+        """Parse a question that asks which of two candidates is first or greater; return None for any other."""
         own = [name for name, kind in KINDS.items() if kind.names_one]
         found = parse_question(text, study, words, own) if not words.symbolic else None
         return ParsedQuestion(self.name, found) if found is not None else None

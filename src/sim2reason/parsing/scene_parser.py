@@ -17,7 +17,7 @@ from sim2reason.parsing.lines import entity_lines, may_begin
 from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.parsing.ordinary.nearest import nearest
 from sim2reason.parsing.ordinary.recast import first_unlike, recast
-from sim2reason.parsing.ordinary.story_reader import Retold, retold
+from sim2reason.parsing.ordinary.textbook_reader import LibraryText, library_texts, superfluous
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.parsing.proof import UnsaidError, prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
@@ -64,7 +64,8 @@ def parse_scene(
     A `startless` text may leave out where things are at first and how they are sent off, as some questions do.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
     Readings that move alike and call things alike are one; the first is returned. Other texts may be in ordinary
-    English, where each sentence says neither more nor less than one of the library, or the whole tells one story.
+    English, where each sentence says neither more nor less than one of the library, or the whole is one of the kinds of
+    scene in `textbook_scenes`.
 
     Raises:
         TextError: the text tells no scene, or more than one; the message has the nearest sentence of the library.
@@ -78,13 +79,12 @@ def parse_scene(
     told = _in_ordinary_english(said, rng) if plain else None
     if told is not None:
         return told
-    stories = retold(text) if plain else []
-    whole = [each for story in stories if not story.missing for each in _as_library_text(story, rng)]
+    translations = library_texts(text) if plain else []
+    whole = [each for found in translations if not found.missing for each in _parsed(found, rng)]
     if len(whole) == 1:
         return whole[0]
-    raise _sent_on(
-        text, _with_missing(_with_nearest(readings.stuck or 0, said), stories) if plain else readings.refusal()
-    )
+    stuck = superfluous(said) or readings.stuck or 0
+    raise _sent_on(text, _with_missing(_with_nearest(stuck, said), translations) if plain else readings.refusal())
 
 
 @dataclass(frozen=True)
@@ -132,9 +132,9 @@ def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> Par
     return None
 
 
-def _as_library_text(story: Retold, rng: np.random.Generator) -> list[ParsedScene]:
-    """Return the scenes of a story as the library tells it; none if the library can not say it, as with 95° slopes."""
-    return _readings(pieces(story.text), rng, NONE_GIVEN).found
+def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedScene]:
+    """Parse a translated text; the list is empty if a number is out of range, such as a slope of 95°."""
+    return _readings(pieces(translation.text), rng, NONE_GIVEN).found
 
 
 def _readings(
@@ -192,12 +192,12 @@ def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
     return _unread(index, said[index], nearest(said[index]))
 
 
-def _with_missing(error: TextError, stories: list[Retold]) -> TextError:
-    """Return the error, saying first what the text lacks if it tells a story in which something is missing."""
-    if not stories or not all(story.missing for story in stories):
+def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
+    """Return the error, beginning with the facts that are missing from a text that is otherwise understood."""
+    if not translations or not all(found.missing for found in translations):
         return error
-    lacks = " and ".join(min((story.missing for story in stories), key=len))
-    return TextError(error.place, f"the text does not give {lacks}; {error.problem}", error.remedy)
+    lacks = ", ".join(min((found.missing for found in translations), key=len))
+    return TextError(error.place, f"the text does not state {lacks}; {error.problem}", error.remedy)
 
 
 def _described(scene: Scene) -> str:

@@ -1,5 +1,6 @@
 """A worked solution as JSON values, from which its answer can be recomputed, and which can be kept in files."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
@@ -26,7 +27,7 @@ def as_data(solution: Solution) -> Data:
         "strategy": solution.strategy,
         "givens": givens,
         "phases": [{"begins": phase.begins, "ends": phase.ends} for phase in solution.phases],
-        "steps": [_step(step) | {"results": _results(step, solution)} for step in solution.steps],
+        "steps": [_step(step, solution.values) for step in solution.steps],
         "goal": solution.goal,
         "unit": solution.unit,
         "scale": float(solution.said(1.0)),
@@ -36,14 +37,14 @@ def as_data(solution: Solution) -> Data:
     }
 
 
-def _results(step: Step, solution: Solution) -> dict[str, float]:
-    """Return the values of the names that a step gives and its text states as numbers."""
-    shown = ((r.left.name, r.unit) for r in step.relations if isinstance(r.left, Symbol) and r.left.name in step.gives)
-    values = ((name, unit, solution.values[name]) for name, unit in shown if name in solution.values)
-    return {name: value for name, unit, value in values if f"= {with_unit(value, unit)}" in step.text}
+def _results(step: Step, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the values of the symbols whose numbers a step states in its text."""
+    units = {r.left.name: r.unit for r in step.relations if isinstance(r.left, Symbol)}
+    found = {name: values[name] for name in step.gives if name in units and name in values}
+    return {name: value for name, value in found.items() if f"= {with_unit(value, units[name])}" in step.text}
 
 
-def _step(step: Step) -> Data:
+def _step(step: Step, values: Mapping[str, float]) -> Data:
     return {
         "id": step.id,
         "kind": step.kind,
@@ -52,6 +53,7 @@ def _step(step: Step) -> Data:
         "relations": [_relation(relation) for relation in step.relations if relation.role != "given"],
         "gives": list(step.gives),
         "needs": list(step.needs),
+        "results": _results(step, values),
         "integration": None if step.integration is None else _integration(step.integration),
     }
 

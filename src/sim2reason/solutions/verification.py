@@ -43,7 +43,7 @@ def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = 
 
 
 def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:
-    """Yield which stated results do not follow, since opposite errors may lead to the right answer."""
+    """Yield the stated results that differ from the recomputed ones; two errors may cancel in the answer."""
     for name, value in ((name, value) for step in data["steps"] for name, value in step["results"].items()):
         if name in values and abs(values[name] - value) > STATED * abs(value):
             yield f"{name} is {values[name]:.6g}, not {value:.6g}"

@@ -119,3 +119,12 @@ def test_search_finds_comparisons_that_pass_the_filters() -> None:
     found = search.ask(MODES["numeric"], np.random.default_rng(3), Counter(), "comparison", 8)
     assert found is not None
     assert found.question.query.kind == "comparison"
+
+
+def test_an_instant_is_not_compared() -> None:
+    """Half of the inner questions that this scene offers are about instants."""
+    study, words = told(half_atwood())
+    drawn = [KIND.draw(study, words, targets(words), np.random.default_rng(seed)) for seed in range(40)]
+    compared = [query for query in drawn if query is not None]
+    assert compared
+    assert not any(isinstance(query.moment, AtTime) for query in compared)

@@ -1,10 +1,11 @@
-"""Numbers of a text in usual units, set apart from its words and put into the units that stories are told in."""
+"""Numbers with units in ordinary texts, replaced by placeholders and converted to SI units."""
 
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import lru_cache
+from math import isfinite
 
 from sim2reason.dsl.units import Unit, UnitError, parse_unit
 
@@ -22,7 +23,7 @@ KINDS: Mapping[str, str] = {
     "time": "s",
     "force": "N",
 }
-PLAIN = "plain"  # the kind of a number without a unit
+PLAIN, INFINITE = "plain", "infinite"  # kinds of numbers without a unit, and of those too great for a float
 SPELLED: Mapping[str, str] = {
     r"solar masse?s?": "Msun",
     r"astronomical units?": "au",
@@ -42,15 +43,21 @@ _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """A number of some kind, with its digits in the unit of that kind."""
+    """A number of one kind, such as a mass or a length, in the SI unit of that kind."""
 
     kind: str
     digits: str
 
     @property
     def value(self) -> float:
-        """Return the number in the unit of its kind."""
+        """Return the number in the SI unit of its kind."""
         return float(self.digits.replace(MINUS, "-").replace(" × 10^", "e"))
+
+    def value_in(self, unit: str) -> float:
+        """Return the number in another unit of its kind; in the SI unit if `unit` is empty."""
+        factor = parse_unit(KINDS[self.kind]).factor_to(parse_unit(unit)) if unit else 1.0
+        assert factor is not None
+        return self.value * factor
 
     @property
     def text(self) -> str:
@@ -60,7 +67,7 @@ class Amount:
 
 
 def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
-    """Return a text in which `#mass0#` stands for a mass, and so on; the number counts the amounts of the text."""
+    """Replace the numbers of a text by placeholders such as `#mass0#`, and return it with the numbers in that order."""
     for pattern, short in SPELLED.items():
         text = re.sub(rf"(?<=[\s-])(?:{pattern})\b", short, text)
     found: list[Amount] = []
@@ -78,7 +85,7 @@ def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
 
 
 def shown(value: float) -> str:
-    """Return the digits of a number as texts write them, to twelve digits."""
+    """Format a number as the library's texts have it, with at most twelve significant digits."""
     if value and not LEAST_PLAIN <= abs(value) < MOST_PLAIN:
         digits, power = f"{value:.{DIGITS - 1}e}".split("e")
         digits = digits.rstrip("0").rstrip(".")
@@ -92,18 +99,19 @@ def _amount(number: re.Match[str], unit: str) -> Amount:
     kind, factor = _kind(unit) if unit else (PLAIN, 1.0)
     if factor == 1.0 and int(power) == 0:
         return Amount(kind, digits.replace("-", MINUS))
-    return Amount(kind, shown(float(f"{digits}e{int(power)}") * factor))
+    value = float(f"{digits}e{int(power)}") * factor
+    return Amount(kind, shown(value)) if isfinite(value) else Amount(INFINITE, "")
 
 
 def _unit(text: str, at: int) -> tuple[str, int]:
-    """Return the unit that stands at a place of a text, empty if there is none, and the place after it."""
+    """Return the unit at an index of a text, which may be empty, and the index after it."""
     ahead = _UNIT.match(text, at)
     words = ahead[1].split(" ") if ahead else []
     for count in range(min(len(words), MOST_WORDS), 0, -1):
-        told = " ".join(words[:count])
-        if count > 1 and not re.search(r"/|\bper\b|⁻|\^-|[a-z]-\d", told):
+        joined = " ".join(words[:count])
+        if count > 1 and not re.search(r"/|\bper\b|⁻|\^-|[a-z]-\d", joined):
             continue  # no product of units with a word that follows by chance
-        for unit in dict.fromkeys((told.rstrip(".:"), told.partition("-")[0])):
+        for unit in dict.fromkeys((joined.rstrip(".:"), joined.partition("-")[0])):
             if unit and _kind(unit)[0] != PLAIN and ahead is not None:
                 return unit, ahead.start(1) + len(unit)
     return "", at
@@ -111,7 +119,7 @@ def _unit(text: str, at: int) -> tuple[str, int]:
 
 @lru_cache(maxsize=512)
 def _kind(unit: str) -> tuple[str, float]:
-    """Return the kind of a unit and its size in the unit of that kind; a plain number for what is no unit."""
+    """Return the kind of a unit and its factor to the SI unit of that kind; `PLAIN` and 1 if it is not a unit."""
     found = _known(unit)
     for kind, usual in KINDS.items() if found is not None else ():
         factor = found.factor_to(parse_unit(usual)) if found is not None else None

@@ -25,6 +25,11 @@ _REST = "It is released from rest."
 _RELEASED_SOMEWHERE = re.compile(r"(?: is| are) (?:released|let go) from rest(?= (?:on|at|from|with)\b)")
 _RELEASED_WITH = re.compile(r"(?:The|A) \w+ is (?:released|let go) from rest with the (string|rod) at (.*)")
 _APART = re.compile(r"(?:;|,? and|, which|, where|,)(?: then)? ")
+_SURFACE = r"(?:slope|incline|ramp|hill|plane|floor|table|ground|surface)"
+_UNSAYABLE = re.compile(
+    rf"\?$|\b(?:kg|g|kilograms?|grams?) {_SURFACE}\b|\b{_SURFACE} (?:of|with) (?:a )?mass\b", re.IGNORECASE
+)
+"""Matches questions, and the mass of a fixed surface, which would be taken for the mass of a body."""
 _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 
@@ -98,6 +103,8 @@ def _comes_after(sentence: str, name: str) -> bool:
 
 def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
     """Return the library's wordings of each clause of a sentence; None if one of the clauses has none."""
+    if _UNSAYABLE.search(sentence):
+        return None
     known = _known(sentence)
     if known is not None:
         return [known]
@@ -132,7 +139,7 @@ def _lettered(text: str, form: Form, said: Content) -> str:
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """Split a sentence in two at each *and* or comma in turn and yield the pairs; none of very long sentences."""
+    """Yield the two parts of a sentence for each *and* or comma at which it can be split; nothing if it is too long."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

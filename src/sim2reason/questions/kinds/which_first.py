@@ -84,7 +84,7 @@ class WhichFirstKind(WhichKind):
         return f"{first} is the first to {deed}, earlier than {second} by" if deed else f"{first} first, earlier by"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return wordings such as *which of A and B is the first to come to rest, and how much earlier?*."""
+        """Return the forms of the question: *which of A and B is the first to come to rest, and how much earlier?*."""
         del noun
         assert isinstance(query, WhichQuery)
         deed = self._deed_of(query, words)
@@ -121,7 +121,7 @@ class WhichFirstKind(WhichKind):
 
 
 def _moves_as_one(study: Study) -> bool:
-    """Return whether the motion has one degree of freedom: all speeds are in fixed proportions."""
+    """Return whether all speeds keep constant ratios, as in a motion with one degree of freedom."""
     return study.once("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
 
 
@@ -162,7 +162,7 @@ def _is_named(moment: Happening, text: str, words: Words) -> bool:
 
 
 def _same(first: str, second: str, deed: str) -> tuple[str, ...]:
-    """Return wordings for two subjects of the same event."""
+    """Return the forms of a question for two subjects of the same event."""
     return (
         f"which of {first} and {second} is the first to {deed}, and how much earlier than the other?",
         f"which is the first to {deed}, {first} or {second}, and how much earlier than the other?",
@@ -171,7 +171,7 @@ def _same(first: str, second: str, deed: str) -> tuple[str, ...]:
 
 
 def _two(first: str, second: str) -> tuple[str, ...]:
-    """Return wordings for two different events."""
+    """Return the forms of a question for two different events."""
     return (
         f"which happens first, and how much earlier: {first} or {second}?",
         f"which of these happens first, and how much earlier than the other: {first} or {second}?",

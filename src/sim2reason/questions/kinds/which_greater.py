@@ -107,7 +107,7 @@ class WhichGreaterKind(WhichKind):
         return f"{name} {_has(*named) if named is not None else 'is the greater'}, by a factor of"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return wordings such as *which of A and B has the greater kinetic energy, and by what factor?*."""
+        """Return the forms of the question: *which of A and B has the greater speed, and by what factor?*."""
         assert isinstance(query, WhichQuery)
         nouns = _nouns(query, words)
         if query.moment is None or noun is None or nouns is None:
@@ -202,7 +202,7 @@ def _tail(first: str, second: str) -> str | None:
 
 
 def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
-    """Return wordings for a property of two subjects."""
+    """Return the forms of a question for a property of two subjects."""
     return (
         f"which of {first} and {second} {has}{when}, and by what factor?",
         f"which {has}{when}, {first} or {second}, and by what factor?",
@@ -218,7 +218,7 @@ def _has(named: str, tail: str) -> str:
 
 
 def _of_nouns(first: str, second: str, when: str) -> tuple[str, ...]:
-    """Return wordings for two quantities."""
+    """Return the forms of a question for two quantities."""
     return (
         f"which is greater{when}, {first} or {second}, and by what factor?",
         f"which is the greater{when}, {first} or {second}, and by what factor is it greater?",

@@ -47,14 +47,12 @@ class Dynamics:
 
     @cached_property
     def unforced(self) -> set[int]:
-        """The coordinates along an axis of the room in whose direction no force acts on the body."""
+        """Indices of the coordinates along x or y in whose direction no force acts on the body."""
         if self.measure.values:
             return set()
         found = {k: self.newton.newton(k) for k, c in enumerate(self.mechanism.coordinates) if c.label in AXES}
-        return {k for k, row in found.items() if not row.forces and row.inertia.names().isdisjoint(self._others(k))}
-
-    def _others(self, k: int) -> set[str]:
-        return {f"q{other}" for other in range(len(self.mechanism.coordinates)) if other != k}
+        every = {f"q{k}" for k in range(len(self.mechanism.coordinates))}
+        return {k for k, row in found.items() if not row.forces and row.inertia.names() & every <= {f"q{k}"}}
 
     @cached_property
     def carried(self) -> dict[int, tuple[int, float]]:

@@ -72,7 +72,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
         step.say(f"By assumption {said}.")
     elif book.is_hidden(needed) or book.is_hidden(limit_of_friction(newton, face)):
         step.say(f"Assume that {said}.")
-        book.afterwards.append(lambda: tell_not_held(newton, setting, book, face, needed))
+        book.afterwards.append(lambda: tell_not_held(newton, setting, book, face, needed, ", so it slips, as assumed"))
     else:
         tell_not_held(newton, setting, book, face, needed)
         step.say(f"So {said}.")

@@ -83,7 +83,7 @@ class Arm:
         return x, y, z
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Return the same as `seen`, at one time."""
+        """Return the angle from the vertical, the angle from the start and the rate at one time, as `seen` does."""
         angles, turned, rates = self.seen(np.array([time]))
         return float(angles[0]), float(turned[0]), float(rates[0])
 

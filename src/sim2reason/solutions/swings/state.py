@@ -48,12 +48,7 @@ class SwingState(SwingAngle):
     @cached_property
     def turned(self) -> float:  # type: ignore[override]
         """Whole turns included: it goes through less than half a turn from sample to sample."""
-        found = pivot(self.setting.mechanism)
-        assert found is not None
-        state = self.setting.study.trace.sample(np.linspace(0.0, self._when_seen, SAMPLES))
-        x, _, z = (part - found[2][n] for n, part in enumerate(state.frames.center(self.body).place))
-        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
-        angles = np.unwrap(np.arctan2(side * x, -z))
+        angles = np.unwrap(self._seen(np.linspace(0.0, self._when_seen, SAMPLES))[0])
         return float(angles[-1] - angles[0])
 
     def _seen(self, times: Array) -> tuple[Array, Array]:

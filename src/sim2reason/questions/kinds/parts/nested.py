@@ -167,7 +167,7 @@ def _has_subject(inner: Query, study: Study) -> bool:
 
 
 def _is_natural(inner: Query) -> bool:
-    """Return whether a query is plain and about something that happens, since an instant would be arbitrary."""
+    """Return whether a query is worth comparing: it is plain, and its moment is an event, not an arbitrary instant."""
     return is_plain(inner) and not isinstance(inner.moment, AtTime)
 
 

@@ -86,9 +86,8 @@ class StretchKind(Kind):
     def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
-        if not self.ends_matter:  # whole motions take the fewest words
+        if not self.ends_matter:
             ends = [moment for moment in ends if not moment.stated]
-            ends.sort(key=lambda moment: not isinstance(moment, WholeMotion))
         for _ in range(TRIES):
             if not offered:
                 break
@@ -254,4 +253,9 @@ def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
         if here:
             events += happens
             found.append(here[int(rng.integers(len(here)))])
-    return sorted(found, key=lambda moment: isinstance(moment, AtTime))  # an instant only where nothing happens
+    return sorted(found, key=_rank)
+
+
+def _rank(moment: Moment) -> int:
+    """Return the rank of an end: whole motions take the fewest words, and instants are arbitrary."""
+    return 0 if isinstance(moment, WholeMotion) else 2 if isinstance(moment, AtTime) else 1

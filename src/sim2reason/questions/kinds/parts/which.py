@@ -128,7 +128,7 @@ class WhichKind(Kind):
         return next(filter(None, reasons), "")
 
     def orders(self, query: WhichQuery, words: Words) -> Iterator[tuple[WhichQuery, str, str]]:
-        """Yield the pair in both orders with its names, since the order in a text must not give away the answer."""
+        """Yield the two candidates with their names in both orders, since a fixed order would reveal the answer."""
         for held in (query, query.exchanged):
             names = self.names(held, words)
             if names is not None:

@@ -1,13 +1,15 @@
-"""Texts that tell a whole scene in the words of textbooks: the library's text of the story that they tell."""
+"""Translation of whole scenes from the words of textbooks into the library's sentences."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.parsing.ordinary.amounts import Amount, set_apart
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, compiled
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, compiled
 
-LONGEST = 1500  # characters of a text that may be a story
-RESERVED = re.compile(r"[#|]")  # which stand for numbers and for what has been read
+MOST_SENTENCES = 12  # of a text in which a superfluous one is looked for
+LONGEST = 1500  # characters of a text that is looked at
+RESERVED = re.compile(r"[#|]")  # used below in place of numbers, and of words that a pattern has matched
 GENERAL = (
     r"(?:(?:take|use|let|assume|with|where|here) )?g (?:= |is |as |to be )?<g:accel>",
     r"(?:(?:take|use|assume) )?(?:the )?acceleration (?:due to|of) gravity (?:is |as |to be )?(?:g = )?<g:accel>",
@@ -18,7 +20,7 @@ GENERAL = (
     r"(?:the )?air resistance (?:is|can be|may be) (?:negligible|neglected|ignored)",
     r"(?:without|no|negligible) (?:air resistance|air drag)",
 )
-"""What any story may say: how strong gravity is, and that there is no air."""
+"""Patterns that any text may contain: the acceleration of free fall, and that there is no air."""
 FILLERS = frozenset(
     [
         "a",
@@ -63,51 +65,60 @@ PLACES = frozenset({"surface", "plane", "slope", "incline", "inclined plane"})
 
 
 @dataclass(frozen=True, slots=True)
-class Retold:
-    """The library's text of a story, and what it needs that the original text does not give."""
+class LibraryText:
+    """A scene in the library's sentences, and the facts for it that are missing from the original text."""
 
     text: str
     missing: tuple[str, ...]
 
 
-def retold(text: str) -> list[Retold]:
-    """Return the library's text of each story that a text tells, with nothing left over."""
+def library_texts(text: str) -> list[LibraryText]:
+    """Return the translations of a text, one for each kind of scene that accounts for all of its words."""
     if len(text) > LONGEST or RESERVED.search(text):
         return []
     words, amounts = normalised(text)
-    found = (_told(story, words, amounts) for story in STORIES.values())
+    found = (_translated(scene, words, amounts) for scene in TEXTBOOK_SCENES.values())
     return [each for each in found if each is not None]
 
 
+def superfluous(sentences: Sequence[str]) -> int | None:
+    """Return the index of the sentence without which a text can be translated; None if there is none, or many."""
+    if len(sentences) > MOST_SENTENCES:
+        return None
+    others = (" ".join((*sentences[:index], *sentences[index + 1 :])) for index in range(len(sentences)))
+    found = (index for index, text in enumerate(others) if any(not each.missing for each in library_texts(text)))
+    return next(found, None)
+
+
 def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
-    """Return a text in lower case with numbers set apart and each full stop a word of its own, and its numbers."""
+    """Return a text in lower case, with placeholders for numbers and full stops as separate words, and its numbers."""
     apart, amounts = set_apart(" ".join(text.split()))
     plain = re.sub(r"[,;:()]", " ", apart.lower())
     plain = re.sub(r"\.(?=\s|$)", " . ", plain.replace("=", " = "))
     return f" {' '.join(plain.split())} ", amounts
 
 
-def _told(story: Story, words: str, amounts: tuple[Amount, ...]) -> Retold | None:
-    """Return a story as the library tells it; None if the text tells another, or anything more."""
-    begins = all(compiled(pattern).search(words) for pattern in story.opening)
-    if not begins or (story.never and compiled(story.never).search(words)):
+def _translated(scene: TextbookScene, words: str, amounts: tuple[Amount, ...]) -> LibraryText | None:
+    """Translate a text about one kind of scene; None if it is about another, or a word is left over."""
+    begins = all(compiled(pattern).search(words) for pattern in scene.opening)
+    if not begins or (scene.never and compiled(scene.never).search(words)):
         return None
     given: dict[str, str | Amount] = {}
     left = words
-    for pattern in (*story.phrases, *GENERAL):
+    for pattern in (*scene.phrases, *GENERAL):
         left = _taken(pattern, left, amounts, given) if left else ""
-    if not left or not _one(story.place, words, PLACES) or not _one(story.bodies, left, GENERIC):
+    if not left or not _one(scene.place, words, PLACES) or not _one(scene.bodies, left, GENERIC):
         return None
-    left = compiled(story.bodies).sub("|", left) if story.bodies else left
+    left = compiled(scene.bodies).sub("|", left) if scene.bodies else left
     if any(word.strip("|") and word not in FILLERS for word in left.split()):
         return None
-    told = Told(given, words)
-    text = story.tell(told)
-    return Retold(text, tuple(dict.fromkeys(told.missing))) if told.missing or told.whole else None
+    facts = Facts(given, words)
+    text = scene.write(facts)
+    return LibraryText(text, tuple(dict.fromkeys(facts.missing))) if facts.missing or facts.whole else None
 
 
 def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[str, str | Amount]) -> str:
-    """Return what a pattern leaves of a text, noting the facts that it finds; empty if they contradict others."""
+    """Replace the matches of a pattern and enter their facts in `given`; return an empty text if facts contradict."""
     expression = compiled(pattern)
     for found in expression.finditer(words):
         for group, said in found.groupdict().items():
@@ -122,13 +133,13 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
 
 
 def _kept(found: re.Match[str]) -> str:
-    """Return what stays of what a pattern has taken."""
+    """Return the replacement of a match: the text of its group `keep`, if any."""
     kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
     return next(kept, "|")
 
 
 def _one(nouns: str, words: str, generic: frozenset[str]) -> bool:
-    """Return whether a text speaks of one thing: it uses one noun beside generic ones, and introduces it once."""
+    """Return whether a text uses only one of the nouns beside generic ones, and introduces it at most once."""
     if not nouns:
         return True
     used = {found[0].strip() for found in compiled(nouns).finditer(words)}

@@ -1,18 +1,17 @@
-"""Stories of textbooks, one kind of scene a declaration: how people say it, and how the library does."""
+"""Scenes as textbooks describe them: patterns of the words, and a function that writes the library's sentences."""
 
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from sim2reason.parsing.ordinary.amounts import Amount
+from sim2reason.dsl.mechanism import GRAVITY
+from sim2reason.parsing.ordinary.amounts import Amount, shown
 from sim2reason.registry import Registry
-
-USUAL_G = "9.8 m/s²"
 
 
 @dataclass
-class Told:
-    """What a text tells of a story, by name; it notes what the story asks for and the text does not give."""
+class Facts:
+    """The facts that patterns found in a text, by name, and a record of those asked for and those missing."""
 
     given: Mapping[str, str | Amount]
     words: str = ""
@@ -20,95 +19,101 @@ class Told:
     asked: set[str] = field(default_factory=set[str])
 
     def has(self, name: str) -> bool:
-        """Return whether the text says something."""
+        """Return whether the text states a fact."""
         self.asked.add(name)
         return name in self.given
 
     def nouns(self, pattern: str) -> list[str]:
-        """Return the nouns of a pattern that the text uses, each once, those in the plural without their *s*."""
+        """Return the distinct nouns of the text that match a pattern, in the singular."""
         return list(dict.fromkeys(compiled(rf"(?P<noun>{pattern})s?").findall(self.words)))
 
     def amount(self, name: str, called: str) -> Amount | None:
-        """Return a number that the story can not do without, which messages call `called`; None if it is missing."""
+        """Return a required number; if it is missing, record that as `called`, unless empty, and return None."""
         self.asked.add(name)
         found = self.given.get(name)
         if isinstance(found, Amount):
             return found
-        self.missing.append(called)
+        if called:  # else it was recorded before
+            self.missing.append(called)
         return None
 
     def number(self, name: str, called: str) -> str:
-        """Return the text of such a number, with its unit."""
+        """Return a required number with its unit; a question mark if it is missing."""
         found = self.amount(name, called)
         return found.text if found is not None else "?"
 
-    def value(self, name: str, called: str) -> float:
-        """Return such a number, in the unit of its kind; 1 if it is missing."""
+    def value(self, name: str, called: str, unit: str = "") -> float:
+        """Return the value of a required number, in SI units or in `unit`; 1 if it is missing."""
         found = self.amount(name, called)
-        return found.value if found is not None else 1.0
+        return found.value_in(unit) if found is not None else 1.0
 
     def or_symbol(self, name: str, symbol: str) -> str:
-        """Return the text of a number that may be left open, with its unit, or a symbol for it."""
+        """Return an optional number with its unit, or `symbol` in dollars if the text does not give it."""
         self.asked.add(name)
         found = self.given.get(name)
         return found.text if isinstance(found, Amount) else f"${symbol}$"
 
     def one_of(self, called: str, *names: str) -> str:
-        """Return which of some facts the text says; it has to say one of them, and one only."""
+        """Return which of several exclusive facts the text states; record `called` as missing unless it is one."""
         said = [name for name in names if self.has(name)]
         if len(said) != 1:
-            self.missing.append(called if not said else f"{called} without contradiction")
+            self.missing.append(called if not said else f"{called} unambiguously")
         return said[0] if said else ""
 
     @property
+    def g(self) -> float:
+        """Return the acceleration of free fall, m/s²: the default if the text does not give it."""
+        return self.value("g", "") if self.has("g") else GRAVITY
+
+    @property
     def gravity(self) -> str:
-        """Return the closing sentence with the acceleration of free fall, the usual one if the text gives none."""
-        return f"Take g = {self.or_symbol('g', '') if self.has('g') else USUAL_G}."
+        """Return the library's sentence that states the acceleration of free fall."""
+        return f"Take g = {shown(self.g)} m/s²."
 
     @property
     def whole(self) -> bool:
-        """Return whether the story has used everything that the text says."""
+        """Return whether every fact of the text was asked for."""
         return self.asked.issuperset(self.given)
 
 
 @dataclass(frozen=True)
-class Story:
-    """A kind of scene as textbooks tell it.
+class TextbookScene:
+    """A kind of scene that is recognised by patterns in a text and written in the library's own sentences.
 
     Data:
         summary: what happens, in a few words.
-        opening: patterns each of which occurs in a text that tells this story.
+        opening: patterns that all occur in a text about such a scene.
         phrases: patterns of all that may be said, tried in order; `<name:kind>` is a number of a kind, and a named
             group a fact that is said or not; what a group called `keep` or `keep_fact` holds stays for later patterns.
             Each place of a text is taken by the first pattern that fits.
         bodies: a pattern of the nouns for the body; a text may use one of them only. Empty where phrases name them.
         place: a pattern of the nouns for the surface that it moves on, of which a text may name one only, too.
-        never: a pattern of what tells another scene in the words of this one, as a slope that moves.
-        tell: the library's text with what the text tells.
+        never: a pattern that excludes the scene, such as a slope that moves.
+        write: returns the library's text for the facts of a text.
     """
 
     summary: str
     opening: tuple[str, ...]
     phrases: tuple[str, ...]
-    tell: Callable[[Told], str]
+    write: Callable[[Facts], str]
     bodies: str = ""
     place: str = ""
     never: str = ""
 
     def __post_init__(self) -> None:
-        """Refuse patterns that are no regular expressions when they are declared."""
+        """Compile all patterns, so that an invalid one is reported where it is declared."""
         for pattern in (*self.opening, *self.phrases, self.bodies, self.place, self.never):
             compiled(pattern)
 
 
 def compiled(pattern: str) -> re.Pattern[str]:
-    """Return the regular expression of a pattern, which begins and ends where words do."""
-    told = re.sub(r"<(\w+):(\w+)>", r"(?P<\1>#\2\\d{1,3}#)", pattern)
-    return re.compile(rf"(?<![\w#-])(?:{told})(?![\w#-])")
+    """Compile a pattern into a regular expression that matches whole words."""
+    expression = re.sub(r"<(\w+):(\w+)>", r"(?P<\1>#\2\\d{1,3}#)", pattern)
+    return re.compile(rf"(?<![\w#-])(?:{expression})(?![\w#-])")
 
 
 def mass_of(nouns: str) -> tuple[str, ...]:
-    """Return the patterns by which a text gives the mass of its body, and not that of something else."""
+    """Return patterns for the mass of the body that one of `nouns`, joined by bars, names."""
     others = "|".join(noun for noun in nouns.split("|") if noun != "mass")
     return (
         r"a (?P<keep>mass) of <mass:mass>(?= (?:is|hangs|lies|rests|on|slides))",
@@ -119,4 +124,4 @@ def mass_of(nouns: str) -> tuple[str, ...]:
     )
 
 
-STORIES: Registry[Story] = Registry("parsing.ordinary.stories")
+TEXTBOOK_SCENES: Registry[TextbookScene] = Registry("parsing.ordinary.textbook_scenes")

@@ -1,6 +1,6 @@
 """A block alone on a fixed plane: a slope or a level floor."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 BLOCK = r"block|box|crate|body|object|book|package|mass|particle|sled|skier|puck|brick|cube"
 """Nouns of the one body; a text that says *mass* or *body* besides means the same one."""
@@ -28,42 +28,42 @@ def friction(where: str) -> tuple[str, ...]:
     return tuple(each.replace("@", f"(?:{where})?") for each in FRICTION)
 
 
-def surface(told: Told, *, static_matters: bool) -> tuple[str, str]:
+def surface(facts: Facts, *, static_matters: bool) -> tuple[str, str]:
     """Return the library's word for a surface, and the sentence on its friction."""
-    if told.has("smooth"):
-        told.one_of("the friction", "smooth", "mu", "kinetic", "static", "rough")
+    if facts.has("smooth"):
+        facts.one_of("the friction", "smooth", "mu", "kinetic", "static", "rough")
         return "smooth", ""
-    told.has("rough")
-    if told.has("mu"):
-        told.one_of("the coefficient of friction", "mu", "kinetic", "static")
-        mu = told.number("mu", "")
-    elif told.has("static") or static_matters:
-        kinetic = told.number("kinetic", "the coefficient of kinetic friction, or that the surface is frictionless")
-        static = told.number("static", "the coefficient of static friction, or that the surface is frictionless")
+    facts.has("rough")
+    if facts.has("mu"):
+        facts.one_of("the coefficient of friction", "mu", "kinetic", "static")
+        mu = facts.number("mu", "")
+    elif facts.has("static") or static_matters:
+        kinetic = facts.number("kinetic", "the coefficient of kinetic friction, or that the surface is frictionless")
+        static = facts.number("static", "the coefficient of static friction, or that the surface is frictionless")
         return "rough", (
             f"The coefficient of static friction on this plane is {static}, that of kinetic friction {kinetic}. "
         )
     else:
-        mu = told.number("kinetic", "the coefficient of friction, or that the surface is frictionless")
+        mu = facts.number("kinetic", "the coefficient of friction, or that the surface is frictionless")
     return "rough", f"The coefficient of friction (static and kinetic) on this plane is {mu}. "
 
 
-def _slope(told: Told) -> str:
-    rough, rubs = surface(told, static_matters=True)
-    angle = told.number("angle", "the angle of the slope")
-    start = told.one_of("how the block starts, from rest or with what speed", "rest", "up")
+def _slope(facts: Facts) -> str:
+    rough, rubs = surface(facts, static_matters=True)
+    angle = facts.number("angle", "the angle of the slope")
+    start = facts.one_of("how the block starts, from rest or up the slope", "rest", "up")
     sent = "The motion starts from rest."
     if start == "up":
-        sent = f"At t = 0 the block moves up the slope at speed {told.number('speed', 'the speed of the block')}."
+        sent = f"At t = 0 the block moves up the slope at speed {facts.number('speed', 'the speed of the block')}."
     return (
-        f"A block of mass {told.or_symbol('mass', 'm')} lies on a {rough}, fixed plane inclined at {angle} to the"
-        f" horizontal. {rubs}{sent} {told.gravity}"
+        f"A block of mass {facts.or_symbol('mass', 'm')} lies on a {rough}, fixed plane inclined at {angle} to the"
+        f" horizontal. {rubs}{sent} {facts.gravity}"
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a slope",
-    Story(
+    TextbookScene(
         summary="A block slides on a fixed slope, released or sent up it.",
         opening=(SLOPE, BLOCK),
         phrases=(
@@ -93,25 +93,25 @@ STORIES.add(
         bodies=BLOCK,
         never=CARRIED,
         place=SLOPE,
-        tell=_slope,
+        write=_slope,
     ),
 )
 
 
-def _floor(told: Told) -> str:
-    rough, rubs = surface(told, static_matters=False)
-    if told.has("stops") and rough == "smooth":
-        told.missing.append("what stops the block on a smooth surface")
-    speed = told.number("speed", "the initial speed of the block")
+def _floor(facts: Facts) -> str:
+    rough, rubs = surface(facts, static_matters=False)
+    if facts.has("stops") and rough == "smooth":
+        facts.missing.append("what stops the block on a smooth surface")
+    speed = facts.number("speed", "the initial speed of the block")
     return (
-        f"A block of mass {told.or_symbol('mass', 'm')} lies on a {rough}, fixed horizontal plane. {rubs}"
-        f"At t = 0 the block moves to the right along the plane at speed {speed}. {told.gravity}"
+        f"A block of mass {facts.or_symbol('mass', 'm')} lies on a {rough}, fixed horizontal plane. {rubs}"
+        f"At t = 0 the block moves to the right along the plane at speed {speed}. {facts.gravity}"
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a floor",
-    Story(
+    TextbookScene(
         summary="A block slides on a level floor, until friction stops it if there is any.",
         opening=(FLOOR, BLOCK),
         phrases=(
@@ -131,6 +131,6 @@ STORIES.add(
         bodies=BLOCK,
         never=CARRIED,
         place=FLOOR,
-        tell=_floor,
+        write=_floor,
     ),
 )

@@ -3,18 +3,16 @@
 from math import pi, sqrt
 
 from sim2reason.parsing.ordinary.amounts import shown
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
-
-AU, YEAR, SUN = 149597870700.0, 31557600.0, 1.98841e30  # m, s, kg
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene
 
 
-def _orbit(told: Told) -> str:
-    star = told.value("mass", "the mass of the star") / SUN
-    away = told.value("away", "how far the planet is from the star") / AU
-    kind = told.one_of("how the planet moves, on a circle or with what velocity", "circle", "across")
+def _orbit(facts: Facts) -> str:
+    star = facts.value("mass", "the mass of the star", "Msun")
+    away = facts.value("away", "how far the planet is from the star", "au")
+    kind = facts.one_of("how the planet moves, on a circle or with what velocity", "circle", "across")
     speed = 2.0 * pi * sqrt(star / away)
     if kind == "across":
-        speed = told.value("speed", "the speed of the planet") * YEAR / AU
+        speed = facts.value("speed", "the speed of the planet", "au/yr")
     return (
         f"A star of mass {shown(star)} Msun is fixed at the origin of the x-y plane; the units are the astronomical"
         " unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²). At t = 0 a planet is at"
@@ -23,9 +21,9 @@ def _orbit(told: Told) -> str:
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "planet round a star",
-    Story(
+    TextbookScene(
         summary="A planet moves round a star, on a circle or from where it moves across the line to the star.",
         opening=(r"star|sun", r"planet|comet"),
         phrases=(
@@ -41,6 +39,6 @@ STORIES.add(
             r"moves|moving|orbits|goes|round|around|orbit|planet|comet|star|sun",
         ),
         never=r"(?:star|sun) (?:(?:that|which) )?(?:moves|moving|orbits|goes)",
-        tell=_orbit,
+        write=_orbit,
     ),
 )

@@ -1,7 +1,7 @@
 """A block on a spring, level or hanging."""
 
 from sim2reason.parsing.ordinary.amounts import shown
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 BLOCK = r"block|mass|box|body|object|cart|glider|weight|ball"
 FLOOR = r"(?:floor|table|tabletop|surface|track|air track)"
@@ -16,22 +16,22 @@ REST = (
 EQUILIBRIUM = r"(?:its |the )?(?:equilibrium|relaxed|rest|natural)(?: position| length)?"
 
 
-def _level(told: Told) -> str:
-    told.one_of("that the surface is frictionless", "smooth")
-    told.one_of("how the block starts", "rest")
-    way = told.one_of("whether the spring is stretched or compressed", "out", "inwards")
+def _level(facts: Facts) -> str:
+    facts.one_of("that the surface is frictionless", "smooth")
+    facts.one_of("how the block starts", "rest")
+    way = facts.one_of("whether the spring is stretched or compressed", "out", "inwards")
     strain = "compressed" if way == "inwards" else "stretched"
     return (
-        f"A block of mass {told.number('mass', 'the mass of the block')} stands on a straight smooth horizontal track."
-        f" A light spring of stiffness {told.number('k', 'the stiffness of the spring')} runs from a fixed wall on the"
-        f" left to the block. At the start the spring is {strain} by {told.number('by', 'by how much')}."
+        f"A block of mass {facts.number('mass', 'the mass of the block')} stands on a straight smooth horizontal track."
+        f" A light spring of stiffness {facts.number('k', 'the stiffness of the spring')} runs from a fixed wall on the"
+        f" left to the block. At the start the spring is {strain} by {facts.number('by', 'by how much')}."
         " The motion starts from rest."
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a level spring",
-    Story(
+    TextbookScene(
         summary="A block on a smooth table swings on a spring.",
         opening=(r"spring", r"attached|connected|joined|tied|fixed", FLOOR),
         phrases=(
@@ -50,37 +50,34 @@ STORIES.add(
             rf"spring|{FLOOR}",
         ),
         bodies=BLOCK,
-        tell=_level,
+        write=_level,
     ),
 )
 
 
-def _hanging(told: Told) -> str:
-    told.one_of("how the block starts", "rest")
-    mass, stiffness = told.value("mass", "the mass of the block"), told.value("k", "the stiffness of the spring")
-    length = told.value("natural", "the natural length of the spring")
-    start = told.one_of("how long the spring is at the start", "long", "below", "unstretched", "out")
+def _hanging(facts: Facts) -> str:
+    facts.one_of("how the block starts", "rest")
+    mass, stiffness = facts.value("mass", "the mass of the block"), facts.value("k", "the stiffness of the spring")
+    length = facts.value("natural", "the natural length of the spring")
+    start = facts.one_of("how long the spring is at the start", "long", "below", "unstretched", "out")
     at = length
     if start == "long":
-        at = told.value("long", "")
+        at = facts.value("long", "")
     elif start == "out":
-        at = length + told.value("out", "")
+        at = length + facts.value("out", "")
     elif start == "below":
-        g = told.given.get("g")
-        weight = mass * (g.value if g is not None and not isinstance(g, str) else USUAL)
-        at = length + weight / stiffness + told.value("below", "")
-    said = told.number("mass", ""), told.number("k", ""), told.number("natural", "")
+        at = length + mass * facts.g / stiffness + facts.value("below", "")
+    said = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
     return (
         f"A block of mass {said[0]} hangs from the ceiling by a light spring of stiffness {said[1]} and natural length"
-        f" {said[2]}. Initially the spring has a length of {shown(at)} m. The motion starts from rest. {told.gravity}"
+        f" {said[2]}. Initially the spring has a length of {shown(at)} m. The motion starts from rest. {facts.gravity}"
     )
 
 
-USUAL = 9.8  # m/s²
 HANGS = r"(?:hangs|hanging|hung|suspended)"
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a hanging spring",
-    Story(
+    TextbookScene(
         summary="A block hangs on a spring and swings up and down.",
         opening=(r"spring", rf"{HANGS}|vertical"),
         phrases=(
@@ -101,6 +98,6 @@ STORIES.add(
             r"spring",
         ),
         bodies=BLOCK,
-        tell=_hanging,
+        write=_hanging,
     ),
 )

@@ -1,38 +1,37 @@
 """A bob on a string or a rod."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 BOB = r"bob|ball|sphere|mass|object|particle|body|weight|stone"
 
 
-def _pendulum(told: Told) -> str:
-    held = told.one_of("what the bob hangs on, a string or a rod", "cord", "rod")
-    length = told.number("length", "the length of the pendulum")
+def _pendulum(facts: Facts) -> str:
+    held = facts.one_of("what the bob hangs on, a string or a rod", "cord", "rod")
+    length = facts.number("length", "the length of the pendulum")
     hanger = "light rigid rod" if held == "rod" else "light inextensible string"
-    text = (
-        f"A small ball of mass {told.or_symbol('mass', 'm')} hangs from a fixed point by a {hanger} of length {length}."
-    )
-    start = told.one_of("how the bob starts", "rest", "speed")
-    low = told.one_of("the angle to the vertical at the start", "angle", "low") == "low"
+    mass = facts.or_symbol("mass", "m")
+    text = f"A small ball of mass {mass} hangs from a fixed point by a {hanger} of length {length}."
+    start = facts.one_of("how the bob starts", "rest", "speed")
+    low = facts.one_of("the angle to the vertical at the start", "angle", "low") == "low"
     at = "the ball hangs straight down"
     if not low:
         taut = "the rod makes" if held == "rod" else "the string is taut and makes"
-        at = f"{taut} an angle of {told.number('angle', '')} with the downward vertical"
+        at = f"{taut} an angle of {facts.number('angle', '')} with the downward vertical"
     sent = "The motion starts from rest."
     if start == "speed":
         if not low:
-            told.missing.append("in which direction the bob is sent along its arc")
-        sent = f"At t = 0 the ball is set moving horizontally at speed {told.number('speed', '')}."
+            facts.missing.append("in which direction the bob is sent along its arc")
+        sent = f"At t = 0 the ball is set moving horizontally at speed {facts.number('speed', '')}."
         if held == "cord":
             sent += " Whenever the string becomes taut again, the velocity along it is lost."
     elif low:
-        told.missing.append("an angle at which the pendulum is released")
-    return f"{text} Initially {at}. {sent} {told.gravity}"
+        facts.missing.append("an angle at which the pendulum is released")
+    return f"{text} Initially {at}. {sent} {facts.gravity}"
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "pendulum",
-    Story(
+    TextbookScene(
         summary="A bob on a string or a rod swings.",
         opening=(r"string|cord|thread|rod|pendulum", rf"{BOB}|pendulum"),
         phrases=(
@@ -58,8 +57,9 @@ STORIES.add(
             r"(?:given )?(?:an? )?(?:initial )?horizontal (?:speed|velocity) (?:of )?<speed:speed>",
             r"(?:suddenly )?(?:given|struck|set moving|launched) horizontally at <speed:speed>",
             r"hangs|hanging|suspended|attached|fixed point|ceiling|end|consists|held|tied|small|pendulum",
+            r"(?:pulled|drawn) aside",
         ),
         bodies=BOB,
-        tell=_pendulum,
+        write=_pendulum,
     ),
 )

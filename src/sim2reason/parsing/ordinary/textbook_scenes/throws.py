@@ -1,6 +1,6 @@
 """A ball that is thrown or dropped."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 BALL = r"ball|stone|rock|projectile|cannonball|bullet|pebble|object|particle|body|arrow|coin|marble"
 HIGH = r"(?:cliff|building|tower|bridge|roof|balcony|window|table|platform|wall|house)"
@@ -11,33 +11,33 @@ GROUND = r"(?:the )?(?:level |flat |horizontal )?ground(?: level)?"
 ABOVE = rf"above (?:{GROUND}|(?:the )?(?:water|sea))"
 
 
-def _way(told: Told) -> str:
-    way = told.one_of("the direction of the throw", "level", "up", "down", "above", "below", "raised")
+def _way(facts: Facts) -> str:
+    way = facts.one_of("the direction of the throw", "level", "up", "down", "above", "below", "raised")
     if way in ("above", "below", "raised"):
-        angle = told.number("angle", "the angle of the throw")
-        if way == "raised" and not told.has("ground"):
-            told.missing.append("the direction of the throw, above or below the horizontal")
+        angle = facts.number("angle", "the angle of the throw")
+        if way == "raised" and not facts.has("ground"):
+            facts.missing.append("the direction of the throw, above or below the horizontal")
         return f"at an angle of {angle} {'below' if way == 'below' else 'above'} the horizontal"
     return {"level": "horizontally", "down": "straight down"}.get(way, "straight up")
 
 
-def _throw(told: Told) -> str:
-    mass = told.or_symbol("mass", "m")
+def _throw(facts: Facts) -> str:
+    mass = facts.or_symbol("mass", "m")
     place = "a point on level ground"
-    if told.one_of("the height from which it starts", "ground", "height") == "height":
-        place = f"a point {told.number('height', '')} above level ground"
+    if facts.one_of("the height from which it starts", "ground", "height") == "height":
+        place = f"a point {facts.number('height', '')} above level ground"
     axes = "Let the x axis point forward and the y axis straight up. Air resistance is negligible."
-    if told.has("drop"):
-        told.one_of("how it starts", "drop", "speed", "level", "up", "down", "above", "below", "raised")
-        return f"A small ball of mass {mass} is held at {place}. {axes} The motion starts from rest. {told.gravity}"
-    way = _way(told)
-    speed = told.number("speed", "the speed of the throw")
-    return f"At t = 0 a small ball of mass {mass} is thrown from {place} at speed {speed} {way}. {axes} {told.gravity}"
+    if facts.has("drop"):
+        facts.one_of("how it starts", "drop", "speed", "level", "up", "down", "above", "below", "raised")
+        return f"A small ball of mass {mass} is held at {place}. {axes} The motion starts from rest. {facts.gravity}"
+    way = _way(facts)
+    speed = facts.number("speed", "the speed of the throw")
+    return f"At t = 0 a small ball of mass {mass} is thrown from {place} at speed {speed} {way}. {axes} {facts.gravity}"
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "throw",
-    Story(
+    TextbookScene(
         summary="A ball is thrown, or let fall.",
         opening=(BALL, rf"{THROWN}|dropped|falls|fall|released from rest|throws|drops"),
         phrases=(
@@ -51,6 +51,7 @@ STORIES.add(
             rf"<height:length> {ABOVE}",
             rf"(?P<ground>(?:from|on|over) {GROUND})",
             r"(?:(?:from|off) )?(?:the )?(?:top|edge|roof)(?: of)?(?= (?:an? |the |\|))",
+            rf"{FROM}{HIGH}",
             r"(?P<level>horizontally)",
             r"(?P<up>(?:straight|vertically) (?:up|upwards?))",
             r"(?P<down>(?:straight|vertically) (?:down|downwards?))",
@@ -63,6 +64,6 @@ STORIES.add(
             r"(?:small|initially|high|golf|tennis|cricket)",
         ),
         bodies=BALL,
-        tell=_throw,
+        write=_throw,
     ),
 )

@@ -1,7 +1,7 @@
 """Two blocks joined by a string over a pulley."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
-from sim2reason.parsing.ordinary.stories.slopes import FLOOR, SLOPE, friction, surface
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene
+from sim2reason.parsing.ordinary.textbook_scenes.slopes import FLOOR, SLOPE, friction, surface
 
 ONE = r"(?:block|mass|weight|body|object|load|box|bucket|crate)"
 SEVERAL = r"(?:blocks|masses|weights|bodies|objects|loads)"
@@ -39,18 +39,18 @@ BODIES = (rf"an? <a:mass> {ONE}", rf"{ONE} of (?:mass )?<a:mass>", rf"{ONE} <a:m
 START = "how the blocks start"
 
 
-def _atwood(told: Told) -> str:
-    told.one_of(START, "rest")
-    one, other = told.number("a", "the mass of one block"), told.number("b", "the mass of the other block")
+def _atwood(facts: Facts) -> str:
+    facts.one_of(START, "rest")
+    one, other = facts.number("a", "the mass of one block"), facts.number("b", "the mass of the other block")
     return (
         f"A light string is tied to block A of mass {one}; it runs straight up, passes over a light fixed pulley and"
-        f" runs straight down to block B of mass {other}. {END} long enough. {told.gravity}"
+        f" runs straight down to block B of mass {other}. {END} long enough. {facts.gravity}"
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "atwood machine",
-    Story(
+    TextbookScene(
         summary="Two blocks hang on either side of a pulley.",
         opening=(
             r"pulley",
@@ -67,33 +67,33 @@ STORIES.add(
             *STRING,
             rf"{TIED}(?: together)?|hang|hung|hanging|suspended|vertically",
         ),
-        tell=_atwood,
+        write=_atwood,
     ),
 )
 
 
-def _table(told: Told) -> str:
-    told.one_of(START, "rest")
-    rough, rubs = surface(told, static_matters=True)
-    one = told.number("a", "the mass of the block on the table")
-    other = told.number("b", "the mass of the hanging block")
+def _table(facts: Facts) -> str:
+    facts.one_of(START, "rest")
+    rough, rubs = surface(facts, static_matters=True)
+    one = facts.number("a", "the mass of the block on the table")
+    other = facts.number("b", "the mass of the hanging block")
     return (
         f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to"
         f" the right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
-        f" {END} long enough. {told.gravity}"
+        f" {END} long enough. {facts.gravity}"
     )
 
 
-def _incline(told: Told) -> str:
-    told.one_of(START, "rest")
-    rough, rubs = surface(told, static_matters=True)
-    angle = told.number("angle", "the angle of the slope")
-    one = told.number("a", "the mass of the block on the slope")
-    other = told.number("b", "the mass of the hanging block")
+def _incline(facts: Facts) -> str:
+    facts.one_of(START, "rest")
+    rough, rubs = surface(facts, static_matters=True)
+    angle = facts.number("angle", "the angle of the slope")
+    one = facts.number("a", "the mass of the block on the slope")
+    other = facts.number("b", "the mass of the hanging block")
     return (
         f"Block A of mass {one} lies on a {rough}, fixed plane inclined at {angle} to the horizontal. {rubs}A light"
         " string tied to block A runs up the slope, passes over a light fixed pulley and runs straight down to block B"
-        f" ({other}). {END} long enough. {told.gravity}"
+        f" ({other}). {END} long enough. {facts.gravity}"
     )
 
 
@@ -117,23 +117,23 @@ def _on(place: str, more: str) -> tuple[str, ...]:
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a table and hanging block",
-    Story(
+    TextbookScene(
         summary="A hanging block pulls another along a table.",
         opening=(r"pulley", FLOOR, r"hang(?:s|ing)|hung|suspended"),
         phrases=_on(FLOOR, r"flat"),
-        tell=_table,
+        write=_table,
     ),
 )
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "block on a slope and hanging block",
-    Story(
+    TextbookScene(
         summary="A block on a slope is joined to a hanging one.",
         opening=(r"pulley", SLOPE, r"hang(?:s|ing)|hung|suspended"),
         phrases=_on(
             SLOPE, r"(?:inclined )?(?:at )?(?:an angle (?:of )?)?<angle:angle>(?: (?:to|with) the horizontal)?"
         ),
-        tell=_incline,
+        write=_incline,
     ),
 )

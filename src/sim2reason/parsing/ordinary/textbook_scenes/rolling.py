@@ -1,7 +1,7 @@
 """A round body that rolls down a slope."""
 
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told, mass_of
-from sim2reason.parsing.ordinary.stories.slopes import SLOPE
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
+from sim2reason.parsing.ordinary.textbook_scenes.slopes import SLOPE
 
 SHAPES = r"sphere|ball|cylinder|disc|disk|hoop|ring|shell|tube|pipe"
 ROUND = {
@@ -13,21 +13,21 @@ ROUND = {
 }
 
 
-def _rolls(told: Told) -> str:
-    shape = told.one_of("the shape of the body", *ROUND)
-    told.one_of("that it rolls without slipping", "grips")
-    told.one_of("how it starts, from rest", "rest")
-    angle = told.number("angle", "the angle of the slope")
+def _rolls(facts: Facts) -> str:
+    shape = facts.one_of("the shape of the body", *ROUND)
+    facts.one_of("that it rolls without slipping", "grips")
+    facts.one_of("how it starts, from rest", "rest")
+    angle = facts.number("angle", "the angle of the slope")
     return (
-        f"{ROUND.get(shape, '')} of radius {told.or_symbol('radius', 'R')} and mass {told.or_symbol('mass', 'm')} is"
+        f"{ROUND.get(shape, '')} of radius {facts.or_symbol('radius', 'R')} and mass {facts.or_symbol('mass', 'm')} is"
         f" placed on a stationary plane inclined at {angle} to the horizontal and can roll straight up or down the"
-        f" slope. It rolls without slipping. The motion starts from rest. {told.gravity}"
+        f" slope. It rolls without slipping. The motion starts from rest. {facts.gravity}"
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "rolling body",
-    Story(
+    TextbookScene(
         summary="A sphere, cylinder, hoop or shell rolls down a slope.",
         opening=(r"rolls?|rolling", SLOPE),
         phrases=(
@@ -52,6 +52,6 @@ STORIES.add(
         ),
         bodies=SHAPES,
         place=SLOPE,
-        tell=_rolls,
+        write=_rolls,
     ),
 )

@@ -1,35 +1,35 @@
 """A rocket that burns its fuel."""
 
 from sim2reason.parsing.ordinary.amounts import shown
-from sim2reason.parsing.ordinary.stories import STORIES, Story, Told
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene
 
 FUEL = r"(?:fuel|propellant)"
 GAS = r"(?:exhaust )?(?:gas|gases|exhaust|fuel|it|them)"
 
 
-def _rocket(told: Told) -> str:
-    mass = told.value("mass", "the mass of the rocket with its fuel")
-    if told.one_of("how much of the mass is fuel", "fuel", "dry") == "fuel":
-        dry = f"{shown(mass - told.value('fuel', ''))} kg"
+def _rocket(facts: Facts) -> str:
+    mass = facts.value("mass", "the mass of the rocket with its fuel")
+    if facts.one_of("how much of the mass is fuel", "fuel", "dry") == "fuel":
+        dry = f"{shown(mass - facts.value('fuel', ''))} kg"
     else:
-        dry = told.number("dry", "") if told.has("dry") else "?"
-    place = told.one_of("where the rocket is, in deep space or on level ground", "space", "ground")
+        dry = facts.number("dry", "") if facts.has("dry") else "?"
+    place = facts.one_of("where the rocket is, in deep space or on level ground", "space", "ground")
     stands = "is at rest in deep space, far from all other bodies"
     if place == "ground":
         stands = "stands upright on level ground in a uniform gravitational field, without air"
-    told.has("rest")
-    rate = told.number("rate", "the rate at which it burns fuel")
-    exhaust = told.number("exhaust", "the speed of the exhaust")
+    facts.has("rest")
+    rate = facts.number("rate", "the rate at which it burns fuel")
+    exhaust = facts.number("exhaust", "the speed of the exhaust")
     return (
-        f"A rocket of mass {told.number('mass', '')} ({dry} without its fuel) {stands}. At t = 0 the engine starts: it"
+        f"A rocket of mass {facts.number('mass', '')} ({dry} without its fuel) {stands}. At t = 0 the engine starts: it"
         f" burns fuel at a rate of {rate} and ejects the gas backwards at speed {exhaust} relative to the rocket until"
-        f" no fuel is left.{f' {told.gravity}' if place == 'ground' else ''}"
+        f" no fuel is left.{f' {facts.gravity}' if place == 'ground' else ''}"
     )
 
 
-STORIES.add(
+TEXTBOOK_SCENES.add(
     "rocket",
-    Story(
+    TextbookScene(
         summary="A rocket burns its fuel, in deep space or straight up from the ground.",
         opening=(r"rocket", rf"burns?|ejects?|expels?|{FUEL}|exhaust"),
         phrases=(
@@ -55,6 +55,6 @@ STORIES.add(
             r"(?:initially )?(?:starts |starting )?(?P<rest>(?:from|at) rest)",
             rf"rocket|until (?:all )?(?:the |no )?{FUEL} (?:is gone|is used up|is left|runs out)|floats",
         ),
-        tell=_rocket,
+        write=_rocket,
     ),
 )
