@@ -7,6 +7,7 @@ from sim2reason.dsl.connection import CONNECTIONS
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import Coordinate
+from sim2reason.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MOMENTS
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -70,6 +71,7 @@ def _page() -> Iterator[str]:
     yield from _section("Moments", "when", said, found.moments)
     yield from _section("Outcomes", "when", {name: summary(cls) for name, cls in OUTCOMES.items()}, found.outcomes)
     yield from _synonyms()
+    yield from _textbook_scenes()
     yield from _coordinates()
     yield from _connections()
 
@@ -102,6 +104,20 @@ def _synonyms() -> Iterator[str]:
         yield f"| {name} | {', '.join(row.split('|'))} |"
     for name, row in MOTIONS.items():
         yield f"| to {name} | {', '.join(row.split())} |"
+    yield ""
+
+
+def _textbook_scenes() -> Iterator[str]:
+    """Yield the lines of a list of the kinds of scene that are read in the words of textbooks."""
+    yield "## Scenes in the words of textbooks"
+    yield ""
+    yield "`sim2reason.parse_scene` reads the library's own texts, and these scenes in ordinary words, such as:"
+    yield ""
+    yield "> A 2 kg block is released from rest at the top of a frictionless incline of 30 degrees."
+    yield ""
+    yield "A text with words that it can't account for is refused; the error names facts that are missing."
+    yield ""
+    yield from (f"- {scene.summary}" for scene in TEXTBOOK_SCENES.values())
     yield ""
 
 
