@@ -19,6 +19,7 @@ INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
 APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets
 RATIO = Range(2e-4, 1e-3)  # of the mass of a heavy planet to that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
+APSIS = 0.4  # of first planets start at an end of the major axis, at right angles to the line from the star
 FULL = 1.2  # periods: one is over within them, also where a number is a little larger
 LONGEST = 50.0  # yr
 
@@ -118,8 +119,9 @@ def orbiting(
     eccentricities: Range,
     rng: np.random.Generator,
 ) -> tuple[AnyPlanet, ...]:
-    """The same planets somewhere on ellipses about a star of some mass, each orbit outside the one before.
+    """Return the planets on ellipses about a star of some mass, each orbit outside the one before.
 
+    The first planet starts on the x axis, so that its distance from the star can be read off; the others anywhere.
     With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
     (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
     """
@@ -127,6 +129,9 @@ def orbiting(
     nearest = rng.uniform(INNERMOST.low, INNERMOST.high)
     for planet in planets:
         e, turn, angle = rng.uniform((eccentricities.low, 0.0, 0.0), (eccentricities.high, 2.0 * pi, 2.0 * pi))
+        if not found:
+            angle = pi * float(rng.integers(2)) if rng.random() < APSIS else angle
+            turn = -angle
         p = nearest * (1.0 + e)
         r, speed = p / (1.0 + e * cos(angle)), sqrt(G * mass / p)
         x, y = r * cos(angle + turn), r * sin(angle + turn)

@@ -1,6 +1,8 @@
 """The numeric mode: every number is given, and a number is asked for."""
 
+from collections.abc import Mapping
 from itertools import takewhile
+from typing import ClassVar
 
 import numpy as np
 
@@ -30,6 +32,7 @@ class Numeric(QuestionMode):
     """What is this, where all is given that it follows from?"""
 
     name = "numeric"
+    weights: ClassVar[Mapping[str, float]] = {"limit": 0.1}  # few limits hang on numbers that no simpler question has
 
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything

@@ -39,7 +39,7 @@ DIGITS = 3  # of what is given, as of the answer
 DRAWS = 3  # of queries of one kind, at most, until one suits
 EXACT = 15  # digits of a result that the motion has as it was drawn
 NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
-TIMES = {"": 0.05, "time_to_event": 0.2}  # of questions of any kind, or of one: how often the unknown is a time
+TIMES = {"": 0.03, "time_to_event": 0.08}  # of questions of any kind, or of one: how often the unknown is a time
 
 
 @mode
@@ -49,7 +49,7 @@ class Reverse(QuestionMode):
     name = "reverse"
     weights: ClassVar[Mapping[str, float]] = {  # seldom measured
         "sum": 0.03,
-        "state": 0.2,
+        "state": 0.1,
         "threshold": 0.4,
         "comparison": 0.1,
     }

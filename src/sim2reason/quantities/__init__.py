@@ -30,6 +30,7 @@ class Quantity(ABC):
             what has a sign where there is no phrase for the size; with `over` it is asked over a stretch alone.
         over: the noun phrase of its size over a stretch, where that reads better than *since the start* at a moment.
         indirect: the same as a clause: *how fast … is moving*.
+        states: a statement that its size is ``{value}``: *… is moving at 2 m/s*.
         sense: what is positive, where that is not a matter of the subject's directions, as in an increase.
         center: whether it belongs to one point of its subject, the centre of mass of what has a size.
 
@@ -63,6 +64,7 @@ class Quantity(ABC):
     signed: ClassVar[str] = ""
     how: ClassVar[str] = ""
     indirect: ClassVar[str] = ""
+    states: ClassVar[str] = ""
     sense: ClassVar[Sense | None] = None
     center: ClassVar[bool] = False
     weight: ClassVar[float] = 1.0
@@ -93,6 +95,7 @@ class Quantity(ABC):
         cls._check("signed", {"component"} if cls.vector else set())
         cls._check("how", {"when"})
         cls._check("indirect", set())
+        cls._check("states", {"value"})
         if "evaluate" in vars(cls):
             cls.evaluate = staticmethod(_remembered(cls.name, cls.evaluate))  # type: ignore[method-assign]
 
@@ -124,10 +127,10 @@ class Quantity(ABC):
         del mechanism, name
         return True
 
-    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str]:
-        """Return the templates for the size: by default `magnitude`, `how` and `indirect`, whatever the subject."""
+    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str, str]:
+        """Return the templates for the size: by default `magnitude`, `how`, `indirect` and `states`."""
         del mechanism, name
-        return self.magnitude, self.how, self.indirect
+        return self.magnitude, self.how, self.indirect, self.states
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return the template for the component along a sense; by default `signed`, whatever the sense."""

@@ -23,6 +23,7 @@ class ElectricPotentialEnergy(Quantity):
     magnitude = f"{over} since the start"
     from_start = True
     needs = ("charge",)
+    weight = 0.3
     floor, heavy = 0.1, True
     panel, pooled, order = "energy", True, 9
 

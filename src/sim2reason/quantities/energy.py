@@ -30,6 +30,7 @@ class KineticEnergy(Energy):
     magnitude = "the kinetic energy of {body}{ground}"
     how = "how much kinetic energy does {body} have{ground} {when}?"
     given = True
+    weight = 0.15  # of one body it is seldom more than its speed in another guise
     panel, pooled, order = "energy", True, 5
 
     @staticmethod
@@ -44,7 +45,7 @@ class KineticEnergy(Energy):
 class EnergyOfTurning(Energy):
     """A part of the kinetic energy of a body that turns."""
 
-    weight = 0.6
+    weight = 0.1
     given = True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
@@ -98,7 +99,7 @@ class PotentialEnergy(Energy):
     over = "the magnitude of the change in {body}'s gravitational potential energy"
     how = "by how much does the gravitational potential energy of {body} change {when}?"
     magnitude = f"{over} since the start"
-    weight = 0.25  # of one body it is seldom of use by itself
+    weight = 0.1  # of one body it is seldom of use by itself
     from_start = True
     panel, pooled, order = "energy", True, 8
 

@@ -23,17 +23,18 @@ class Displacement(Quantity):
     signed = "the {component}displacement of {body} from its starting point{ground}"
     how = "how far is {body} from its starting point{ground} {when}?"
     indirect = "how far {body} is from its starting point{ground}"
+    states = "{body} is {value} from its starting point{ground}"
     center = from_start = True
-    weight = 2.0
+    weight = 1.2
     floor = 0.1
     panel, order = "displacement", 0
 
-    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str]:
+    def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str, str]:
         """Return *the height above the ground* for a rocket that starts from the ground."""
         if not _launched(mechanism, name):
             return super().size_phrases(mechanism, name)
-        high = "how high above the ground"
-        return "the height of {body} above the ground", f"{high} is {{body}} {{when}}?", f"{high} {{body}} is"
+        size, high = "the height of {body} above the ground", "how high above the ground"
+        return size, f"{high} is {{body}} {{when}}?", f"{high} {{body}} is", "{body} is {value} above the ground"
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return *the horizontal displacement* or *the vertical displacement* in a vertical plane with gravity."""
@@ -61,6 +62,7 @@ class Velocity(Quantity):
     signed = "the {component}velocity of {body}{ground}"
     how = "how fast is {body} moving{ground} {when}?"
     indirect = "how fast {body} is moving{ground}"
+    states = "{body} is moving at {value}{ground}"
     center = given = True
     weight = 2.0
     floor, least = 0.1, 1e-2

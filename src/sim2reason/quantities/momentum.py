@@ -23,7 +23,7 @@ class Momentum(Quantity):
     signed = "the {component}momentum of {body}{ground}"
     given = True
     needs = ("mass",)
-    weight = 0.4
+    weight = 0.1  # of one body alone it is seldom more than its speed times its mass
     floor, heavy = 0.1, True
     order = 3
 
@@ -43,7 +43,7 @@ class NetForce(Quantity):
     signed = "the {component}net force on {body}"
     immediate = True
     needs = ("mass",)
-    weight = 0.4
+    weight = 0.15  # rather its acceleration, or one of the forces
     floor, heavy = 0.1, True
     order = 4
 
@@ -62,7 +62,7 @@ class AboutCenter(Quantity):
 
     of, vector = TurningBodies(), True
     needs = ("mass",)
-    weight = 0.4
+    weight = 0.08  # rather its angular velocity and acceleration
     floor, heavy = 0.01, True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:

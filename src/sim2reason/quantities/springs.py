@@ -110,7 +110,7 @@ class SpringEnergy(Quantity):
     how = "how much energy is stored in {spring} {when}?"
     needs = ("stiffness",)
     given = True
-    weight = 1.5
+    weight = 0.6
     floor, heavy = 0.1, True
     panel, pooled, order = "energy", True, 4
 

@@ -1,10 +1,11 @@
 """What is worth asking about a motion."""
 
 from collections.abc import Callable, Iterable
-from math import inf
+from math import hypot, inf
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.quantities import QUANTITIES, Quantity
@@ -13,6 +14,8 @@ from sim2reason.simulation.trace import AT_ONCE, Trace
 
 CROSSINGS = "enter", "exit"
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
+SPRUNG = 2  # bodies on springs, at most, whose oscillation along a line a short formula describes
+LEVEL = 1e-9  # of an axle: the level part of its direction, with less of which it is upright
 STILL, ROUNDING = 1e-7, 1e-9  # of the greatest speed of its own, and of anything's: what is slower stands still
 
 
@@ -74,6 +77,19 @@ def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
         return True
     end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
     return any(event.kind == "collision" and event.time <= end for event in trace.events)
+
+
+def has_formula_of_time(mechanism: Mechanism) -> bool:
+    """Return whether a short formula tells where everything is at any time.
+
+    That is so where accelerations are constant or depend on time or velocity alone, and where springs move one or two
+    bodies along lines or level circles. Where forces depend on positions otherwise, questions are rather about turning points.
+    """
+    coordinates = mechanism.coordinates
+    swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)
+    if len(coordinates) <= SPRUNG and not mechanism.attractions and not swings:
+        return True
+    return bool(mechanism.burns or mechanism.forces) or not changing(mechanism)
 
 
 def only_falls(mechanism: Mechanism) -> bool:

@@ -73,10 +73,10 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Noun:
-    """How a question calls a target: a noun phrase, and where English has them a question and a clause of its own.
+    """The words for a target: a noun phrase, and where English has them a question, a clause and a statement of its own.
 
-    `how` keeps its placeholder ``{when}``; what is `timeless` is asked without a moment, and
-    what is called something `over` a stretch is asked from the start to the moment.
+    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``; what is `timeless` is asked without a
+    moment, and what is called something `over` a stretch is asked from the start to the moment.
     """
 
     phrase: str
@@ -84,10 +84,14 @@ class Noun:
     indirect: str = ""
     timeless: bool = False
     over: str = ""
+    states: str = ""
 
     def heard(self, text: str) -> bool:
         """Whether a sentence can ask for it."""
         if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
+            return True
+        subject, _, rest = self.states.partition("{value}")
+        if rest and subject in text and rest in text:
             return True
         return self.how != "" and self.how.partition("{when}")[0].lower() in text.lower()
 
@@ -175,8 +179,9 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
     filler = _Filler(name, words)
     for quantity in asked:
         if quantity.magnitude:
-            size, how, indirect = (filler.of(quantity, said) for said in quantity.size_phrases(words.mechanism, name))
-            noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over))
+            templates = quantity.size_phrases(words.mechanism, name)
+            size, how, indirect, states = (filler.of(quantity, said) for said in templates)
+            noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over), states)
             yield Target(quantity.name, name), noun
     signed = [quantity for quantity in asked if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []
@@ -204,4 +209,4 @@ class _Filler:
         if quantity.center:
             phrase = subject.point(words.mechanism, self._name, phrase)
         fills = words.fills(subject, self._name)
-        return template.format(**{subject.slot: phrase}, **fills, component=component, when="{when}")
+        return template.format(**{subject.slot: phrase}, **fills, component=component, when="{when}", value="{value}")

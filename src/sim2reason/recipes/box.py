@@ -30,7 +30,7 @@ TIERS = {
         closers=DRAWN,
         spread=4.0,
         rough=0.5,
-        more=0.3,
+        more=0.15,
         words=WORDS["medium"] + 30,
     ),
     "hard": Tier(
@@ -39,7 +39,7 @@ TIERS = {
         {**NUMBERS["hard"], **SIZES, "left?": 0.6, "blocks": Count(1, 2)},
         closers=HUNG,
         rough=0.8,
-        more=0.4,
+        more=0.15,  # more than friction is too much to keep in mind
         words=WORDS["hard"],
     ),
 }

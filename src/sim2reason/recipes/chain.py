@@ -19,18 +19,16 @@ IDEAS = {
         Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both")}, 2.0),
         Idea(KIND, {**LEVEL, "carts": Count(1, 2), "ends": ("left", "right"), "angle?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(1, 1), "ends": ("left", "right"), "friction?": 1.0}),
-        Idea(RING, {**EVEN, "beads": Count(2, 3), "damping?": 0.0}, 0.7),
+        Idea(RING, {**EVEN, "beads": Count(2, 2), "damping?": 0.0}, 0.1),
     ),
     "hard": (
         Idea(KIND, {**LEVEL, "carts": Count(2, 2), "ends": ("left", "right", "both"), "angle?": 1.0}, 2.0),
-        Idea(KIND, {**LEVEL, "carts": Count(3, 3), "ends": ("free",)}, 2.0),  # two modes beside the common motion
-        Idea(KIND, {**LEVEL, "carts": Count(3, 3)}, 0.3),  # most questions about three modes or more need a computer
-        Idea(KIND, {**LEVEL, "carts": Count(4, 4), "ends": ("free", "left", "right")}, 0.1),
-        Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}, 0.2),
+        Idea(KIND, {**LEVEL, "carts": Count(3, 3), "ends": ("free",)}, 0.2),  # two modes beside the common motion
+        Idea(KIND, {**LEVEL, "carts": Count(3, 3)}, 0.3),  # most questions about three modes need a computer
+        Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}, 0.1),
         Idea(KIND, {**LEVEL, "carts": Count(2, 2), "friction?": 1.0}),
-        Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "angle?": 1.0}),
-        Idea(RING, {**EVEN, "beads": Count(3, 3)}, 0.7),
-        Idea(RING, {**EVEN, "beads": Count(4, 4)}, 0.1),
+        Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "angle?": 1.0}, 1.5),
+        Idea(RING, {**EVEN, "beads": Count(3, 3)}, 0.05),
     ),
 }
 
@@ -39,7 +37,7 @@ IDEAS = {
 WEIGHTS = {
     "period": 0.5,
     "start": 0.15,
-    "comparison": 0.1,
+    "comparison": 0.05,
     "event": 0.2,
     "sum": 0.1,
     "extremum": 0.25,

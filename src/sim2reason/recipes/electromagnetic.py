@@ -51,10 +51,11 @@ IDEAS = {
 WEIGHTS = {
     "comparison": 0.1,
     "state": 0.3,
-    "sum": 0.6,
+    "sum": 0.15,
+    "numeric.sum": 0.0,
     "event": 0.4,
-    "time_to_event": 0.5,
-    "extremum": 0.3,
+    "time_to_event": 0.1,
+    "extremum": 0.1,
     "optimum": 0.0,
 }
 

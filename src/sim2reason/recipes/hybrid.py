@@ -34,7 +34,7 @@ TIERS = {
         words=WORDS["medium"] + PRISM,
     ),
     "hard": Tier(
-        Count(2, 3),
+        Count(2, 2),
         (PULLEYS, FACES),
         {**NUMBERS["hard"], **SIDES},
         rough=0.6,
@@ -45,7 +45,7 @@ TIERS = {
 }
 
 
-WEIGHTS = {"sum": 0.7, "threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
+WEIGHTS = {"sum": 0.1, "threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
 
 
 @recipe("hybrid", weights=WEIGHTS)

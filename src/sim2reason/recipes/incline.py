@@ -15,7 +15,7 @@ SIMPLE = ({"TwoSideMassPlane": 1.0},)
 WIDE = ({"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5, "MassWithFixedPulley": 1.5, "StackedMassPlane": 1.5},)
 WIDEST = ({**WIDE[0], "MassPrismPlane": 4.0},)  # of which few have room for what is joined to them
 STACK = {"StackedMassPlane.friction": Range(0.1, 0.6), "top_friction": Range(0.1, 0.6), "StackedMassPlane.speed?": 0.3}
-TALL = {**STACK, "top?": 0.4, "top_friction?": 0.4}
+TALL = {**STACK, "top?": 0.25, "top_friction?": 0.4}
 ALONE = {"speed?": 0.6}  # a plane without strings often starts with a speed
 TIERS = {
     "easy": Tier(
@@ -39,7 +39,7 @@ TIERS = {
         words=WORDS["medium"],
     ),
     "hard": Tier(
-        Count(2, 3), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.4, words=WORDS["hard"]
+        Count(2, 2), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.4, words=WORDS["hard"]
     ),
 }
 PULLED = 0.4  # of the easy scenes are of two blocks that a hand pulls: without it they would slide as one

@@ -68,8 +68,8 @@ TIERS = {
 WEIGHTS = {
     "start": 0.3,
     "period": 0.2,
-    "sum": 0.25,
-    "extremum": 0.6,
+    "sum": 0.05,
+    "extremum": 0.4,
     "comparison": 0.2,
     "equilibrium": 0.1,
     "threshold": 0.1,

@@ -48,14 +48,14 @@ TIERS = {
 WEIGHTS = {
     "start": 0.1,
     "event": 0.6,
-    "sum": 0.3,
+    "sum": 0.1,
     "state": 0.1,
     "time_to_event": 0.1,
     "period": 0.2,
-    "comparison": 0.2,
+    "comparison": 0.1,
     "threshold": 0.0,
     "optimum": 0.0,
-    "numeric.period": 0.05,
+    "numeric.period": 0.0,
 }
 
 

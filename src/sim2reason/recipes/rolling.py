@@ -76,7 +76,7 @@ WEIGHTS = {
     "extremum": 0.1,
     "limit": 0.1,
     "optimum": 0.1,
-    "numeric.period": 0.03,
+    "numeric.period": 0.0,
     "symbolic.optimum": 0.1,  # of formulas that are too long
 }
 

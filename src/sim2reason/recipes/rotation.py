@@ -36,8 +36,9 @@ from sim2reason.recipes.parts.ranges import SIZES
 NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
 FAR = Range(0.2, 0.8)  # m, for small balls
 PUSH = Range(2.5, 6.0)  # rad/s
-SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}
-SMALL = 0.5  # the chance that a further piece is a small ball
+SOLID = {AxialPiece: 0.5, RoundPiece: 0.2, CappedPiece: 0.05, TiltedPiece: 0.05, HoledPiece: 0.05, BarPiece: 0.15}
+SMALL = 0.7  # the chance that a further piece is a small ball
+UNBALANCED = 0.3  # of Σ m |x| is left of Σ m x, at least: arms near balance hang on the last digits of all numbers
 OWN = 0.175  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
 MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
 MANY = 3  # pieces, of which one may have a size without bearing
@@ -56,7 +57,7 @@ class SwingTier:
 TIERS = {
     "easy": (SwingTier(Count(1, 1), 0.0),),
     "medium": (SwingTier(Count(2, 3), 0.0), SwingTier(Count(1, 1), 1.0)),
-    "hard": (SwingTier(Count(2, 4), 0.0), SwingTier(Count(2, 3), 1.0)),  # some go over the top
+    "hard": (SwingTier(Count(2, 3), 0.0), SwingTier(Count(2, 3), 1.0)),  # some go over the top
 }
 
 
@@ -76,7 +77,7 @@ WEIGHTS = {
 
 @recipe("rotation", share=2, weights=WEIGHTS)
 def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Up to four solid bodies fixed to a light arm: let go, or set turning."""
+    """Up to three solid bodies fixed to a light arm: let go, or set turning."""
     tiers = TIERS[difficulty]
     tier = tiers[int(rng.integers(len(tiers)))]
     choices = {"rate?": tier.pushed, "rate": PUSH}
@@ -95,8 +96,10 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
         piece = _drawn_near(kind, rng, found)
         if piece is not None and _fits(piece, found) and _bear([*found, piece], unmoved=count >= MANY):
             found.append(piece)
-        if len(found) == count:
+        if len(found) == count and _is_unbalanced(found):
             return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+        if len(found) == count:
+            found.pop()
     raise SceneError("arm", f"{DRAWS} draws gave too few pieces that all have a bearing", "draw again")
 
 
@@ -152,6 +155,11 @@ def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
         if unmoved < 0:
             return False
     return True
+
+
+def _is_unbalanced(pieces: Sequence[WeldedPiece]) -> bool:
+    moments = [_share(piece).moment for piece in pieces]
+    return abs(sum(moments)) >= UNBALANCED * sum(map(abs, moments))
 
 
 class _Share(NamedTuple):

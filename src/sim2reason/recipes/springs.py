@@ -14,9 +14,10 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND, PLANE = "SpringBlock", "SpringMassIncline"
-FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": Range(-0.8, 0.8)}  # of the nail at the origin
+FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": 0.0}  # of the nail at the origin
 # one spring from the origin: energy and angular momentum are kept
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
+ACROSS = {**CENTRAL, "Launch.x": 0.0}  # launched at right angles to the spring
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 ROUGH = {
     "stiffness": Range(40.0, 160.0),
@@ -51,13 +52,15 @@ def _distance(point: complex, end: complex) -> float:
 
 IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
-        Idea(KIND, CENTRAL, 1.2),
+        Idea(KIND, ACROSS, 0.8),
+        Idea(KIND, CENTRAL, 0.4),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.1, _apart),  # it needs integrating
         Idea(PLANE, {**ROUGH, "angle": Range(26.0, 38.0)}, 1.0, _starts_well),
     ),
     "medium": (
         Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.1, _apart),
-        Idea(KIND, {**EVEN, **CENTRAL}, 1.2),
+        Idea(KIND, {**EVEN, **ACROSS}, 0.6),
+        Idea(KIND, {**EVEN, **CENTRAL}, 0.6),
         Idea(PLANE, {**ROUGH, "angle": Range(30.0, 45.0)}, 1.2, _starts_well),
     ),
     "hard": (  # friction of the springs themselves
@@ -79,9 +82,10 @@ WEIGHTS = {
     "event": 0.2,
     "time_to_event": 0.8,
     "sum": 0.05,
-    "comparison": 0.1,
+    "comparison": 0.05,
     "optimum": 0.0,
     "numeric.event": 0.1,
+    "numeric.start": 0.0,
     "symbolic.extremum": 0.3,
 }
 

@@ -26,7 +26,7 @@ class AreaSwept(Integral):
     of = Pairs()
     phrase = "the area that the line between {pair} sweeps out"
     how = "how large an area does the line between {pair} sweep out {when}?"
-    weight = 3.0
+    weight = 0.3
 
     def rate(self, state: State, name: str) -> Array:
         """½|r × v|, (n,)."""

@@ -12,3 +12,4 @@ class GreatestKineticEnergy(Extreme):
     name = "greatest kinetic energy"
     quantity = KineticEnergy
     phrase = "the greatest kinetic energy of {body}{ground}"
+    weight = 0.2  # rather its greatest speed

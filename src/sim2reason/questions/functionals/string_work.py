@@ -29,6 +29,7 @@ class StringWork(Integral):
     phrase = "the work that the tension in {string} does on {body}"
     how = "how much work does the tension in {string} do on {body} {when}?"
     indirect = "how much work the tension in {string} does on {body}"
+    weight = 0.2  # rather the tension itself
 
     def own(self, words: Words, name: str) -> dict[str, str]:
         """What the text calls the string."""

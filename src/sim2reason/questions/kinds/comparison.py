@@ -53,7 +53,7 @@ class ComparisonKind(NestedKind):
     """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
 
     name = "comparison"
-    share = 0.15
+    share = 0.06
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
         """One whose ratio no proportionality leads to, where the same things happen in both cases."""
@@ -172,8 +172,8 @@ def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
     return (
         f"by what factor would {changing}, and nothing else, multiply {{}}?",
         f"determine the factor by which {changing} would multiply {{}}.",
+        f"by what factor would {{}} change if {changed}, all else being the same?",
         f"suppose {changed} and all else were unchanged: find {ratio}.",
-        f"what would be {ratio}, if {changed}?",
     )
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.questions.change import changed
-from sim2reason.questions.choices import pick
+from sim2reason.questions.choices import has_formula_of_time, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
@@ -17,10 +17,15 @@ class StateKind(ValueKind):
     """What is the quantity at a stated time?"""
 
     name = "state"
-    share = 0.15  # at most 30 % of all that passes the filters
+    share = 0.1  # at most 30 % of all that passes the filters
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A time away from events, and any quantity that is not then what it was at the start."""
+        """A time away from events, and any quantity that is not then what it was at the start.
+
+        None where no short formula tells what happens when.
+        """
+        if not has_formula_of_time(study.mechanism):
+            return None
         moment = drawn(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 

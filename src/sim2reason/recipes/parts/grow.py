@@ -42,7 +42,7 @@ CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # not far lighter than what
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
 ROWS = ("blocks", "left_blocks")
-ROWED = 0.5  # of scenes that may have blocks in rows do: such blocks move as one
+ROWED = 0.25  # of scenes that may have blocks in rows do: such blocks move as one
 HAND = "ConstantForcePuller"
 CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 

@@ -10,6 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
@@ -243,7 +244,8 @@ def _end(query: StretchQuery, study: Study) -> float | None:
 def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
     """Moments of a motion that may end a stretch: a few of those that the motion brings about, and a time."""
     found, events = list[Moment](), 0
-    classes = [cls for cls in by_cause() if cls.drawn_by_recipes]
+    timed = has_formula_of_time(study.mechanism)
+    classes = [cls for cls in by_cause() if cls.drawn_by_recipes and (timed or cls is not AtTime)]
     order: list[int] = rng.permutation(len(classes)).tolist()
     for cls in (classes[number] for number in order):
         happens = issubclass(cls, Happening)
