@@ -29,10 +29,14 @@ SIDEWAYS = (
     "it, it exerts the force"
 )
 RIGHT_ANGLE = "The two components are perpendicular to each other, so the magnitude of the force is"
-PROJECTED = {
-    UP: "The upward component of the force is the sum of their upward parts,",
-    ACROSS: "The rightward component of the force is the sum of their parts to the right,",
-}
+UPWARD = (
+    "By Newton's second law, with the weight and with the upward parts of the centripetal and the tangential "
+    "acceleration of the centre of mass, the upward component of the force is"
+)
+RIGHTWARD = (
+    "The axle exerts the only horizontal force, so by Newton's second law, with the parts to the right of the "
+    "centripetal and the tangential acceleration of the centre of mass, the rightward component is"
+)
 
 
 class AxleForces(SwingAngle):
@@ -129,28 +133,27 @@ class AxleForces(SwingAngle):
         inward, aside = self._both
         return Root(Power(inward, 2) + Power(aside, 2))
 
+    @property
+    def _moment(self) -> Expression:
+        """M d, in kg m."""
+        return self.arm.moment if self.falls else -self.arm.moment
+
     def _upward(self) -> Expression:
-        if self._aside == ZERO:
-            return self._below * self._inward
-        if self._inward == ZERO:
-            return self._aside * self.sine
-        inward, aside = self._both
-        return inward * self._below + aside * self.sine
+        rises = squares([self.rate]) * self._below - self.angular_acceleration * self.sine
+        return self.whole * self.gravity + self._moment * rises
 
     def _rightward(self) -> Expression:
-        """Return the part to the right: the first component points back to the axle, the other one beyond."""
-        if self._inward == ZERO:
-            return self._aside * self._below
-        inward, aside = self._both
+        """Return the horizontal part, in which M appears only within M d."""
+        inward = self._moment * (squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
         first_on_right = (self.now >= 0.0) == self.arm.begins_right
-        outward = aside * self._below - inward * self.sine
-        return outward if first_on_right == self.falls else -outward
+        return -inward if first_on_right == self.falls else inward
 
     def said_of_axle(self) -> str:
         """Return the words before the formula of the force."""
-        if self._aside == ZERO:
+        if self._projected and not self.vertical:
+            return RIGHTWARD
+        if self.sine == ZERO:
             return STRAIGHT
-        if self._inward == ZERO:
-            return SIDEWAYS
-        sense = self.setting.query.target.sense if self.setting.query.target is not None else None
-        return PROJECTED[sense.vector] if sense is not None else RIGHT_ANGLE
+        if self._projected:
+            return UPWARD
+        return SIDEWAYS if self._inward == ZERO else RIGHT_ANGLE
