@@ -193,10 +193,12 @@ X4 = driven(0.4)
 LANDS = Bounced("field.ball", after=False)
 OVER = 3.0 - 2.0 * cos(radians(50.0))  # mg(3 − 2 cos θ₀) in the bowl
 CIRCLE = 4.4 * 2.9 / (2.3 * 0.55)  # m: the radius of the circle of a bead that leaves the origin
+SWUNG = 6.8 * G * (1.0 + 2.0 * 0.24**2 / (0.4 * 0.18**2 + 0.24**2))  # mg + mω²d, a sphere on an arm from level
 EXTREMES: Sequence[Case] = (
     Case(FREE, "greatest speed", "swing.bob", WholeMotion(), SPEED),
     Case(FREE, "greatest angular speed", "swing.hanger", Stopped("swing.bob"), SPEED / 0.8),
     Case(FREE, "greatest rod force", "swing.hanger", WholeMotion(), 0.5 * G * 2.0),  # mg(3 − 2 cos θ₀)
+    Case(stored("swung_sphere", 2.0), "greatest axle force", "arm.arm", WholeMotion(), SWUNG),
     Case(FREE, "greatest kinetic energy", "swing.bob", WholeMotion(), 0.25 * SPEED**2),
     Case(told(swing()), "greatest tension", "swing.hanger", WholeMotion(), 0.5 * G * 2.0),
     Case(told(swing()), "greatest speed", "swing.bob", Stopped("swing.bob"), SPEED),

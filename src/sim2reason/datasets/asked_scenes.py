@@ -207,7 +207,7 @@ ASKED = (
         (
             "How far is the centre of the rod from the axle?",
             "What is the moment of inertia of the rod about the axle?",
-            "How large is the force on the axle just after release?",
+            "What force does the rod exert on the axle just after release?",
         ),
     ),
     ExampleScene(

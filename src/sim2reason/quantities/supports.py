@@ -11,6 +11,7 @@ from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Acceleration
 from sim2reason.quantities.momentum import NetForce
 from sim2reason.quantities.subjects import all_said
+from sim2reason.quantities.subjects.axles import held_by_axle_alone
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import EVEN, carried_by, chain, upright
 from sim2reason.quantities.subjects.pulleys import DIRECTIONS, Pulleys
@@ -68,7 +69,7 @@ class AxleForce(SupportForce):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body is, or is part of, what turns about a fixed axle and is held by the axle alone."""
-        return _held_by_axle_alone(mechanism, name)
+        return held_by_axle_alone(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -80,20 +81,6 @@ class AxleForce(SupportForce):
                     np.array(state.mechanism.gravity) - Acceleration.evaluate(state, body.name)
                 )
         return total
-
-
-def _held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body, with all bodies joined to it, turns about one fixed axle and touches nothing else."""
-    if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
-        return False
-    together = carried_by(mechanism, chain(mechanism, name)[-1].name)
-    held = {body.name for body in together}
-    pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
-    acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
-    stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
-    hinges = [c.name for body in together for c in body.coordinates]
-    wound = any(wheel.coordinate in hinges for line in mechanism.lines for wheel in line.wheels)
-    return len(hinges) == 1 and not wound and not held & (pulled | acted | stands | mechanism.contacts.keys())
 
 
 @quantity

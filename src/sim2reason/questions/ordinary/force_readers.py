@@ -8,7 +8,7 @@ from sim2reason.questions.ordinary.readers import Main
 from sim2reason.questions.ordinary.value_readers import FORCES
 from sim2reason.questions.ordinary.vocabulary import FIXED_END, FREE_AXLE, LIGHT
 
-ON_PULLEY, ON_AXLE = "force on a pulley", "force on the axle"
+ON_PULLEY, ON_AXLE, OF_AXLE = "force on a pulley", "force on the axle", "axle force"
 
 
 def _named(found: re.Match[str], heard: Heard) -> list[str]:
@@ -42,6 +42,7 @@ def on_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     said = _named(found, heard)
     for of in (_beside_string(said) if len(said) == 2 else said) or ([] if said else [""]):
         yield Main(ON_PULLEY, of, ways=((of, LIGHT),))
+        yield Main(OF_AXLE, of)  # of the same size, with a worked solution
         yield Main(ON_AXLE, of)
 
 

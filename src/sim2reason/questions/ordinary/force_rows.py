@@ -14,11 +14,13 @@ _HOOK = (
     "(?:fixed )?(?:hook|ceiling|beam)|(?:its )?(?:point of suspension|suspension point|fixed point|suspension"
     "|upper end|point of support)"
 )
+GREATEST = "greatest|maximum|maximal|largest|highest|biggest|peak|most|at most"
 _ON = "?by|on|of|from|upon|against"
 
 FORCE_ROWS = (
-    WantedRow((FORCE, "greatest|maximum|maximal|largest|highest|biggest|peak|most|at most", f"?{_ACT}", _ON, _ON,
-         "?wall|stop"), "what is greatest force of {s}", 2),
+    WantedRow((FORCE, GREATEST, f"?{_ACT}", _ON, _ON, "?wall|stop"), "what is greatest force of {s}", 2),
+    WantedRow((FORCE, GREATEST, _HOLDER, f"?{_ACT}", "?on|by|from|of|at", "?on|by|from|of"),
+        "what greatest force bears axle {s}"),
     WantedRow((FORCE, "(?:vertical )?guide", f"?{_ACT}", "?sideways|horizontal|horizontally", _ON),
         "what force of guide on {s}"),
     WantedRow((FORCE, "horizontal|sideways|horizontally", "(?:vertical )?guide", f"?{_ACT}", _ON),

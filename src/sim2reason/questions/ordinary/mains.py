@@ -166,6 +166,7 @@ FRAMES: Mapping[str, Reader] = {
     "what force of its string on pulley {s}": force.on_that_pulley,
     "what force of the one string on pulley {s}": force.on_free_pulley,
     "what force bears axle[ {s}][ {t}]": force.on_axle,
+    "what greatest force bears axle[ {s}]": of_one("greatest axle force", needs=STRETCH),
     "how near to far end does {s} get[ {t}]": shape.far_end("most compressed"),
     "how far from far end does {s} get[ {t}]": shape.far_end("most stretched"),
     "how far from far end is {s}[ {t}]": shape.far_end(),

@@ -14,16 +14,16 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way
+from sim2reason.solutions.swings.angle import SMALL, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.swings.asked import by_energy, straight, turns_back, unasked
+from sim2reason.solutions.swings.axle_force import AxleForces
 from sim2reason.solutions.swings.components import BOTH
 from sim2reason.solutions.swings.small_oscillations import small_oscillations
 from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.swings.where_extreme import Ends
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
-    ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
     DEGREES,
 )
@@ -57,7 +57,7 @@ class Axle(Strategy):
         return _Turning(setting, book).write().name
 
 
-class _Turning(SwingAngle):
+class _Turning(AxleForces):
     """A rigid body on an axle, and the quantities that are asked of it."""
 
     one_point = False
@@ -163,17 +163,6 @@ class _Turning(SwingAngle):
         gained = self.arm.moment * self.gravity * (there - self.cosine_first)
         return HALF * self.arm.inertia * squares([self.launch]) + gained
 
-    @cached_property
-    def angular_acceleration(self) -> Expression:
-        """The angular acceleration, of its size: torque over moment of inertia."""
-        if self.sine == ZERO:
-            return ZERO
-        moment = self.arm.moment
-        size = moment if self.book.value(moment) > 0.0 else -moment
-        formula = size * self.gravity * self.sine / self.arm.inertia
-        said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
-
     # ---- quantities
 
     def _velocity(self) -> Expression:
@@ -222,7 +211,7 @@ class _Turning(SwingAngle):
         """Return the words before the formula; of one of several bodies, they name it."""
         if quantity == "kinetic energy":
             return f"The kinetic energy of {self.setting.called(self.piece.body)}, which turns about the axle, is"
-        return super().said(quantity)
+        return self.said_of_axle() if quantity == "axle force" else super().said(quantity)
 
     def _kinetic(self) -> Expression:
         if len(self.arm.bodies) == 1 and self._swinging:
@@ -286,6 +275,7 @@ class _Turning(SwingAngle):
         "torque": ("_torque", "The torque about the centre of mass is"),
         "angular velocity": ("_rate", ""),
         "angular acceleration": ("_growth", ""),
+        "axle force": ("axle_force", ""),
         "deflection": ("_deflection", ""),
         "angle turned": ("_between", "The angle turned through is"),
         "total angle": ("_swept", "In all, it turns through"),

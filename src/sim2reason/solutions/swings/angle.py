@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
@@ -53,6 +54,7 @@ class SwingAngle(ABC):
     turning: float
     way: float
     WAYS: ClassVar[Mapping[str, Way]]
+    senses: ClassVar[tuple[Vector, ...]] = (UP,)  # along which components are found
     one_point = True  # what swings is a single small body
     falls = True  # its centre of mass is on the side to which the angle is counted
 
@@ -228,17 +230,15 @@ class SwingAngle(ABC):
         if not quantity:
             return self._when()
         sense = target.sense if target is not None else None
-        if sense is not None and sense.vector != UP and any(sense.vector):
-            raise UnsolvedError("a component along a direction that is not vertical")
-        unit = self.setting.unit
+        if sense is not None and any(sense.vector) and sense.vector not in self.senses:
+            raise UnsolvedError(f"no way to the component along {sense.positive}")
         self._tell_where(quantity)
         formula: Expression = getattr(self, self.WAYS[quantity][0])()
-        turned = sense is None and self.book.value(formula) < 0.0
-        formula = -formula if turned else formula
-        if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
+        formula = -formula if (turned := sense is None and self.book.value(formula) < 0.0) else formula
+        if isinstance(formula, Symbol) and (self.setting.unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
         said = of_magnitude(self.said(quantity) or "So", quantity) if turned else self.said(quantity) or "So"
-        found = self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, unit)
+        found = self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
         self._compare_ends(quantity, found)
         return found
 
@@ -271,8 +271,8 @@ class SwingAngle(ABC):
 
     def _compare_ends(self, quantity: str, found: Symbol) -> None:
         """Write, once it is known, how great an acceleration is at the other end of a swing that turns back."""
-        ends, book = self.ends, self.book
-        if not self.extreme or quantity != "acceleration" or self.goes_round or ends is None or book.in_symbols:
+        book, swings = self.book, bool(self.extreme) and not self.goes_round
+        if quantity != "acceleration" or not swings or book.in_symbols or (ends := self.ends) is None:
             return
         if book.is_hidden(found) or any(map(book.is_hidden, ends)):
             book.afterwards.append(lambda: tell_other_end(book, found, ends))
@@ -287,8 +287,8 @@ class SwingAngle(ABC):
     @property
     def vertical(self) -> bool:
         """Return whether the upward component is asked for."""
-        target = self.setting.query.target
-        return target is not None and target.sense is not None and target.sense.vector == UP
+        sense = target.sense if (target := self.setting.query.target) is not None else None
+        return sense is not None and sense.vector == UP
 
     def _deflection(self) -> Expression:
         if isinstance(self.angle, Number):

@@ -94,12 +94,16 @@ class Arm:
         """
         m = self.setting.mechanism
         state, number = self.setting.study.trace.sample(times), m.number[m.body[self.carrier].coordinates[0].name]
-        way = self.way(m)
-        side = 1.0 if way[0] >= 0.0 else -1.0
+        way, side = self.way(m), 1.0 if self.begins_right else -1.0
         sense = -side * self.axis[1]  # about y, what points to the right goes down
         turned = sense * state.q[:, number]
         angles = side * atan2(way[0], -way[2]) + turned
         return (angles + pi) % (2.0 * pi) - pi, turned, sense * state.v[:, number]
+
+    @property
+    def begins_right(self) -> bool:
+        """Return whether the arm points to the right at the start, or straight down or up."""
+        return self.way(self.setting.mechanism)[0] >= 0.0
 
     def _deflection(self, m: Mechanism) -> float:
         x, _, z = self.way(m)

@@ -21,6 +21,7 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
     "greatest kinetic energy": ("kinetic energy", "fastest"),
     "greatest tension": ("tension", "fastest"),
     "greatest rod force": ("rod force", "fastest"),
+    "greatest axle force": ("axle force", "fastest"),
     "greatest acceleration": ("acceleration", "fastest"),
     "least tension": ("tension", "slowest"),
     "least speed": ("velocity", "slowest"),

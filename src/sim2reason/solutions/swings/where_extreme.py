@@ -15,6 +15,15 @@ QUADRATIC = (
     "acceleration is then quadratic in $\\cos\\varphi$ with a positive leading coefficient, so its greatest value is "
     "at one end of the range"
 )
+AXLE_FORCE = (
+    "By conservation of energy, the component of the force along the line to the centre of mass is linear in "
+    "$\\cos\\varphi$, where $\\varphi$ is the angle from the lowest position, and the one perpendicular to it is "
+    "proportional to $\\sin\\varphi$ and at most $\\sin\\varphi$ times the weight. The square of the force is then "
+    "quadratic in $\\cos\\varphi$ with a positive leading coefficient, so its greatest value is at one end of the "
+    "range. In the lowest position the force is at least the weight;"
+)
+AXLE_TURNS = "at the turning points, without angular velocity, it is at most the weight"
+AXLE_LOOPS = "in the highest position the angular velocity is less and the weight acts towards the axle"
 
 
 def where_extreme(
@@ -30,6 +39,8 @@ def where_extreme(
         thrust = " Where the rod pushes, its thrust is at most the weight, and so no greater."
         thrust = thrust if (quantity, superlative) == ("rod force", "greatest") else ""
         return f"The {noun} is {superlative} {where}, because the speed and {along} are {superlative} there.{thrust}"
+    if quantity == "axle force":
+        return f"{AXLE_FORCE} {AXLE_LOOPS if loops else AXLE_TURNS}, so it is greatest {where}."
     if quantity == "acceleration":
         if loops:
             return f"{QUADRATIC}. At both ends it is only centripetal, so it is greatest {where}."

@@ -11,6 +11,7 @@ LETTERS = {
     "angular acceleration": r"\alpha",
     "angular momentum": "L",
     "angular velocity": r"\omega",
+    "axle force": "F",
     "deflection": r"\phi",
     "displacement": "s",
     "distance": "r",

@@ -1,0 +1,61 @@
+"""Fixed axles, each by the body that turns about it."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.vectors import Vector
+from sim2reason.quantities.subjects import Sense, Subject, all_said
+from sim2reason.quantities.subjects.bodies import RIGHT, SELDOM, UP
+from sim2reason.quantities.subjects.paths import EVEN, carried_by, chain
+from sim2reason.quantities.subjects.rods import Rods
+
+HORIZONTAL, VERTICAL = "horizontal", "vertical"
+ACROSS: Vector = (1.0, 0.0, 0.0)
+UPWARD: Vector = (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class Axles(Subject):
+    """Every body that turns about a fixed axle of its own and is held by that axle alone.
+
+    A light rod with its load at one point is none of them: the force in the rod is that of the axle.
+    """
+
+    name, slot = "axle", "body"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies on whose hinges all turns that they carry."""
+        rods = Rods().names(mechanism)
+        hinged = [body.name for body in mechanism.bodies if body.coordinates and body.name not in rods]
+        return tuple(name for name in hinged if held_by_axle_alone(mechanism, name))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return the phrases of the bodies that the text mentions."""
+        return {name: mentions[name] for name in self.names(mechanism) if name in mentions}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives it for every body that has it, since each may load the axle."""
+        del name
+        return all_said(need, mechanism, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return up, and right where the axle is level and points away from the reader of the text."""
+        up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=SELDOM)
+        right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=SELDOM)
+        return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - EVEN else [up]
+
+
+def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body, with all bodies joined to it, turns about one fixed axle and touches nothing else."""
+    if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
+        return False
+    together = carried_by(mechanism, chain(mechanism, name)[-1].name)
+    held = {body.name for body in together}
+    pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
+    acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
+    drawn = {each for pull in mechanism.attractions for each in (pull.a, pull.b)}
+    stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
+    hinges = [c.name for body in together for c in body.coordinates]
+    wound = any(wheel.coordinate in hinges for line in mechanism.lines for wheel in line.wheels)
+    return len(hinges) == 1 and not wound and not held & (pulled | acted | drawn | stands | mechanism.contacts.keys())
