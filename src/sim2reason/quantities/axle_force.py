@@ -21,7 +21,7 @@ class ForceOfAxle(Quantity):
     how = "how large a force does the axle exert on {body} {when}?"
     needs = ("mass",)
     immediate = True
-    weight = 2.0
+    weight = 3.0
     floor, heavy = 0.1, True
 
     @staticmethod
