@@ -9,7 +9,7 @@ from sim2reason.dsl.looks import PulleyWheel
 from sim2reason.dsl.measures import Measure, Range
 from sim2reason.dsl.template import Word
 
-PulleyMass = Annotated[float, Ge(0), Le(1e6), Measure("pulley mass", "kg", "M"), Range(0.1, 2.0)]
+PulleyMass = Annotated[float, Ge(0), Le(1e6), Measure("pulley mass", "kg", "M", sought=0.5), Range(0.1, 2.0)]
 
 
 class Pulley(Body):

@@ -100,7 +100,8 @@ class Measure:
 
     `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. A value is spoken with `decimals` places, but at
     most three significant digits, or, if `decimals` is None, with two significant digits. `called` is the name in a
-    question, if it is not `name`; `beside` has the symbol and name beside another number.
+    question, if it is not `name`; `beside` has the symbol and name beside another number. `sought` says how often
+    problems leave it unknown, compared with other numbers: people measure some numbers by what happens, others before.
     """
 
     name: str
@@ -109,6 +110,7 @@ class Measure:
     decimals: int | None = None
     called: str = ""
     beside: Beside | None = None
+    sought: float = 1.0
 
     def __post_init__(self) -> None:
         """Refuse a unit outside the table (UnitError)."""
@@ -187,7 +189,7 @@ Friction = Annotated[
     float,
     Ge(0),
     Le(2),
-    Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction", beside=KINETIC),
+    Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction", beside=KINETIC, sought=3.0),
     Range(0.1, 0.7),
 ]
 StaticFriction = Annotated[
@@ -199,15 +201,15 @@ StaticFriction = Annotated[
     Range(0.2, 0.9),
     Usually(present=False),
 ]
-Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
-Speed = Annotated[float, LEAST, Le(FASTEST), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F", sought=2.0), Range(0.5, 10.0)]
+Speed = Annotated[float, LEAST, Le(FASTEST), Measure("speed", "m/s", "v", sought=2.0), Range(0.5, 5.0)]
 AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]
 Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
 FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 Height = Annotated[float, LEAST, Le(1e4), Measure("height", "m", "h"), Range(1.0, 5.0)]
-Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), Range(20.0, 250.0)]
+Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k", sought=2.0), Range(20.0, 250.0)]
 NaturalLength = Annotated[float, LEAST, Le(1e3), Measure("natural length", "m", r"\ell_0"), Range(0.2, 1.0)]
 Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d", called="distance"), Range(0.05, 0.3)]
 Damping = Annotated[float, LEAST, Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0)]
@@ -216,7 +218,7 @@ Restitution = Annotated[
     float,
     Ge(0),
     Le(1),
-    Measure("restitution", "", "e", decimals=2, called="coefficient of restitution"),
+    Measure("restitution", "", "e", decimals=2, called="coefficient of restitution", sought=3.0),
     Range(0.3, 0.95),
 ]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

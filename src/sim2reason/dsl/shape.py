@@ -17,7 +17,7 @@ from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
 
 SMALL = Le(1e2)
-Radius = Annotated[float, LEAST, SMALL, Measure("radius", "m", "R"), Range(0.05, 0.15)]
+Radius = Annotated[float, LEAST, SMALL, Measure("radius", "m", "R", sought=0.3), Range(0.05, 0.15)]
 HoleRadius = Annotated[float, LEAST, SMALL, Measure("hole radius", "m", "r"), Range(0.02, 0.05)]
 HoleOffset = Annotated[float, Ge(0), SMALL, Measure("offset", "m", "d", called="distance"), Range(0.02, 0.05)]
 Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range(0.01, 0.03)]

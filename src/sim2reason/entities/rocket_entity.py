@@ -11,7 +11,7 @@ from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, 
 from sim2reason.bodies.rocket import GRAVITATION, KILO, AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.model import as_said
 
-ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u"), Range(0.4, 3.0)]
+ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u", sought=2.0), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
 THRUST = Range(0.8, 4.0)  # times the weight at the start: below 1 the rocket waits until it is light enough
 AWAY = Range(1.2, 2.5)  # the same where it goes so far from a planet that its attraction falls off

@@ -83,7 +83,8 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
     """Return whether a short formula tells where everything is at any time.
 
     That is so where accelerations are constant or depend on time or velocity alone, and where springs move one or two
-    bodies along lines or level circles. Where forces depend on positions otherwise, questions are rather about turning points.
+    bodies along lines or level circles. Where forces depend on positions otherwise, turning points are worth asking
+    about.
     """
     coordinates = mechanism.coordinates
     swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)

@@ -14,28 +14,31 @@ def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words
     """All ways to ask which value of the unknown makes the answer to a query what is given."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
     wanted, told = kind.wanted(query, words, noun), kind.told(query, words, noun, given.said)
+    plain = [f"{called} is {given.said}" for called in kind.called(query, words, noun)[:1]]
+    clauses = tuple(dict.fromkeys((*told[:1], *plain)))
     counted = f", {sense.positive} being positive" if sense is not None and not sense.fixed else ""
     shapes = (
         shape
         for phrase in unknown.phrases
         for shape in (
-            *(_stated(told, phrase, counted) if told else ()),
+            *_stated(told, clauses, phrase, counted),
             *(shape for name in wanted for shape in _wanted(name, given.said, phrase, unknown.symbol, counted)),
         )
     )
     return tuple(dict.fromkeys(shapes))
 
 
-def _stated(told: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
-    """The result first, in a sentence of its own, or as what is given."""
+def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
+    """The result first, in a sentence of its own, or as what is given, in a clause."""
     for statement in told:
         if statement[0].isalpha():
             yield f"{statement}{counted}. What is {unknown}?"
             yield f"{statement}{counted}. Find {unknown}."
             yield f"{statement}{counted}. Determine {unknown}."
-    yield f"find {unknown}, given that {told[0]}{counted}."
-    yield f"calculate {unknown} if {told[0]}{counted}."
-    yield f"what is {unknown} if {told[0]}{counted}?"
+    for clause in clauses:
+        yield f"find {unknown}, given that {clause}{counted}."
+        yield f"calculate {unknown} if {clause}{counted}."
+        yield f"what is {unknown} if {clause}{counted}?"
 
 
 def _wanted(called: str, value: str, unknown: str, symbol: str, counted: str) -> Iterator[str]:

@@ -73,7 +73,7 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Noun:
-    """The words for a target: a noun phrase, and where English has them a question, a clause and a statement of its own.
+    """The words for a target: a noun phrase, and where there are any a question, a clause and a statement of its own.
 
     `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``; what is `timeless` is asked without a
     moment, and what is called something `over` a stretch is asked from the start to the moment.
@@ -91,7 +91,7 @@ class Noun:
         if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
             return True
         subject, _, rest = self.states.partition("{value}")
-        if rest and subject in text and rest in text:
+        if subject and subject in text and rest in text:
             return True
         return self.how != "" and self.how.partition("{when}")[0].lower() in text.lower()
 

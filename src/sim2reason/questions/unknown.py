@@ -37,6 +37,7 @@ class Unknown:
     unit: str
     symbol: str  # with its dollars
     phrases: tuple[str, ...]  # the symbol last
+    sought: float = 1.0  # how often it is asked for, compared with others
 
     @classmethod
     def of(cls, scene: Scene, parameter: Parameter, mentions: Mapping[str, str], symbol: str) -> Self | None:
@@ -48,7 +49,9 @@ class Unknown:
         like = [p for p in scene.parameters if p.measure.noun == measure.noun and p.path.rpartition(".")[0] == owner]
         named = measure.noun in OWN and len(like) == 1 and owner in scene.bodies and bool(scene.bodies[owner].letters)
         own = (f"the {measure.noun} of {mentions[owner]}",) if named else ()
-        return cls(parameter.path, measure.noun, measure.unit, shown, (*own, *_by_symbol(measure.noun, shown)))
+        return cls(
+            parameter.path, measure.noun, measure.unit, shown, (*own, *_by_symbol(measure.noun, shown)), measure.sought
+        )
 
     def called(self, symbol: str) -> Self:
         """The same in a text that has another symbol for it."""
@@ -68,14 +71,15 @@ def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, st
 
 
 def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
-    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one angle.
+    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one mass.
 
     Those are left out without which the text would be another one.
     """
     left = list(offered)
     for _ in range(min(TRIES, len(left))):
-        names = sorted({found.name for found in left})
-        name = names[int(rng.integers(len(names)))]
+        sought = {found.name: found.sought for found in sorted(left, key=lambda found: found.name)}
+        shares = np.array([*sought.values()]) / sum(sought.values())
+        name = [*sought][int(rng.choice(len(sought), p=shares))]
         same = [found for found in left if found.name == name]
         taken = same[int(rng.integers(len(same)))]
         left.remove(taken)

@@ -30,7 +30,7 @@ TIERS = {
         closers=DRAWN,
         spread=4.0,
         rough=0.5,
-        more=0.15,
+        more=0.3,
         words=WORDS["medium"] + 30,
     ),
     "hard": Tier(
@@ -39,13 +39,23 @@ TIERS = {
         {**NUMBERS["hard"], **SIZES, "left?": 0.6, "blocks": Count(1, 2)},
         closers=HUNG,
         rough=0.8,
-        more=0.15,  # more than friction is too much to keep in mind
+        more=0.25,
         words=WORDS["hard"],
     ),
 }
 
 
-@recipe("box", weights={"threshold": 0.6, "limit": 0.3, "optimum": 0.0})
+WEIGHTS = {
+    "threshold": 1.0,
+    "start": 2.0,
+    "state": 0.2,
+    "time_to_event": 0.6,
+    "limit": 0.3,
+    "optimum": 0.0,
+}
+
+
+@recipe("box", weights=WEIGHTS)
 def draw_box(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One large movable body with what moves on it, often drawn by a hand or a load."""
     return grow(TIERS[difficulty], rng)

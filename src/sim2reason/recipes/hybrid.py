@@ -45,7 +45,17 @@ TIERS = {
 }
 
 
-WEIGHTS = {"sum": 0.1, "threshold": 0.6, "comparison": 0.4, "optimum": 0.1, "extremum": 0.2, "limit": 0.3}
+WEIGHTS = {
+    "sum": 0.1,
+    "start": 2.0,
+    "state": 0.2,
+    "time_to_event": 0.6,
+    "threshold": 0.6,
+    "comparison": 0.4,
+    "optimum": 0.1,
+    "extremum": 0.2,
+    "limit": 0.3,
+}
 
 
 @recipe("hybrid", weights=WEIGHTS)

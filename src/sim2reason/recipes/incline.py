@@ -57,7 +57,8 @@ WEIGHTS = {
     "extremum": 0.1,
     "optimum": 0.1,
     "limit": 0.3,
-    "numeric.start": 0.2,
+    "state": 0.2,
+    "sum": 0.5,
     "reverse.comparison": 0.3,
 }
 

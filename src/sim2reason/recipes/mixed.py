@@ -66,7 +66,8 @@ TIERS = {
 
 # lengths of rods do not bear on the start; most periods are those of one spring and all masses; much takes a computer
 WEIGHTS = {
-    "start": 0.3,
+    "start": 0.6,
+    "state": 0.3,
     "period": 0.2,
     "sum": 0.05,
     "extremum": 0.4,

@@ -10,8 +10,8 @@ from sim2reason.recipes.parts.ideas import Idea, one_of
 from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 KIND = "Pendulum"
-RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(10.0, 90.0)}
-SENT = {**RELEASED, "angle": Range(5.0, 60.0), "speed?": 1.0}
+RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(20.0, 90.0)}
+SENT = {**RELEASED, "angle": Range(15.0, 60.0), "speed?": 1.0}
 IDEAS = {
     "easy": (  # released, or set moving: of a release energy alone tells most of what is not about time
         Idea(KIND, {**RELEASED, "speed?": 0.0}),

@@ -35,7 +35,17 @@ TIERS = {
 }
 
 
-@recipe("pulley", weights={"threshold": 0.5, "extremum": 0.2, "optimum": 0.0})
+WEIGHTS = {
+    "threshold": 0.5,
+    "start": 2.0,
+    "state": 0.2,
+    "time_to_event": 0.6,
+    "extremum": 0.2,
+    "optimum": 0.0,
+}
+
+
+@recipe("pulley", weights=WEIGHTS)
 def draw_pulley(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two or three pulley entities, every open end closed."""
     return grow(TIERS[difficulty], rng)

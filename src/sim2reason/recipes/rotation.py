@@ -43,7 +43,7 @@ OWN = 0.175  # of all inertia that belongs to the pieces about their own centres
 MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
 MANY = 3  # pieces, of which one may have a size without bearing
 TRIES = 10  # pieces that are drawn before all are drawn anew
-DRAWS = 20 * TRIES
+DRAWS = 60 * TRIES
 
 
 @dataclass(frozen=True)

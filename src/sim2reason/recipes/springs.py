@@ -67,7 +67,7 @@ IDEAS = {
         Idea(
             KIND,
             {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6},
-            0.3,
+            0.05,
             _apart,
         ),
         Idea(PLANE, {**ROUGH, "angle": Range(26.0, 60.0)}, 1.5, _starts_well),

@@ -29,7 +29,11 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
 
 NAMES = "which_first", "which_greater"
-CELLS = [("collision", "medium", "which_first"), ("pulley", "medium", "which_greater"), ("box", "hard", "which_first")]
+CELLS = [
+    ("collision", "medium", "which_first"),
+    ("pulley", "medium", "which_greater"),
+    ("hybrid", "hard", "which_first"),
+]
 TRACK = (
     "On a straight smooth horizontal track there are two small balls, named in order of increasing x; along it x is "
     "measured to the right. The position of ball A of mass 3.2 kg at t = 0 is x = −1.44 m; it is then moving with "

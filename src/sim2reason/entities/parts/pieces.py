@@ -26,7 +26,7 @@ from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 
-Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
+Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", sought=0.5), Range(0.15, 1.2)]
 Side = Literal[
     "from the axle",
     "on the same side",

@@ -53,7 +53,7 @@ class ComparisonKind(NestedKind):
     """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
 
     name = "comparison"
-    share = 0.06
+    share = 0.04
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
         """One whose ratio no proportionality leads to, where the same things happen in both cases."""

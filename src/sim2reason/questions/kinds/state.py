@@ -17,7 +17,7 @@ class StateKind(ValueKind):
     """What is the quantity at a stated time?"""
 
     name = "state"
-    share = 0.1  # at most 30 % of all that passes the filters
+    share = 0.06  # at most 30 % of all that passes the filters
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A time away from events, and any quantity that is not then what it was at the start.
