@@ -28,7 +28,7 @@ IDEAS = {
 }
 
 
-CARRIED: dict[Difficulty, float] = {"medium": 0.5, "hard": 0.55}
+CARRIED: dict[Difficulty, float] = {"medium": 0.5, "hard": 0.35}
 """The chance that the pendulum hangs from a carriage, which moves as it swings."""
 PUSHED: dict[Difficulty, float] = {"medium": 0.0, "hard": 0.6}
 TIERS = {
