@@ -56,7 +56,7 @@ def test_an_item_that_is_ordered_in_other_units_says_so() -> None:
     ],
 )
 def test_a_rocket_has_units_that_belong_together(units: str, said: set[str]) -> None:
-    told = item("rocket", index=1, weights={"state": 1e6}, units=units)
+    told = item("rocket", index=2, weights={"state": 1e6}, units=units)
     found = re.findall(r"(?<=[ (])(?!0 )[\d.]+(?:×10[⁰¹²³⁴-⁹])? ([a-z]+(?:/[a-z]+²?)?)", told.prompt)
     assert {*found, told.answer.unit} == said
     assert parse_prompt(told.prompt).answer == pytest.approx(told.answer.value, rel=0.01)

@@ -19,7 +19,7 @@ ONLY_SUMS = dict.fromkeys(KINDS, 0.0) | {"sum": 1.0}
 
 
 def test_a_weight_is_the_kinds_share_times_the_recipes_factor() -> None:
-    assert weight("state", "numeric", "pulley", {}) == KINDS["state"].share
+    assert weight("event", "numeric", "pulley", {}) == KINDS["event"].share
     factor = RECIPES["projectile"].weights["extremum"]
     assert weight("extremum", "numeric", "projectile", {}) == KINDS["extremum"].share * factor
 

@@ -22,12 +22,12 @@ def swing() -> QuestionSearch:
     return QuestionSearch(sample("pendulum", "easy", seed=2), 0, needs=SIMPLE)
 
 
-def test_a_state_of_a_swing_is_not_asked_for(swing: QuestionSearch) -> None:
-    """At any time it takes an elliptic integral; no filter gets to see the question."""
+def test_a_time_of_a_swing_is_not_asked_for(swing: QuestionSearch) -> None:
+    """Most times take an elliptic integral; no filter gets to see the question."""
     refused = Counter[str]()
-    assert swing.ask(MODES["numeric"], np.random.default_rng(1), refused, "state") is None
+    assert swing.ask(MODES["numeric"], np.random.default_rng(1), refused, "time_to_event") is None
     assert refused == {UNSUITED: 1}
-    assert "state" in swing.beyond
+    assert "time_to_event" in swing.beyond
 
 
 def test_all_that_is_asked_needs_what_it_may(swing: QuestionSearch) -> None:
@@ -42,7 +42,7 @@ def test_all_that_is_asked_needs_what_it_may(swing: QuestionSearch) -> None:
 def test_the_filter_refuses_what_needs_more() -> None:
     """A question that was drawn without a limit."""
     free = QuestionSearch(sample("pendulum", "easy", seed=2), 0, unfiltered=True)
-    found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "state")
+    found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "time_to_event")
     assert found is not None
     needs = FILTERS["needs"]
     assert found.candidate.needs == EVERY

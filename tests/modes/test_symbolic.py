@@ -326,7 +326,7 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
     system = SolarSystem(star=Star(mass=1.0), planets=tuple(heavy))
     assert not SYMBOLIC.offers(Scene(entities=(Named(name="system", entity=system),)).mechanism)
     for recipe in ("rocket", "springs"):
-        scenes = [sample(recipe, "hard", seed=1, index=index) for index in range(12)]
+        scenes = [sample(recipe, "hard", seed=1, index=index) for index in range(30)]
         assert {SYMBOLIC.offers(scene.mechanism) for scene in scenes} == {True, False}
         assert all(MODES[name].offers(scene.mechanism) for scene in scenes for name in ("numeric", "reverse"))
         rejected = make(Request(recipe, "hard", "symbolic", 1, 0)).rejected

@@ -178,7 +178,7 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
         "hand left out": "incline",
         "length as extension": "springs",
         "spring left out": "springs",
-        "no damping": "springs",
+        "no damping": "chain",
         "later root": "pendulum",
         "small angle": "pendulum",
         "no slip": "rolling",
