@@ -1,5 +1,7 @@
 """Numbers that a text may leave unknown."""
 
+from collections import Counter
+
 import numpy as np
 
 from sim2reason.prose.description import describe
@@ -54,3 +56,15 @@ def test_one_of_two_masses_of_a_body_is_named_by_its_symbol() -> None:
         found for found in words_of(describe(loads(SLOPES.format(angle=50.0)), 1)).unknowns if found.name == "mass"
     )
     assert any("$" not in phrase for phrase in block.phrases)
+
+
+def test_what_people_measure_by_what_happens_is_left_unknown_more_often() -> None:
+    """Of a block on a rough slope its mass and its angle are known before its coefficient of friction is."""
+    scene = loads(
+        "scene: {entities: [{name: ramp, type: TwoSideMassPlane, parameters: {plane: {angle: 40.0, friction: 0.2}, "
+        "blocks: [{mass: 2.0}], speed: 3.0}}]}"
+    )
+    words = words_of(describe(scene, 1))
+    first = Counter(next(some(words.unknowns, scene, np.random.default_rng(seed))).name for seed in range(400))
+    assert set(first) >= {"mass", "angle", "coefficient of friction"}
+    assert first["coefficient of friction"] > 2.0 * max(first["mass"], first["angle"])

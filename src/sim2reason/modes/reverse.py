@@ -51,7 +51,7 @@ class Reverse(QuestionMode):
         "sum": 0.03,
         "state": 0.1,
         "threshold": 0.4,
-        "comparison": 0.1,
+        "comparison": 0.0,
     }
 
     @property

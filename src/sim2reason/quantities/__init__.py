@@ -137,6 +137,11 @@ class Quantity(ABC):
         del sense, mechanism, name
         return self.signed
 
+    def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
+        """Return how often its component along a sense, or its size, is asked for, compared with one another."""
+        del mechanism, name
+        return sense.share if sense is not None else 1.0
+
     @property
     def summary(self) -> str:
         """Its facts in one line."""

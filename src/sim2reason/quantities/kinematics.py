@@ -10,6 +10,9 @@ from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import EVEN, center_path
 
+HORIZONTAL, VERTICAL = "horizontal", "vertical"
+RANGE, SLANTED = 1.5, 0.15  # shares of the horizontal displacement of what is thrown, and of its distance
+SWUNG = 0.3  # share of the acceleration of a point of what swings
 STRAIGHT = 1e-9  # of the product of speed and acceleration: with less between them, a path does not bend
 
 
@@ -38,18 +41,35 @@ class Displacement(Quantity):
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return *the horizontal displacement* or *the vertical displacement* in a vertical plane with gravity."""
-        ways = [way[2] for way in center_path(mechanism, name).ways]
-        upright = any(abs(way) > 1.0 - EVEN for way in ways) and any(abs(way) < EVEN for way in ways)
-        along = abs(sense.vector[2])
-        if not sense.axis or not upright or mechanism.gravity == ZERO or EVEN < along < 1.0 - EVEN:
-            return self.signed
-        which = "horizontal " if along <= EVEN else "vertical "
-        return self.signed.replace("{component}", which)
+        which = _direction(sense, mechanism, name)
+        return self.signed.replace("{component}", f"{which} ") if which else self.signed
+
+    def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
+        """Return more for the horizontal range of what is thrown than for the distance along a slanted line."""
+        thrown = _falls_in_a_plane(mechanism, name)
+        if sense is None:
+            return SLANTED if thrown else 1.0
+        return RANGE if _direction(sense, mechanism, name) == HORIZONTAL else sense.share
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Of the centre of mass, not of the frame, (n, 3)."""
         return state.vector(minus(state.frames.center(subject).place, state.began.center(subject).place))
+
+
+def _falls_in_a_plane(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body can move both up and sideways in a uniform gravitational field."""
+    ways = [way[2] for way in center_path(mechanism, name).ways]
+    upright = any(abs(way) > 1.0 - EVEN for way in ways) and any(abs(way) < EVEN for way in ways)
+    return upright and mechanism.gravity != ZERO
+
+
+def _direction(sense: Sense, mechanism: Mechanism, name: str) -> str:
+    """Return *horizontal* or *vertical* for an axis of the text in a vertical plane with gravity, else nothing."""
+    along = abs(sense.vector[2])
+    if not sense.axis or not _falls_in_a_plane(mechanism, name) or EVEN < along < 1.0 - EVEN:
+        return ""
+    return HORIZONTAL if along <= EVEN else VERTICAL
 
 
 @quantity
@@ -86,6 +106,11 @@ class Acceleration(Quantity):
     weight = 2.0
     floor, least = 1.0, 1e-2
     panel, order = "acceleration", 2
+
+    def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
+        """Return less for a part of what swings, whose angular acceleration and axle tell more."""
+        usual = super().share(sense, mechanism, name)
+        return SWUNG * usual if center_path(mechanism, name).swings else usual
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

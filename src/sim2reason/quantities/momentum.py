@@ -95,6 +95,7 @@ class Torque(AboutCenter):
     """The sum of the torques of all forces on a body about its own centre of mass."""
 
     name, unit, symbol = "torque", "N m", "τ"
+    drawn_by_recipes = False
     magnitude = "the magnitude of the net torque on {body} about its centre of mass"
     immediate = True
     order = 4

@@ -3,7 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import groupby
 
@@ -33,16 +33,12 @@ class Target:
     quantity: str
     subject: str
     sense: Sense | None = None
+    share: float = field(default=1.0, compare=False)  # how often it is drawn, compared with others of its quantity
 
     @property
     def unit(self) -> str:
         """The unit of the answer."""
         return QUANTITIES[self.quantity].unit
-
-    @property
-    def share(self) -> float:
-        """How often it is asked, compared with the other targets of its quantity."""
-        return self.sense.share if self.sense is not None else 1.0
 
     @property
     def signed(self) -> bool:
@@ -182,7 +178,7 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
             templates = quantity.size_phrases(words.mechanism, name)
             size, how, indirect, states = (filler.of(quantity, said) for said in templates)
             noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over), states)
-            yield Target(quantity.name, name), noun
+            yield Target(quantity.name, name, share=quantity.share(None, words.mechanism, name)), noun
     signed = [quantity for quantity in asked if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []
     along = [(sense, q) for sense in senses for q in signed if q.sense is None and (sense.fixed or not q.magnitude)]
@@ -191,7 +187,8 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
         component = f"{sense.axis} component of the " if sense.axis else ""
         how = "" if quantity.magnitude else filler.of(quantity, quantity.how)
         template = quantity.signed_along(sense, words.mechanism, name)
-        yield Target(quantity.name, name, sense), Noun(filler.of(quantity, template, component), how)
+        share = quantity.share(sense, words.mechanism, name)
+        yield Target(quantity.name, name, sense, share), Noun(filler.of(quantity, template, component), how)
 
 
 class _Filler:

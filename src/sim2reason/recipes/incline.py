@@ -59,7 +59,6 @@ WEIGHTS = {
     "limit": 0.3,
     "state": 0.2,
     "sum": 0.5,
-    "reverse.comparison": 0.3,
 }
 
 
