@@ -8,7 +8,14 @@ from sim2reason.questions.targets import targets
 
 
 @pytest.mark.parametrize(
-    ("name", "known"), [("orbit", False), ("rod_pendulum", False), ("spring_block", True), ("thrown_ball", True)]
+    ("name", "known"),
+    [
+        ("orbit", False),
+        ("rod_pendulum", False),
+        ("spring_block", True),
+        ("string_pendulum", False),
+        ("thrown_ball", True),
+    ],
 )
 def test_instants_are_asked_about_only_where_a_formula_tells_what_happens(name: str, *, known: bool) -> None:
     assert has_formula_of_time(MOTIONS[name]().told()[0].mechanism) is known

@@ -23,7 +23,7 @@ class Momentum(Quantity):
     signed = "the {component}momentum of {body}{ground}"
     given = True
     needs = ("mass",)
-    weight = 0.1  # of one body alone it is seldom more than its speed times its mass
+    drawn_by_recipes = False  # of one body alone it is seldom more than its speed times its mass
     floor, heavy = 0.1, True
     order = 3
 
@@ -62,7 +62,7 @@ class AboutCenter(Quantity):
 
     of, vector = TurningBodies(), True
     needs = ("mass",)
-    weight = 0.08  # rather its angular velocity and acceleration
+    drawn_by_recipes = False  # rather its angular velocity and acceleration
     floor, heavy = 0.01, True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -95,7 +95,6 @@ class Torque(AboutCenter):
     """The sum of the torques of all forces on a body about its own centre of mass."""
 
     name, unit, symbol = "torque", "N m", "τ"
-    drawn_by_recipes = False
     magnitude = "the magnitude of the net torque on {body} about its centre of mass"
     immediate = True
     order = 4

@@ -5,7 +5,8 @@ from math import hypot, inf
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.constancy import bending, changing
+from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.quantities import QUANTITIES, Quantity
@@ -87,10 +88,13 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
     about.
     """
     coordinates = mechanism.coordinates
-    swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)
-    if len(coordinates) <= SPRUNG and not mechanism.attractions and not swings:
+    if mechanism.burns or mechanism.forces or not changing(mechanism):
         return True
-    return bool(mechanism.burns or mechanism.forces) or not changing(mechanism)
+    swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)
+    if len(coordinates) > SPRUNG or mechanism.attractions or swings:
+        return False
+    frames = start(mechanism)
+    return not any(bending(line, frames) for line in mechanism.lines)
 
 
 def only_falls(mechanism: Mechanism) -> bool:

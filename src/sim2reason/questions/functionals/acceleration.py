@@ -13,3 +13,4 @@ class GreatestAcceleration(Extreme):
     quantity = Acceleration
     impulsive = True
     phrase = "the greatest magnitude of the acceleration of {body}{ground}"
+    weight = 0.4
