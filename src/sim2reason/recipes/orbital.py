@@ -35,7 +35,14 @@ TIERS = {
 }
 
 # of other speeds at the start, which give other orbits, no text says for how long they are followed
-WEIGHTS = {"optimum": 0.0, "numeric.state": 0.3, "sum": 0.1, "reverse.extremum": 0.2, "reverse.sum": 0.3, "symbolic.extremum": 0.3}
+WEIGHTS = {
+    "optimum": 0.0,
+    "numeric.state": 0.3,
+    "sum": 0.1,
+    "reverse.extremum": 0.2,
+    "reverse.sum": 0.3,
+    "symbolic.extremum": 0.3,
+}
 
 
 @recipe("orbital", share=2, weights=WEIGHTS)

@@ -13,6 +13,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.fields.turns import TURNED, FieldTurn
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -43,6 +44,8 @@ class FieldMoment:
             return name
         if isinstance(moment, Stopped):
             return self._stopped(name)
+        if isinstance(moment, TURNED):
+            return self.turn.time(name, self.launched)
         assert isinstance(moment, Away)
         distance = self.book.fresh("d")
         self.book.say_given(distance.name, moment.value, METRES)
@@ -58,6 +61,11 @@ class FieldMoment:
         step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, SMALLEST))
         step.close()
         return name
+
+    @cached_property
+    def turn(self) -> FieldTurn:
+        """Return what the moment is if it is one of those at which the velocity has turned."""
+        return FieldTurn(self.setting.query.moment or AtTime(0.0), self.fields, self.motion)
 
     def _stopped(self, name: Symbol) -> Symbol:
         """When a body on a line has no velocity."""
@@ -97,7 +105,7 @@ class FieldMoment:
         return squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
-    def _circle(self) -> Symbol:
+    def circle(self) -> Symbol:
         """The radius of the circle on which a magnetic field alone leads it."""
         turns = self.fields.turning
         assert turns is not None
@@ -151,7 +159,7 @@ class FieldMoment:
         turns = self.fields.turning
         assert turns is not None
         size = turns if self.book.value(turns) > 0.0 else -turns
-        half = Call("arcsin", distance / (TWO * self._circle))
+        half = Call("arcsin", distance / (TWO * self.circle))
         said = "The distance is the chord of the arc covered, which gives"
         return self.book.told("chord", said, name, TWO / size * half, SECONDS)
 
@@ -168,7 +176,7 @@ class FieldMoment:
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
                 said = "The greatest distance is the diameter of the circle,"
-                return self.book.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
+                return self.book.told("chord", said, self.book.fresh("d"), TWO * self.circle, METRES)
             return self._farthest()
         if self._uniform and isinstance(self.motion, Turning):
             speed = self.book.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
