@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from sim2reason.dsl.model import Choices
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields import along
@@ -20,42 +21,53 @@ def _oscillates(entity: EmEntity) -> bool:
 
 KIND = "EmEntity"
 PLAIN = {"medium?": 0.0, "region?": 0.0, "electric": ("UniformElectric",), "magnetic": ("UniformMagnetic",)}
+ELECTRIC = {**PLAIN, "electric?": 1.0, "magnetic?": 0.0}
+MAGNETIC = {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}
+CROSSED = {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}
+LAUNCHED: Choices = {"start": ("Launched",)}
+RELEASED: Choices = {"start": ("Released",)}
+RIGHT: Choices = {**LAUNCHED, "angle": 0.0}  # the way of a start of which texts say no angle
+UP: Choices = {**LAUNCHED, "angle": 90.0}
+ALONG_X = ("positive x", "negative x")
+ALONG_Y = ("positive y", "negative y")
+
 IDEAS = {
     "easy": (
-        Idea(KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}),
-        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 0.0}),
+        Idea(KIND, {**MAGNETIC, **RIGHT}),
+        Idea(KIND, {**MAGNETIC, **UP}),
+        Idea(KIND, {**ELECTRIC, **RIGHT, "way": ALONG_Y}),
+        Idea(KIND, {**ELECTRIC, **UP, "way": ALONG_X}),
+        Idea(KIND, {**ELECTRIC, **LAUNCHED}, 2.0),
+        Idea(KIND, {**CROSSED, **RELEASED}, 2.0),
     ),
     "medium": (  # crossed fields, and a field that depends on the place, or that has an end
-        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}),
-        Idea(
-            KIND,
-            {**PLAIN, "electric?": 1.0, "magnetic?": 0.0, "electric": ("LinearElectric",)},
-            suits=_oscillates,
-        ),
-        Idea(
-            KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}, 0.2
-        ),
-        Idea(KIND, {**PLAIN, "region?": 1.0, "start": ("Launched",)}, 2.0),
+        Idea(KIND, {**CROSSED, **RELEASED}),
+        Idea(KIND, {**CROSSED, **RIGHT}),
+        Idea(KIND, {**CROSSED, **UP}),
+        Idea(KIND, {**CROSSED, **LAUNCHED}, 2.0),
+        Idea(KIND, {**ELECTRIC, "electric": ("LinearElectric",)}, suits=_oscillates),
+        Idea(KIND, {**MAGNETIC, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}, 0.1),
+        Idea(KIND, {**PLAIN, **LAUNCHED, "region?": 1.0}, 1.0),
     ),
     "hard": (  # one that depends on time, or on the velocity; and regions of crossed fields
-        Idea(
-            KIND,
-            {**PLAIN, "electric?": 1.0, "magnetic?": 0.0, "electric": ("GrowingElectric", "OscillatingElectric")},
-        ),
-        Idea(KIND, {**PLAIN, "magnetic?": 1.0, "electric?": 0.5, "medium?": 1.0, "medium": ("LinearDrag",)}, 1.5),
-        Idea(KIND, {**PLAIN, "magnetic?": 1.0, "electric?": 0.0, "medium?": 1.0, "medium": ("QuadraticDrag",)}, 0.5),
-        Idea(KIND, {**PLAIN, "region?": 1.0, "electric?": 1.0, "magnetic?": 1.0, "start": ("Launched",)}),
+        Idea(KIND, {**CROSSED, **LAUNCHED}, 2.0),
+        Idea(KIND, {**CROSSED, "electric": ("LinearElectric",)}, 1.5, suits=_oscillates),
+        Idea(KIND, {**ELECTRIC, "electric": ("GrowingElectric", "OscillatingElectric")}, 0.5),
+        Idea(KIND, {**PLAIN, "magnetic?": 1.0, "electric?": 0.5, "medium?": 1.0, "medium": ("LinearDrag",)}, 0.3),
+        Idea(KIND, {**MAGNETIC, "medium?": 1.0, "medium": ("QuadraticDrag",)}, 0.05),
+        Idea(KIND, {**CROSSED, **LAUNCHED, "region?": 1.0}, 0.5),
     ),
 }
 
 WEIGHTS = {
-    "comparison": 0.1,
-    "state": 0.3,
+    "comparison": 0.05,
+    "state": 0.03,
+    "start": 0.2,
     "sum": 0.15,
     "numeric.sum": 0.0,
-    "event": 0.4,
-    "time_to_event": 0.1,
-    "extremum": 0.1,
+    "event": 1.0,
+    "time_to_event": 0.5,
+    "extremum": 1.0,
     "optimum": 0.0,
 }
 

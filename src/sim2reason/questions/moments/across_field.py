@@ -9,7 +9,6 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.charged import SLIGHT, Acting, FieldPassage, begins
-from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.simulation.trace import Trace
 
@@ -30,7 +29,7 @@ class AcrossField(FieldPassage):
 
     def time(self, trace: Trace) -> float | None:
         """Return when the component along the field is first zero, s; None where the body is at rest then."""
-        time = Passage.time(self, trace)
+        time = FieldPassage.time(self, trace)
         if time is None:
             return None
         fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())

@@ -6,7 +6,6 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.charged import Acting, FieldPassage, begins
-from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.simulation.trace import Trace
 
@@ -28,7 +27,7 @@ class VelocityReturned(FieldPassage):
     def time(self, trace: Trace) -> float | None:
         """Return the period of the velocity, s; None of what starts from rest, which comes to rest again."""
         velocity, acceleration = begins(trace.state, self.name)
-        return Passage.time(self, trace) if velocity.any() and acceleration.any() else None
+        return FieldPassage.time(self, trace) if velocity.any() and acceleration.any() else None
 
     def excess(self, state: State) -> Array:
         """Return how far the velocity has changed in the direction of the initial acceleration, m²/s³, (n,)."""

@@ -54,7 +54,7 @@ class VelocityTurned(FieldPassage, Threshold):
         size = hypot(*velocity.tolist()) * hypot(*acceleration.tolist())
         square = abs(float(velocity @ acceleration)) <= SLIGHT * size or bool(trace.state.mechanism.forces[1:])
         turns = 0.0 < self.value < MOST and size > 0.0 and square
-        return super(FieldPassage, self).time(trace) if turns else None
+        return FieldPassage.time(self, trace) if turns else None
 
     def excess(self, state: State) -> Array:
         """Return the component of the velocity across the direction that it has then, m/s, (n,)."""

@@ -1,4 +1,4 @@
-"""When the velocity of a charged body has turned so far, is perpendicular to the electric field, or is the first again."""
+"""When the velocity of a charged body has turned so far, is across the electric field, or is the initial one again."""
 
 from math import radians
 

@@ -14,6 +14,7 @@ from sim2reason.dsl.vectors import inner
 from sim2reason.quantities.subjects.bodies import AXES, Bodies
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
 
 SLIGHT = 0.02  # of a velocity or an acceleration: a smaller component is none
 
@@ -59,6 +60,11 @@ class FieldPassage(Passage):
         """Return the phrases of bodies in fields in which it may happen."""
         called, mechanism = words.called(cls.of).items(), words.mechanism
         return {name: said for name, said in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when it first happens, s; None where other fields act, or none, as without one of those of the text."""
+        acts = acting_on(trace.mechanism, self.name)
+        return Passage.time(self, trace) if acts is not None and self.suits(acts) else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the bead first has its initial velocity again."""
