@@ -5,7 +5,6 @@ import numpy as np
 from sim2reason.dsl.model import Choices
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields import along
 from sim2reason.entities.parts.fields.linear_electric import LinearElectric
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
@@ -15,8 +14,7 @@ def _oscillates(entity: EmEntity) -> bool:
     """Return whether the force of a field that changes along its direction drives the particle back."""
     field = entity.electric
     assert isinstance(field, LinearElectric)
-    toward = along(field.way)["xy".index(field.axis)]
-    return entity.particle.signed_charge * field.signed * toward < 0.0
+    return field.drives_back(entity.particle.signed_charge)
 
 
 KIND = "EmEntity"
@@ -33,8 +31,7 @@ ALONG_Y = ("positive y", "negative y")
 
 IDEAS = {
     "easy": (
-        Idea(KIND, {**MAGNETIC, **RIGHT}),
-        Idea(KIND, {**MAGNETIC, **UP}),
+        Idea(KIND, {**MAGNETIC, **LAUNCHED}, 1.5),
         Idea(KIND, {**ELECTRIC, **RIGHT, "way": ALONG_Y}),
         Idea(KIND, {**ELECTRIC, **UP, "way": ALONG_X}),
         Idea(KIND, {**ELECTRIC, **LAUNCHED}, 2.0),
@@ -61,7 +58,7 @@ IDEAS = {
 
 WEIGHTS = {
     "comparison": 0.05,
-    "state": 0.03,
+    "state": 0.0,
     "start": 0.2,
     "sum": 0.15,
     "numeric.sum": 0.0,

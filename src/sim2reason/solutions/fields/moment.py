@@ -13,6 +13,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.fields.reach import REACHES, Reach, fastest_at_center
 from sim2reason.solutions.fields.turns import TURNED, FieldTurn
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
@@ -173,6 +174,8 @@ class FieldMoment:
     def extreme(self, query: StretchQuery) -> Symbol:
         """Where the rate of change of its square vanishes."""
         fields = self.fields
+        if query.functional in REACHES:
+            return Reach(self.motion, REACHES[query.functional], self.launched).written()
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
                 said = "The greatest distance is the diameter of the circle,"
@@ -223,6 +226,8 @@ class FieldMoment:
             if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
                 return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
+            if not slow and sign > 0.0 and (speed := fastest_at_center(self.fields, self.launched)) is not None:
+                return speed
             said = f"The speed is extreme where the {along}"
             if not slow and drive.growth is not None:
                 step = self.book.open("extremum")

@@ -18,6 +18,7 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Turning
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
+from sim2reason.solutions.fields.reach import REACHES
 from sim2reason.solutions.fields.turns import TURNED, FieldTurn
 from sim2reason.solutions.goals import GOALS, Components, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
@@ -38,6 +39,7 @@ QUANTITIES = (
 FUNCTIONALS = (
     *("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy"),
     *("work of an electric field", "energy lost to drag", "impulse of the net force"),
+    *REACHES,
 )
 
 
