@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.fields import Law, Magnetic, Push
+from sim2reason.dsl.fields import Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.vectors import inner

@@ -22,7 +22,6 @@ class AxisDistance(Extreme):
     """
 
     along: ClassVar[int]
-    weight = 2.0
 
     def height(self, state: State, name: str) -> Array:
         """Return the size of the coordinate, m, (n,)."""

@@ -8,7 +8,7 @@ from sim2reason.dsl.fields import Push
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.charged import SLIGHT, Acting, FieldPassage, begins
+from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.simulation.trace import Trace
 
@@ -23,7 +23,7 @@ class AcrossField(FieldPassage):
     verb = Verb("moves perpendicular to the electric field", "move perpendicular to the electric field")
 
     @classmethod
-    def suits(cls, acts: Acting) -> bool:
+    def suits(cls, acts: ActingFields) -> bool:
         """Return whether there is one electric field, which does not change with time, and no medium."""
         return len(acts.electric) == 1 and acts.electric[0].profile.steady and not acts.medium
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.charged import Acting, FieldPassage, begins
+from sim2reason.questions.moments.parts.charged import ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.simulation.trace import Trace
 
@@ -20,7 +20,7 @@ class VelocityReturned(FieldPassage):
     verb = Verb("has its initial velocity again", "have its initial velocity again")
 
     @classmethod
-    def suits(cls, acts: Acting) -> bool:
+    def suits(cls, acts: ActingFields) -> bool:
         """Return whether the fields are crossed and uniform, so that the velocity has a period."""
         return acts.uniform and bool(acts.electric) and bool(acts.magnetic)
 

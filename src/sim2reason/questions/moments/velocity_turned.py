@@ -8,9 +8,10 @@ import numpy as np
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.charged import SLIGHT, Acting, FieldPassage, begins
+from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
 ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
@@ -28,7 +29,7 @@ class VelocityTurned(FieldPassage, Threshold):
     unit = "deg"
 
     @classmethod
-    def suits(cls, acts: Acting) -> bool:
+    def suits(cls, acts: ActingFields) -> bool:
         """Return whether one field alone turns it, uniformly or as the ratio of two components of the velocity."""
         alone = not (acts.electric and acts.magnetic)
         return (
@@ -44,9 +45,9 @@ class VelocityTurned(FieldPassage, Threshold):
         return met[int(rng.integers(len(met)))] if met else None
 
     @property
-    def tells(self) -> tuple[()]:
-        """Nothing: the speed may have changed."""
-        return ()
+    def tells(self) -> tuple[Channel, ...]:
+        """Return how the force has turned, too; but the speed may have changed."""
+        return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
         """Return when the velocity first has that direction, s; None if it never has, or does not turn."""

@@ -130,10 +130,10 @@ class FieldMoment:
 
     @cached_property
     def speed(self) -> Expression | None:
-        """At the moment, where no electric field acts; None where one does."""
+        """At the moment, where no electric field acts, or one that has turned the velocity; else None."""
         fields = self.fields
-        if fields.drive is not None:
-            return None
+        if fields.has_field:
+            return self.turn.speed(self.launched) if fields.turning is None else None
         if fields.damping is None and not fields.resists:
             return self.launched
         said = "The magnetic force does no work, so only the drag changes the speed:"

@@ -45,7 +45,7 @@ class Reach:
             raise UnsolvedError("what turns does so about no fixed centre")
         if motion.carried(self.axis, turns) != ZERO:
             raise UnsolvedError("it drifts along this coordinate")
-        parts, along = motion.turned, AXES[self.axis]
+        parts, along = motion.turned if drive is not None else motion.launch, AXES[self.axis]
         kept = [part for part in parts if part != ZERO]
         size = kept[0] if len(kept) == 1 else Root(Power(parts[0], 2) + Power(parts[1], 2))
         if drive is None:
@@ -57,8 +57,8 @@ class Reach:
         center = parts[1 - self.axis] * TURNS[self.axis] / turns
         if center == ZERO:
             return ZERO, size
-        said = f"The radius to the centre is perpendicular to {'the' if drive is None else 'this part of the'} velocity, so"
-        said = f"{said} the {along} coordinate of the centre is"
+        what = "the velocity" if drive is None else "this part of the velocity"
+        said = f"The radius to the centre is perpendicular to {what}, so the {along} coordinate of the centre is"
         return self.book.told("circle", said, self.book.fresh(along, "c"), center, METRES), size
 
     def _to_and_fro(self, motion: Driven) -> tuple[Expression, Expression]:
@@ -87,14 +87,16 @@ def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
     along, step = AXES[drive.axis], book.open("extremum")
     step.rest_on(fields.law)
     place, speed = book.fresh(along, "0"), book.fresh("v")
-    found = step.result(place, -(drive.strength / drive.slope), METRES)
+    found = step.result(place, -(drive.strength / drive.slope), METRES, law=True)
     step.say(f"The electric force does positive work up to where it is zero, at {along} equal to {found}.")
     magnetic = "and the magnetic force does no work" if fields.turning is not None else "and no other force acts"
-    square = Power(launched, 2) if launched != ZERO else ZERO
     step.say(f"It depends linearly on {along}, so its mean on the way there is half of that at the start, {magnetic}.")
     gained = drive.strength * place
-    law = step.law(HALF * Power(speed, 2), HALF * square + HALF * gained if square != ZERO else HALF * gained)
-    step.say(f"Per unit mass, the work-energy theorem gives {law}, so the greatest speed is")
-    step.say(f"{step.result(speed, Root(square + gained if square != ZERO else gained), SPEED)}.")
+    square = Power(launched, 2) + gained if launched != ZERO else gained
+    found = step.result(speed, Root(square), SPEED, law=True)
+    step.say(
+        f"By the work-energy theorem, ${(HALF * gained).latex()}$ is what half the squared speed gains in this way,"
+    )
+    step.say(f"so the greatest speed is {found}.")
     step.close()
     return speed

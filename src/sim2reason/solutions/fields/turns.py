@@ -2,6 +2,7 @@
 
 from math import radians
 
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.across_field import AcrossField
 from sim2reason.questions.moments.velocity_returned import VelocityReturned
@@ -14,7 +15,7 @@ from sim2reason.solutions.fields.motion import FieldMotion
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
 
 TWO = Number(2.0)
 TURNED = (AcrossField, VelocityReturned, VelocityTurned)
@@ -27,7 +28,6 @@ class FieldTurn:
         """Nothing is written yet."""
         self.moment, self.fields, self.motion = moment, fields, motion
         self.book, self.setting = fields.book, fields.setting
-        self.angle: Symbol | None = None
 
     @property
     def _who(self) -> str:
@@ -41,20 +41,35 @@ class FieldTurn:
             raise UnsolvedError("nothing turns uniformly")
         return turns if self.book.value(turns) > 0.0 else -turns
 
+    @cached_property
+    def angle(self) -> Symbol:
+        """Return the name of the angle through which the velocity has turned."""
+        assert isinstance(self.moment, VelocityTurned)
+        name = self.book.fresh(r"\alpha")
+        self.book.say_given(name.name, radians(self.moment.value), DEGREES)
+        return name
+
+    def speed(self, launched: Expression) -> Symbol | None:
+        """Write the speed where an electric field has turned the velocity; None of other moments."""
+        if not isinstance(self.moment, VelocityTurned):
+            return None
+        said = "The electric force is perpendicular to the initial velocity, whose component across the field is kept:"
+        said = f"{said} it is the speed times the cosine of the angle turned, so the speed is"
+        formula = launched / Call("cos", self.angle)
+        return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
+
     def time(self, name: Symbol, launched: Expression) -> Symbol:
         """Write when it is; `launched` is the speed at the start."""
         if isinstance(self.moment, VelocityTurned):
-            return self._turned(name, launched, self.moment.value)
+            return self._turned(name, launched)
         if isinstance(self.moment, VelocityReturned):
             self.motion.rate(0, name)  # so that it is told first what turns
             said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
             return self.book.told("turn", said, name, TWO * PI / self.pace, SECONDS)
         return self._across(name)
 
-    def _turned(self, name: Symbol, launched: Expression, value: float) -> Symbol:
-        """When the velocity has turned through an angle, in degrees."""
-        self.angle = self.book.fresh(r"\alpha")
-        self.book.say_given(self.angle.name, radians(value), DEGREES)
+    def _turned(self, name: Symbol, launched: Expression) -> Symbol:
+        """When the velocity has turned through the angle."""
         drive, alpha = self.fields.drive, self.angle.latex()
         if drive is None:
             said = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
@@ -112,23 +127,25 @@ class FieldTurn:
             return self.fields.launch[axis] - TWO * motion.turned[axis]
         return motion.carried(axis, time) + TWO * motion.turned[1 - axis] * TURNS[axis] / motion.turning
 
-    def told(self, kind: str) -> str:
-        """Return the reason for a short component; empty for others."""
-        if not isinstance(self.motion, Turning) or kind not in ("v", "s"):
+    def told(self, kind: str, axis: int) -> str:
+        """Return the beginning of a sentence that gives a short component and why it is so; empty for others."""
+        motion = self.motion
+        if not isinstance(motion, Turning) or kind not in ("v", "s"):
             return ""
-        if isinstance(self.moment, VelocityReturned):
-            return "Over a whole turn, the rotating part adds nothing to the displacement of {who}, which"
+        if isinstance(self.moment, VelocityReturned) and kind == "s":
+            whose = f"the displacement of {self._who}, which along {AXES[axis]} is"
+            return f"Over a whole turn, the rotating part adds nothing to {whose}"
         if not self.halved:
             return ""
         if kind == "v":
-            return (
-                "After half a turn, the rotating part of the velocity has the opposite direction; the velocity of {who}"
-            )
-        return "Over half a turn, the rotating part moves {who} by the diameter of a circle; the displacement"
+            turned = "After half a turn, the rotating part of the velocity has the opposite direction"
+            return f"{turned}; the velocity of {self._who} along {AXES[axis]} is"
+        alone = motion.turned[1 - axis] == ZERO
+        moved = f"only along {AXES[1 - axis]}" if alone else "by the diameter of its circle"
+        return f"Over half a turn, the rotating part moves {self._who} {moved}; along {AXES[axis]} the displacement is"
 
     def chord(self, radius: Expression) -> Symbol:
         """Write the distance from the start where a velocity of constant size has turned through the angle."""
-        assert self.angle is not None
         said = (
             "The distance from the starting point is the chord of the arc covered, which has this angle at the centre,"
         )

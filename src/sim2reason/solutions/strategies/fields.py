@@ -200,9 +200,8 @@ class _InFields(Way):
         if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
             said = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
             return f"{said}, which along {along} is", self.fields.law
-        short = self._turn.told(kind) if self._turn is not None else ""
-        if short:
-            return f"{short.format(who=who)} along {along} is", self.fields.law
+        if self._turn is not None and (short := self._turn.told(kind, axis)):
+            return short, self.fields.law
         return self.motion.told(kind, axis, self.time), self.fields.law
 
     @property

@@ -19,7 +19,7 @@ from sim2reason.simulation.trace import Trace
 SLIGHT = 0.02  # of a velocity or an acceleration: a smaller component is none
 
 
-class Acting(NamedTuple):
+class ActingFields(NamedTuple):
     """The fields that act on a body in a plane."""
 
     electric: tuple[Push, ...]
@@ -32,7 +32,7 @@ class Acting(NamedTuple):
         return not self.medium and all(law.profile.uniform for law in (*self.electric, *self.magnetic))
 
 
-def acting_on(mechanism: Mechanism, name: str) -> Acting | None:
+def acting_on(mechanism: Mechanism, name: str) -> ActingFields | None:
     """Return the fields that alone act on a body with axes x and y; None if anything else does, or a field ends."""
     own = mechanism.body[name].coordinates
     alone = not (mechanism.lines or mechanism.meetings or mechanism.attractions or mechanism.burns or mechanism.faces)
@@ -46,7 +46,7 @@ def acting_on(mechanism: Mechanism, name: str) -> Acting | None:
     electric = tuple(law for law in laws if isinstance(law, Push))
     magnetic = tuple(law for law in laws if isinstance(law, Magnetic))
     medium = tuple(law for law in laws if isinstance(law, Resistance))
-    return Acting(electric, magnetic, medium) if electric or magnetic else None
+    return ActingFields(electric, magnetic, medium) if electric or magnetic else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +62,7 @@ class FieldPassage(Passage):
         return {name: said for name, said in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it first happens, s; None where other fields act, or none, as without one of those of the text."""
+        """Return when it first happens, s; None where other fields act, or one of the text is left out."""
         acts = acting_on(trace.mechanism, self.name)
         return Passage.time(self, trace) if acts is not None and self.suits(acts) else None
 
@@ -73,7 +73,7 @@ class FieldPassage(Passage):
 
     @classmethod
     @abstractmethod
-    def suits(cls, acts: Acting) -> bool:
+    def suits(cls, acts: ActingFields) -> bool:
         """Return whether it may be asked about in these fields."""
 
 
