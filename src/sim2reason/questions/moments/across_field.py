@@ -10,6 +10,7 @@ from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
 
@@ -26,6 +27,11 @@ class AcrossField(FieldPassage):
     def suits(cls, acts: ActingFields) -> bool:
         """Return whether there is one electric field, which does not change with time, and no medium."""
         return len(acts.electric) == 1 and acts.electric[0].profile.steady and not acts.medium
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """Return what the fields alone tell then, as the magnetic force is along the electric one."""
+        return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
         """Return when the component along the field is first zero, s; None where the body is at rest then."""

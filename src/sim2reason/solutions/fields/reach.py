@@ -8,7 +8,7 @@ from sim2reason.solutions.fields.motion import Driven, FieldMotion
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SPEED
 
-HALF = Number(0.5)
+HALF, TWO = Number(0.5), Number(2.0)
 REACHES = {"greatest distance from the y axis": 0, "greatest distance from the x axis": 1}
 """The number of the coordinate whose greatest size each functional is."""
 
@@ -34,6 +34,10 @@ class Reach:
             said = f"As the centre lies on the {across} axis, the greatest distance from this axis is"
             return self.book.told("extremum", said, self.book.fresh("d"), size, METRES)
         far = center if self.book.value(center) > 0.0 else -center
+        if size == far:
+            said = f"It starts from a turning point along {along} and turns back as far beyond the centre, so the"
+            said = f"{said} greatest distance from the {across} axis is"
+            return self.book.told("extremum", said, self.book.fresh("d"), TWO * far, METRES)
         most = "radius" if isinstance(self.motion, Turning) else "amplitude"
         said = f"The {along} coordinate differs from that of the centre by at most the {most}, so the greatest distance"
         return self.book.told("extremum", f"{said} from the {across} axis is", self.book.fresh("d"), far + size, METRES)

@@ -27,6 +27,11 @@ class ActingFields(NamedTuple):
     medium: tuple[Resistance, ...]
 
     @property
+    def steady(self) -> bool:
+        """Whether none of them changes with time."""
+        return all(law.profile.steady for law in (*self.electric, *self.magnetic))
+
+    @property
     def uniform(self) -> bool:
         """Whether all of them are the same everywhere and always, without a medium."""
         return not self.medium and all(law.profile.uniform for law in (*self.electric, *self.magnetic))
