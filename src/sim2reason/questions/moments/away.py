@@ -32,12 +32,12 @@ class Away(DistanceThreshold):
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return a random distance; none for a projectile, whose range and height are asked for instead.
 
-        Seldom one in steady fields, where how far the velocity turns tells more.
+        Seldom one in fields that turn the velocity, where how far that has turned tells more.
         """
         mechanism = study.mechanism
         thrown = only_falls(mechanism) and mechanism.gravity != ZERO
         acting = [acts for name in cls.candidates(words) if (acts := acting_on(mechanism, name)) is not None]
-        if thrown or (any(acts.steady for acts in acting) and rng.random() > SELDOM):
+        if thrown or (any(acts.turning for acts in acting) and rng.random() > SELDOM):
             return []
         return super(Away, cls).found(study, words, rng)
 

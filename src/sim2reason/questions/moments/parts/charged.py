@@ -27,9 +27,9 @@ class ActingFields(NamedTuple):
     medium: tuple[Resistance, ...]
 
     @property
-    def steady(self) -> bool:
-        """Whether none of them changes with time."""
-        return all(law.profile.steady for law in (*self.electric, *self.magnetic))
+    def turning(self) -> bool:
+        """Whether they turn a velocity in a way of which short formulas tell when it has turned how far."""
+        return bool(self.magnetic) or self.uniform
 
     @property
     def uniform(self) -> bool:
