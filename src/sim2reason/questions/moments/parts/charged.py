@@ -28,13 +28,18 @@ class ActingFields(NamedTuple):
 
     @property
     def turning(self) -> bool:
-        """Whether they turn a velocity in a way of which short formulas tell when it has turned how far."""
-        return bool(self.magnetic) or self.uniform
+        """Whether they turn a body back, or its velocity, in a way that short formulas tell."""
+        return bool(self.magnetic) or all(law.profile.uniform or _drives_back(law) for law in self.electric)
 
     @property
     def uniform(self) -> bool:
         """Whether all of them are the same everywhere and always, without a medium."""
         return not self.medium and all(law.profile.uniform for law in (*self.electric, *self.magnetic))
+
+
+def _drives_back(law: Push) -> bool:
+    """Return whether a force draws a body to where it is zero."""
+    return law.profile.steady and law.profile.slope * inner(law.profile.axis, law.direction) < 0.0
 
 
 def acting_on(mechanism: Mechanism, name: str) -> ActingFields | None:
