@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from sim2reason.bodies.charge import Launched
 from sim2reason.dsl.model import Choices
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
@@ -15,6 +16,11 @@ def _oscillates(entity: EmEntity) -> bool:
     field = entity.electric
     assert isinstance(field, LinearElectric)
     return field.drives_back(entity.particle.signed_charge)
+
+
+def _is_launched(entity: EmEntity) -> bool:
+    """Return whether a bead moves at the start; if choices said so, nothing would aim it at the region."""
+    return isinstance(entity.start, Launched)
 
 
 KIND = "EmEntity"
@@ -44,7 +50,7 @@ IDEAS = {
         Idea(KIND, {**CROSSED, **LAUNCHED}, 1.5),
         Idea(KIND, {**ELECTRIC, "electric": ("LinearElectric",)}, 1.5, suits=_oscillates),
         Idea(KIND, {**MAGNETIC, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}, 0.05),
-        Idea(KIND, {**PLAIN, **LAUNCHED, "region?": 1.0}, 0.5),
+        Idea(KIND, {**PLAIN, "region?": 1.0}, 0.1, suits=_is_launched),
     ),
     "hard": (  # one that depends on time, or on the velocity; and regions of crossed fields
         Idea(KIND, {**CROSSED, **LAUNCHED}, 2.0),
@@ -54,7 +60,7 @@ IDEAS = {
         Idea(KIND, {**ELECTRIC, "electric": ("GrowingElectric", "OscillatingElectric")}, 0.2),
         Idea(KIND, {**PLAIN, "magnetic?": 1.0, "electric?": 0.5, "medium?": 1.0, "medium": ("LinearDrag",)}, 0.3),
         Idea(KIND, {**MAGNETIC, "medium?": 1.0, "medium": ("QuadraticDrag",)}, 0.05),
-        Idea(KIND, {**CROSSED, **LAUNCHED, "region?": 1.0}, 0.3),
+        Idea(KIND, {**CROSSED, "region?": 1.0}, 0.1, suits=_is_launched),
     ),
 }
 

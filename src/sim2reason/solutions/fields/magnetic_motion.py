@@ -291,6 +291,9 @@ class Turning(FieldMotion):
             size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
             sizes.append(size if len(kept) == 1 else Root(square))
         one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
-        said = "The rotating part of the velocity is alternately parallel and opposite to the drift, so the "
+        said = (
+            "The velocity goes round a circle about the drift velocity, whose radius is the size of the rotating part; "
+        )
+        said += "this is alternately parallel and opposite to the drift, so the "
         said += "least speed is" if least else "greatest speed is"
         return "extremum", said, self.book.fresh("v"), one - other if least else one + other
