@@ -1,4 +1,4 @@
-"""When the velocity of a charged bead has turned, is across the electric field or is the first again, by closed forms."""
+"""When the velocity of a charged bead has turned, is across the electric field or is the first again."""
 
 from dataclasses import replace
 from math import pi, radians, sin, tan

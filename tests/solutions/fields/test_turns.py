@@ -1,4 +1,4 @@
-"""Worked solutions about where the velocity of a charge has turned, and how far and how fast it gets, by closed forms."""
+"""Worked solutions about where the velocity of a charge has turned, how far and how fast it gets, by closed forms."""
 
 from math import cos, hypot, pi, radians, sin, sqrt, tan
 
@@ -105,3 +105,15 @@ def test_a_field_that_drives_it_back_makes_it_fastest_where_it_is_zero(magnetic:
     start = Launched(speed=SPEED, angle=140.0)
     fastest = whole("greatest speed", electric=LINEAR, magnetic=magnetic, start=start)
     assert fastest == pytest.approx(sqrt(SPEED**2 + PULL * FIELD / SLOPE))
+
+
+def test_half_an_oscillation_ends_at_its_other_end() -> None:
+    """From an end: 2y_c along the field, v + 2Ω y_c across it, and (v + Ω y_c) π/ω as far, with Ω² + kq/m = ω²."""
+    square = CHARGE * SLOPE / MASS + TURNS**2
+    center = (PULL - TURNS * SPEED) / square
+    both = {"electric": LINEAR, "magnetic": MAGNETIC, "start": ALONG_X}
+    assert at(AcrossField(BEAD), "velocity", **both) == pytest.approx(abs(SPEED + 2.0 * TURNS * center))
+    across = (SPEED + TURNS * center) * pi / sqrt(square)
+    assert at(AcrossField(BEAD), "displacement", **both) == pytest.approx(hypot(across, 2.0 * center))
+    alone = hypot(SPEED * pi / sqrt(CHARGE * SLOPE / MASS), 2.0 * FIELD / SLOPE)
+    assert at(AcrossField(BEAD), "displacement", electric=LINEAR, start=ALONG_X) == pytest.approx(alone)

@@ -30,8 +30,9 @@ class AcrossField(FieldPassage):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """Return what the fields alone tell then, as the magnetic force is along the electric one."""
-        return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
+        """Return what follows at once from the velocity or the displacement, as forces are along the field then."""
+        told = ("acceleration", "net force", "electric potential energy")
+        return tuple(Channel(self.name, quantity) for quantity in told)
 
     def time(self, trace: Trace) -> float | None:
         """Return when the component along the field is first zero, s; None where the body is at rest then."""

@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.functions import PI, Call
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
 from sim2reason.solutions.fields.magnetic_motion import Turning
-from sim2reason.solutions.fields.motion import FieldMotion
+from sim2reason.solutions.fields.motion import Driven, FieldMotion
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import UnsolvedError
@@ -28,6 +28,7 @@ class FieldTurn:
         """Nothing is written yet."""
         self.moment, self.fields, self.motion = moment, fields, motion
         self.book, self.setting = fields.book, fields.setting
+        self._timed = False  # whether it is told after which time half a turn is made
 
     @property
     def _who(self) -> str:
@@ -91,8 +92,14 @@ class FieldTurn:
         """When the component along the electric field has come to zero."""
         drive = self.fields.drive
         assert drive is not None
+        if (swing := self._swing) is not None:
+            self._timed = True
+            said = f"{capital(self._who)} is at an end of its oscillation along {AXES[drive.axis]} at the start, so its"
+            said = f"{said} velocity is perpendicular to the field again after half an oscillation,"
+            return self.book.told("turn", said, name, PI / swing.frequency, SECONDS)
         rate = self.motion.rate(drive.axis, name)
         if self.halved:
+            self._timed = True
             said = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
             return self.book.told("turn", f"{capital(said)} has made half a turn, after", name, PI / self.pace, SECONDS)
         step = self.book.open("turn")
@@ -112,11 +119,33 @@ class FieldTurn:
             return False
         return self.fields.launch[drive.axis] == ZERO and self.fields.damping is None
 
+    @property
+    def _swing(self) -> Driven | None:
+        """Return the motion if it is an oscillation along the field from one end to the other; else None."""
+        drive, motion = self.fields.drive, self.motion
+        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, Driven):
+            return None
+        along = drive.slope is not None and drive.along == drive.axis and self.fields.launch[drive.axis] == ZERO
+        return motion if along and motion.swings else None
+
+    def _swung(self, swing: Driven, kind: str, axis: int, time: Expression) -> Expression | None:
+        """Return a component after half an oscillation, if it is short; else None."""
+        drive, turning = self.fields.drive, self.fields.turning
+        if drive is not None and axis == drive.axis:
+            return TWO * swing.center if kind == "s" else None
+        if turning is None:
+            return None
+        bent = turning * TURNS[axis] * swing.center
+        launched = self.fields.launch[axis]
+        return launched + TWO * bent if kind == "v" else (launched + bent) * time if kind == "s" else None
+
     def component(self, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a component of the displacement ``s`` or velocity ``v`` then, where it is a short one; else None."""
         drive, motion = self.fields.drive, self.motion
         if isinstance(self.moment, AcrossField) and kind == "v" and drive is not None and drive.axis == axis:
             return ZERO
+        if (swing := self._swing) is not None:
+            return self._swung(swing, kind, axis, time)
         if not isinstance(motion, Turning):
             return None
         if isinstance(self.moment, VelocityReturned):
@@ -130,6 +159,8 @@ class FieldTurn:
     def told(self, kind: str, axis: int) -> str:
         """Return the beginning of a sentence that gives a short component and why it is so; empty for others."""
         motion = self.motion
+        if kind in ("v", "s") and self._swing is not None:
+            return self._told_swung(kind, axis)
         if not isinstance(motion, Turning) or kind not in ("v", "s"):
             return ""
         if isinstance(self.moment, VelocityReturned) and kind == "s":
@@ -137,12 +168,31 @@ class FieldTurn:
             return f"Over a whole turn, the rotating part adds nothing to {whose}"
         if not self.halved:
             return ""
+        when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
         if kind == "v":
-            turned = "After half a turn, the rotating part of the velocity has the opposite direction"
-            return f"{turned}; the velocity of {self._who} along {AXES[axis]} is"
+            turned = f"Over half a turn{when} the rotating part of the velocity is reversed"
+            return f"{turned}; the velocity of {self._who} along {AXES[axis]} is then"
         alone = motion.turned[1 - axis] == ZERO
         moved = f"only along {AXES[1 - axis]}" if alone else "by the diameter of its circle"
-        return f"Over half a turn, the rotating part moves {self._who} {moved}; along {AXES[axis]} the displacement is"
+        told = f"Over half a turn{when} the rotating part moves {self._who} {moved}"
+        return f"{told}; along {AXES[axis]} the displacement is"
+
+    def _told_swung(self, kind: str, axis: int) -> str:
+        """Return the beginning of a sentence that gives a component after half an oscillation; empty for others."""
+        drive, along = self.fields.drive, AXES[axis]
+        if drive is not None and axis == drive.axis:
+            when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
+            told = f"Over half an oscillation{when} {self._who} moves from one end to the other"
+            return f"{told}; along {along} the displacement is"
+        if self.fields.turning is None:
+            return ""
+        if kind == "s":
+            return (
+                f"The mean velocity along {along} over half an oscillation is that at the centre; the displacement is"
+            )
+        field = AXES[1 - axis]
+        ends = f"At the other end of the oscillation along {field}, twice as far along {field} as the centre"
+        return f"{ends}, the velocity along {along} is"
 
     def chord(self, radius: Expression) -> Symbol:
         """Write the distance from the start where a velocity of constant size has turned through the angle."""
