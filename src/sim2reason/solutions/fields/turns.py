@@ -146,8 +146,10 @@ class FieldTurn:
             return ZERO
         if (swing := self._swing) is not None:
             return self._swung(swing, kind, axis, time)
-        if not isinstance(motion, Turning):
-            return None
+        return self._rotated(motion, kind, axis, time) if isinstance(motion, Turning) else None
+
+    def _rotated(self, motion: Turning, kind: str, axis: int, time: Expression) -> Expression | None:
+        """Return a component after a whole turn, or half a one, of what a magnetic field rotates; else None."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
         if not self.halved:
