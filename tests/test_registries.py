@@ -181,6 +181,7 @@ def varied() -> list[tuple[Study, Words]]:
             "smooth_box",
             "tumbling_prism",
             "spiralling_bead",
+            "crossed_fields",
         )
     ]
     made = ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes(), *own

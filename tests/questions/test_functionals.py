@@ -254,6 +254,20 @@ EXTREMES: Sequence[Case] = (
         AtTime(21.0),
         2.0 * CIRCLE,
     ),
+    Case(
+        stored("origin_circle", 21.8),
+        "greatest distance from the x axis",
+        "fields.particle",
+        AtTime(21.0),
+        CIRCLE * (1.0 - cos(radians(199.0))),
+    ),
+    Case(
+        stored("origin_circle", 21.8),
+        "greatest distance from the y axis",
+        "fields.particle",
+        AtTime(21.0),
+        CIRCLE * (1.0 - sin(radians(199.0))),
+    ),
     Case(stored("dull_carts", 0.5), "least distance from the origin", "track.gliders.0", AtTime(0.1), 1.44 - 0.118),
     Case(
         stored("arm_on_pulled_trolley", 0.75),

@@ -15,8 +15,9 @@ IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much m
 class Sensitivity(Filter):
     """Too few numbers move the answer, or too many do not.
 
-    What belongs to a part without bearing is told apart: the item marks it as a distraction. So is the mass of what is
-    asked about and the radius of what rolls, which may well cancel, and what the kind of question is indifferent to.
+    What belongs to a part without bearing is told apart: the item marks it as a distraction. So are the mass and the
+    charge of what is asked about and the radius of what rolls, which may well cancel, and what the kind of question is
+    indifferent to.
     """
 
     order = 7
@@ -62,10 +63,10 @@ def _is_indifferent(candidate: Candidate, given: Given) -> bool:
 
 
 def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
-    """The addresses of what may well cancel: the mass of what is asked about, and the radius of what rolls."""
+    """The addresses of what may well cancel: mass and charge of what is asked about, and the radius of what rolls."""
     body = _lone(mechanism, subject)
     rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
-    return {f"{body}.mass", *([f"{body}.radius"] if rolls else [])}
+    return {f"{body}.mass", f"{body}.charge", *([f"{body}.radius"] if rolls else [])}
 
 
 def _lone(mechanism: Mechanism, subject: str) -> str:

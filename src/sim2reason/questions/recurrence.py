@@ -7,9 +7,10 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.fields import Law, Magnetic, Push
+from sim2reason.dsl.fields import Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.vectors import inner
 from sim2reason.quantities.subjects.paths import center_path, chain
 from sim2reason.questions.choices import STILL, apart
 from sim2reason.questions.crossing import crossings
@@ -61,10 +62,12 @@ def drift_return(trace: Trace) -> float | None:
     return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
     """
     mechanism, start = trace.mechanism, trace.at(0.0)
-    local = any(force.region is not None or not _uniform(force.law) for force in mechanism.forces)
+    local = any(force.region is not None or not isinstance(force.law, Push | Magnetic) for force in mechanism.forces)
     if not is_autonomous(mechanism) or mechanism.meetings or mechanism.attractions or mechanism.feet or local:
         return None
     hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
+    felt = _felt(mechanism)
+    far = float(np.abs((trace.scan.q - start.q)[:, felt]).max(initial=0.0))
     fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
     same, sizes = max(SAME, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
@@ -78,6 +81,7 @@ def drift_return(trace: Trace) -> float | None:
     def alike(here: State) -> bool:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
         changes += [np.abs(here.q - start.q)[:, hinges]]
+        changes += [np.abs(here.q - start.q)[:, felt] / far] if far else []
         changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
         return all(float(change.max(initial=0.0)) <= same for change in changes)
 
@@ -86,8 +90,12 @@ def drift_return(trace: Trace) -> float | None:
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
 
 
-def _uniform(law: Law) -> bool:
-    return isinstance(law, Push | Magnetic) and law.profile.uniform
+def _felt(mechanism: Mechanism) -> list[int]:
+    """Return the numbers of the coordinates along which a field changes from place to place."""
+    laws = [force.law for force in mechanism.forces]
+    ways = [law.profile.axis for law in laws if isinstance(law, Push | Magnetic) and law.profile.slope]
+    coordinates = enumerate(mechanism.coordinates)
+    return [number for number, held in coordinates if any(inner(held.axis, way) != 0.0 for way in ways)]
 
 
 def ends_at_rest(trace: Trace) -> bool:

@@ -11,10 +11,13 @@ from sim2reason.quantities.subjects.bodies import AXES
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.charged import acting_on
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+
+SELDOM = 0.05
 
 
 @MOMENTS.register("away")
@@ -27,9 +30,16 @@ class Away(DistanceThreshold):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return a random distance; none for a projectile, whose range and height are asked for instead."""
-        thrown = only_falls(study.mechanism) and study.mechanism.gravity != ZERO
-        return [] if thrown else super(Away, cls).found(study, words, rng)
+        """Return a random distance; none for a projectile, whose range and height are asked for instead.
+
+        Seldom one in fields that turn the velocity, where how far that has turned tells more.
+        """
+        mechanism = study.mechanism
+        thrown = only_falls(mechanism) and mechanism.gravity != ZERO
+        acting = [acts for name in cls.candidates(words) if (acts := acting_on(mechanism, name)) is not None]
+        if thrown or (any(acts.turning for acts in acting) and rng.random() > SELDOM):
+            return []
+        return super(Away, cls).found(study, words, rng)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:

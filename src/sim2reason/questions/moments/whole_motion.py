@@ -30,14 +30,18 @@ class WholeMotion(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """One, if the motion repeats itself."""
+        """One, if the motion repeats itself, be it elsewhere."""
         del words, rng
-        return [cls()] if study.time(cls(ends=False)) is not None else []
+        if study.time(cls(ends=False)) is not None:
+            return [cls()]
+        return [cls(drifts=True)] if study.time(cls(drifts=True, ends=False)) is not None else []
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """It has no number or name of its own."""
-        del text, trace, words
+        """It has no number or name of its own: of what repeats itself elsewhere alone, both ways to understand it."""
+        del text, words
+        if cls(ends=False).time(trace) is None and cls(drifts=True, ends=False).time(trace) is not None:
+            yield cls(drifts=True)
         yield cls()
 
     @property

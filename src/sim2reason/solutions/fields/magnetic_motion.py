@@ -178,7 +178,7 @@ class Turning(FieldMotion):
         return found
 
     @cached_property
-    def _turned(self) -> list[Expression]:
+    def turned(self) -> list[Expression]:
         """Return the components at the start of that part of the velocity that the magnetic force rotates."""
         still = [self._kept(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
@@ -263,7 +263,7 @@ class Turning(FieldMotion):
 
     def course(self, axis: int, time: Expression) -> Expression:
         """The same, by components at the start."""
-        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
         if self.fields.damping is not None:
@@ -272,7 +272,7 @@ class Turning(FieldMotion):
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """The integral of that."""
-        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         turns, damping, phase = self.turning, self.fields.damping, self.turning * time
         sine, cosine = Call("sin", phase), Call("cos", phase)
         if damping is None:
@@ -285,12 +285,15 @@ class Turning(FieldMotion):
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
         """The greatest or the least speed in uniform fields: what turns is then along the drift, or against it."""
         sizes: list[Expression] = []
-        for parts in (self._drift, self._turned):
+        for parts in (self._drift, self.turned):
             kept = [part for part in parts if part != ZERO]
             square = Power(parts[0], 2) + Power(parts[1], 2)
             size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
             sizes.append(size if len(kept) == 1 else Root(square))
         one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
-        said = "The rotating part of the velocity is alternately parallel and opposite to the drift, so the "
+        said = (
+            "The velocity goes round a circle about the drift velocity, whose radius is the size of the rotating part; "
+        )
+        said += "this is alternately parallel and opposite to the drift, so the "
         said += "least speed is" if least else "greatest speed is"
         return "extremum", said, self.book.fresh("v"), one - other if least else one + other

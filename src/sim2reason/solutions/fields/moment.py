@@ -13,6 +13,8 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.fields.reach import REACHES, Reach, fastest_at_center
+from sim2reason.solutions.fields.turns import TURNED, FieldTurn
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -43,6 +45,8 @@ class FieldMoment:
             return name
         if isinstance(moment, Stopped):
             return self._stopped(name)
+        if isinstance(moment, TURNED):
+            return self.turn.time(name, self.launched)
         assert isinstance(moment, Away)
         distance = self.book.fresh("d")
         self.book.say_given(distance.name, moment.value, METRES)
@@ -58,6 +62,11 @@ class FieldMoment:
         step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, SMALLEST))
         step.close()
         return name
+
+    @cached_property
+    def turn(self) -> FieldTurn:
+        """Return what the moment is if it is one of those at which the velocity has turned."""
+        return FieldTurn(self.setting.query.moment or AtTime(0.0), self.fields, self.motion)
 
     def _stopped(self, name: Symbol) -> Symbol:
         """When a body on a line has no velocity."""
@@ -97,7 +106,7 @@ class FieldMoment:
         return squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
-    def _circle(self) -> Symbol:
+    def circle(self) -> Symbol:
         """The radius of the circle on which a magnetic field alone leads it."""
         turns = self.fields.turning
         assert turns is not None
@@ -121,10 +130,10 @@ class FieldMoment:
 
     @cached_property
     def speed(self) -> Expression | None:
-        """At the moment, where no electric field acts; None where one does."""
+        """At the moment, where no electric field acts, or one that has turned the velocity; else None."""
         fields = self.fields
-        if fields.drive is not None:
-            return None
+        if fields.has_field:
+            return self.turn.speed(self.launched) if fields.turning is None else None
         if fields.damping is None and not fields.resists:
             return self.launched
         said = "The magnetic force does no work, so only the drag changes the speed:"
@@ -151,7 +160,7 @@ class FieldMoment:
         turns = self.fields.turning
         assert turns is not None
         size = turns if self.book.value(turns) > 0.0 else -turns
-        half = Call("arcsin", distance / (TWO * self._circle))
+        half = Call("arcsin", distance / (TWO * self.circle))
         said = "The distance is the chord of the arc covered, which gives"
         return self.book.told("chord", said, name, TWO / size * half, SECONDS)
 
@@ -165,10 +174,12 @@ class FieldMoment:
     def extreme(self, query: StretchQuery) -> Symbol:
         """Where the rate of change of its square vanishes."""
         fields = self.fields
+        if query.functional in REACHES:
+            return Reach(self.motion, REACHES[query.functional], self.launched).written()
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
                 said = "The greatest distance is the diameter of the circle,"
-                return self.book.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
+                return self.book.told("chord", said, self.book.fresh("d"), TWO * self.circle, METRES)
             return self._farthest()
         if self._uniform and isinstance(self.motion, Turning):
             speed = self.book.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
@@ -215,6 +226,8 @@ class FieldMoment:
             if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
                 return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
+            if not slow and sign > 0.0 and (speed := fastest_at_center(self.fields, self.launched)) is not None:
+                return speed
             said = f"The speed is extreme where the {along}"
             if not slow and drive.growth is not None:
                 step = self.book.open("extremum")

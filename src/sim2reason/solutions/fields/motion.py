@@ -125,7 +125,8 @@ class Driven(FieldMotion):
         return self.book.value(self.slope) < 0.0
 
     @cached_property
-    def _frequency(self) -> Expression:
+    def frequency(self) -> Expression:
+        """Return the angular frequency of an oscillation along the field, or the rate at which it runs away."""
         along = AXES[self._drive.axis]
         if self.swings:
             said = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
@@ -143,12 +144,12 @@ class Driven(FieldMotion):
 
     def _even(self, time: Expression) -> Expression:
         """The cosine, or the hyperbolic one."""
-        phase = self._frequency * time
+        phase = self.frequency * time
         return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
         """The sine, or the hyperbolic one, over the frequency."""
-        phase = self._frequency * time
+        phase = self.frequency * time
         if self.swings:
-            return Call("sin", phase) / self._frequency
-        return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self._frequency)
+            return Call("sin", phase) / self.frequency
+        return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self.frequency)

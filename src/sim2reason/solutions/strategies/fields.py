@@ -9,6 +9,7 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.velocity_turned import VelocityTurned
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
@@ -17,6 +18,8 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Turning
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
+from sim2reason.solutions.fields.reach import REACHES
+from sim2reason.solutions.fields.turns import TURNED, FieldTurn
 from sim2reason.solutions.goals import GOALS, Components, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.laws.newton import Newton
@@ -28,7 +31,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES
 
 NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
-MOMENTS = (AtStart, AtTime, Away, Stopped)
+MOMENTS = (AtStart, AtTime, Away, Stopped, *TURNED)
 QUANTITIES = (
     *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
     "electric potential energy",
@@ -36,6 +39,7 @@ QUANTITIES = (
 FUNCTIONALS = (
     *("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy"),
     *("work of an electric field", "energy lost to drag", "impulse of the net force"),
+    *REACHES,
 )
 
 
@@ -175,6 +179,8 @@ class _InFields(Way):
             if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
                 law = self.motion.carried  # what turns has come round again
             formula = law(axis, self.time)
+            short = self._turn.component(kind, axis, self.time) if self._turn is not None else None
+            formula = formula if short is None else short
         if isinstance(self.query.moment, Away) and kind == "s" and self.motion.moved(1 - axis, self.time) == ZERO:
             distance = Symbol(next(name for name in self.book.stated if name != self.time.name))
             return distance if self.book.value(formula) > 0.0 else -distance
@@ -194,16 +200,32 @@ class _InFields(Way):
         if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
             said = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
             return f"{said}, which along {along} is", self.fields.law
+        if self._turn is not None and (short := self._turn.told(kind, axis)):
+            return short, self.fields.law
         return self.motion.told(kind, axis, self.time), self.fields.law
+
+    @property
+    def _turn(self) -> FieldTurn | None:
+        """Return the moment if it is one of those at which the velocity has turned."""
+        return self.moment.turn if isinstance(self.query.moment, TURNED) else None
 
     def vector(self, kind: str, body: str) -> Components:
         """Its size alone, where that is all that is asked for and is known without its components."""
         asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
         if asked and not isinstance(self.query.moment, AtStart):
-            size = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull}.get(kind, lambda: None)()
+            sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}
+            size = sizes.get(kind, lambda: None)()
             if size is not None:
                 return Polynomial.of(size), NIL, NIL
         return super().vector(kind, body)
+
+    def _chord(self) -> Expression | None:
+        """The distance from the start at which a magnetic field alone has turned the velocity through an angle."""
+        alone = self.fields.drive is None and self.fields.damping is None and not self.fields.resists
+        if not alone or not isinstance(self.query.moment, VelocityTurned):
+            return None
+        assert self.time is not None
+        return self.moment.turn.chord(self.moment.circle)
 
     def _component(self, kind: str) -> Callable[[int], Expression]:
         return lambda axis: self.rate(kind, self.fields.coordinates[axis]).expression()

@@ -67,5 +67,9 @@ class LinearElectric(ElectricField):
         return Push(along(self.way), Profile(charge * self.strength, charge * self.signed, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
-        """√(qk/m), with which the bead swings or runs away."""
-        return 2.0 * sqrt(abs(charge) * self.slope / mass)
+        """√(qk/m), with which the bead swings, or twice that of one that runs away, which soon becomes fast."""
+        return (1.0 if self.drives_back(charge) else 2.0) * sqrt(abs(charge) * self.slope / mass)
+
+    def drives_back(self, charge: float) -> bool:
+        """Return whether the force draws a charge, uC, to where the field is zero."""
+        return charge * self.signed * along(self.way)["xy".index(self.axis)] < 0.0

@@ -23,6 +23,23 @@ TWIN = 1e-9  # of the stretch: nearer samples are the two sides of an event, of 
 CLEAR = 0.01  # of the value: how far it lies beyond those at both ends of the stretch
 
 
+PLACELESS = frozenset(
+    f"{size} {name}"
+    for size in ("greatest", "least")
+    for name in (
+        "speed",
+        "kinetic energy",
+        "acceleration",
+        "extension",
+        "compression",
+        "spring energy",
+        "tension",
+        "spring force",
+    )
+)
+"""Functionals of what repeats itself where a motion drifts on, as two bodies on a spring do."""
+
+
 class Extreme(Functional):
     """The greatest or least value of a function of the state, which must be positive.
 
@@ -68,8 +85,10 @@ class Extreme(Functional):
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Of a motion that repeats itself it is the extreme of all that follows, too."""
-        return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
+        """Of a motion that repeats itself it is the extreme of all that follows, too; elsewhere if no place matters."""
+        if not isinstance(moment, WholeMotion):
+            return super().when(moment, words, name)
+        return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """The size of the highest of all tops, if nothing in the stretch is higher."""

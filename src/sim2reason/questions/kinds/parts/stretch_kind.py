@@ -14,6 +14,7 @@ from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
+from sim2reason.questions.functionals.parts.extreme import PLACELESS
 from sim2reason.questions.kinds import Kind, Measured, by_cause
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.at_time import AtTime
@@ -27,21 +28,6 @@ from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 
-PLACELESS = frozenset(
-    f"{size} {name}"
-    for size in ("greatest", "least")
-    for name in (
-        "speed",
-        "kinetic energy",
-        "acceleration",
-        "extension",
-        "compression",
-        "spring energy",
-        "tension",
-        "spring force",
-    )
-)
-"""Functionals of what repeats itself where a motion drifts on, as two bodies on a spring do."""
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
 ENDS = 3  # of stretches that it tries for each
 TRIES = 5  # functionals of subjects that one draw looks at

@@ -1,0 +1,205 @@
+"""When the velocity of a charged body has turned so far, is across the electric field, or is the initial one again."""
+
+from math import radians
+
+from sim2reason.lazy import cached_property
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.across_field import AcrossField
+from sim2reason.questions.moments.velocity_returned import VelocityReturned
+from sim2reason.questions.moments.velocity_turned import VelocityTurned
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call
+from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
+from sim2reason.solutions.fields.magnetic_motion import Turning
+from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
+
+TWO = Number(2.0)
+TURNED = (AcrossField, VelocityReturned, VelocityTurned)
+
+
+class FieldTurn:
+    """One of these moments, and what components of a motion are then, where that is short."""
+
+    def __init__(self, moment: Moment, fields: Fields, motion: FieldMotion) -> None:
+        """Nothing is written yet."""
+        self.moment, self.fields, self.motion = moment, fields, motion
+        self.book, self.setting = fields.book, fields.setting
+        self._timed = False  # whether it is told after which time half a turn is made
+
+    @property
+    def _who(self) -> str:
+        return self.setting.called(self.fields.body)
+
+    @property
+    def pace(self) -> Expression:
+        """Return the size of the angular velocity of what a magnetic field turns."""
+        turns = self.fields.turning
+        if turns is None:
+            raise UnsolvedError("nothing turns uniformly")
+        return turns if self.book.value(turns) > 0.0 else -turns
+
+    @cached_property
+    def angle(self) -> Symbol:
+        """Return the name of the angle through which the velocity has turned."""
+        assert isinstance(self.moment, VelocityTurned)
+        name = self.book.fresh(r"\alpha")
+        self.book.say_given(name.name, radians(self.moment.value), DEGREES)
+        return name
+
+    def speed(self, launched: Expression) -> Symbol | None:
+        """Write the speed where an electric field has turned the velocity; None of other moments."""
+        if not isinstance(self.moment, VelocityTurned):
+            return None
+        said = "The electric force is perpendicular to the initial velocity, whose component across the field is kept:"
+        said = f"{said} it is the speed times the cosine of the angle turned, so the speed is"
+        formula = launched / Call("cos", self.angle)
+        return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
+
+    def time(self, name: Symbol, launched: Expression) -> Symbol:
+        """Write when it is; `launched` is the speed at the start."""
+        if isinstance(self.moment, VelocityTurned):
+            return self._turned(name, launched)
+        if isinstance(self.moment, VelocityReturned):
+            self.motion.rate(0, name)  # so that it is told first what turns
+            said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
+            return self.book.told("turn", said, name, TWO * PI / self.pace, SECONDS)
+        return self._across(name)
+
+    def _turned(self, name: Symbol, launched: Expression) -> Symbol:
+        """When the velocity has turned through the angle."""
+        drive, alpha = self.fields.drive, self.angle.latex()
+        if drive is None:
+            said = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
+            return self.book.told("turn", said, name, self.angle / self.pace, SECONDS)
+        pull = drive.strength if self.book.value(drive.strength) > 0.0 else -drive.strength
+        step = self.book.open("turn")
+        step.rest_on(self.fields.law)
+        law = step.law(pull * name, launched * Call("tan", self.angle))
+        step.say(
+            f"The electric force is perpendicular to the initial velocity, whose component ${launched.latex()}$ is"
+        )
+        step.say(f"kept, while the component along the force grows to ${(pull * name).latex()}$. So the velocity has")
+        step.say(f"turned through ${alpha}$ when {law}, that is,")
+        step.say(f"{step.result(name, launched * Call('tan', self.angle) / pull, SECONDS)}.")
+        step.close()
+        return name
+
+    def _across(self, name: Symbol) -> Symbol:
+        """When the component along the electric field has come to zero."""
+        drive = self.fields.drive
+        assert drive is not None
+        if (swing := self._swing) is not None:
+            self._timed = True
+            said = f"{capital(self._who)} is at an end of its oscillation along {AXES[drive.axis]} at the start, so its"
+            said = f"{said} velocity is perpendicular to the field again after half an oscillation,"
+            return self.book.told("turn", said, name, PI / swing.frequency, SECONDS)
+        rate = self.motion.rate(drive.axis, name)
+        if self.halved:
+            self._timed = True
+            said = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
+            return self.book.told("turn", f"{capital(said)} has made half a turn, after", name, PI / self.pace, SECONDS)
+        step = self.book.open("turn")
+        law = step.law(rate, ZERO)
+        step.rest_on(self.fields.law)
+        step.say(f"{capital(self._who)} moves perpendicular to the field when its velocity along {AXES[drive.axis]} is")
+        step.say(f"zero: {law}.")
+        step.say(told_root(self.book, step, name, rate, self.setting.time, SECONDS, SMALLEST))
+        step.close()
+        return name
+
+    @property
+    def halved(self) -> bool:
+        """Whether the rotating part has made half a turn then: at the start, too, no velocity is along the field."""
+        drive = self.fields.drive
+        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, Turning):
+            return False
+        return self.fields.launch[drive.axis] == ZERO and self.fields.damping is None
+
+    @property
+    def _swing(self) -> Driven | None:
+        """Return the motion if it is an oscillation along the field from one end to the other; else None."""
+        drive, motion = self.fields.drive, self.motion
+        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, Driven):
+            return None
+        along = drive.slope is not None and drive.along == drive.axis and self.fields.launch[drive.axis] == ZERO
+        return motion if along and motion.swings else None
+
+    def _swung(self, swing: Driven, kind: str, axis: int, time: Expression) -> Expression | None:
+        """Return a component after half an oscillation, if it is short; else None."""
+        drive, turning = self.fields.drive, self.fields.turning
+        if drive is not None and axis == drive.axis:
+            return TWO * swing.center if kind == "s" else None
+        if turning is None:
+            return None
+        bent = turning * TURNS[axis] * swing.center
+        launched = self.fields.launch[axis]
+        return launched + TWO * bent if kind == "v" else (launched + bent) * time if kind == "s" else None
+
+    def component(self, kind: str, axis: int, time: Expression) -> Expression | None:
+        """Return a component of the displacement ``s`` or velocity ``v`` then, where it is a short one; else None."""
+        drive, motion = self.fields.drive, self.motion
+        if isinstance(self.moment, AcrossField) and kind == "v" and drive is not None and drive.axis == axis:
+            return ZERO
+        if (swing := self._swing) is not None:
+            return self._swung(swing, kind, axis, time)
+        return self._rotated(motion, kind, axis, time) if isinstance(motion, Turning) else None
+
+    def _rotated(self, motion: Turning, kind: str, axis: int, time: Expression) -> Expression | None:
+        """Return a component after a whole turn, or half a one, of what a magnetic field rotates; else None."""
+        if isinstance(self.moment, VelocityReturned):
+            return motion.carried(axis, time) if kind == "s" else None
+        if not self.halved:
+            return None
+        if kind == "v":
+            return self.fields.launch[axis] - TWO * motion.turned[axis]
+        return motion.carried(axis, time) + TWO * motion.turned[1 - axis] * TURNS[axis] / motion.turning
+
+    def told(self, kind: str, axis: int) -> str:
+        """Return the beginning of a sentence that gives a short component and why it is so; empty for others."""
+        motion = self.motion
+        if kind in ("v", "s") and self._swing is not None:
+            return self._told_swung(kind, axis)
+        if not isinstance(motion, Turning) or kind not in ("v", "s"):
+            return ""
+        if isinstance(self.moment, VelocityReturned) and kind == "s":
+            whose = f"the displacement of {self._who}, which along {AXES[axis]} is"
+            return f"Over a whole turn, the rotating part adds nothing to {whose}"
+        if not self.halved:
+            return ""
+        when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
+        if kind == "v":
+            turned = f"Over half a turn{when} the rotating part of the velocity is reversed"
+            return f"{turned}; the velocity of {self._who} along {AXES[axis]} is then"
+        alone = motion.turned[1 - axis] == ZERO
+        moved = f"only along {AXES[1 - axis]}" if alone else "by the diameter of its circle"
+        told = f"Over half a turn{when} the rotating part moves {self._who} {moved}"
+        return f"{told}; along {AXES[axis]} the displacement is"
+
+    def _told_swung(self, kind: str, axis: int) -> str:
+        """Return the beginning of a sentence that gives a component after half an oscillation; empty for others."""
+        drive, along = self.fields.drive, AXES[axis]
+        if drive is not None and axis == drive.axis:
+            when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
+            told = f"Over half an oscillation{when} {self._who} moves from one end to the other"
+            return f"{told}; along {along} the displacement is"
+        if self.fields.turning is None:
+            return ""
+        if kind == "s":
+            return (
+                f"The mean velocity along {along} over half an oscillation is that at the centre; the displacement is"
+            )
+        field = AXES[1 - axis]
+        ends = f"At the other end of the oscillation along {field}, twice as far along {field} as the centre"
+        return f"{ends}, the velocity along {along} is"
+
+    def chord(self, radius: Expression) -> Symbol:
+        """Write the distance from the start where a velocity of constant size has turned through the angle."""
+        said = (
+            "The distance from the starting point is the chord of the arc covered, which has this angle at the centre,"
+        )
+        formula = TWO * radius * Call("sin", self.angle / TWO)
+        return self.book.told("chord", said, self.book.fresh("d"), formula, METRES)

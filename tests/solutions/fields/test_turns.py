@@ -1,0 +1,119 @@
+"""Worked solutions about where the velocity of a charge has turned, how far and how fast it gets, by closed forms."""
+
+from math import cos, hypot, pi, radians, sin, sqrt, tan
+
+import pytest
+
+from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.em_entity import EmEntity
+from sim2reason.entities.parts.fields.linear_electric import LinearElectric
+from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
+from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.across_field import AcrossField
+from sim2reason.questions.moments.velocity_returned import VelocityReturned
+from sim2reason.questions.moments.velocity_turned import VelocityTurned
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from worked import answer, derived
+
+BEAD = "fields.particle"
+MASS, CHARGE, SPEED, B, FIELD, SLOPE = 2.0, 3.0, 2.0, 0.8, 1.1, 0.7
+TURNS, PULL, DRIFT = CHARGE * B / MASS, CHARGE * FIELD / MASS, FIELD / B
+ANGLE = radians(40.0)
+VX, VY = SPEED * cos(ANGLE), SPEED * sin(ANGLE)
+MAGNETIC = UniformMagnetic(strength=B, way="positive z")
+ELECTRIC = UniformElectric(strength=FIELD, way="positive y")
+OPPOSED = UniformElectric(strength=FIELD, way="negative y")
+LINEAR = LinearElectric(strength=FIELD, way="positive y", trend="decreases", axis="y", slope=SLOPE)
+OBLIQUE, ALONG_X, REST = Launched(speed=SPEED, angle=40.0), Launched(speed=SPEED, angle=0.0), Released()
+
+
+def fields(**acting: object) -> EmEntity:
+    particle = ChargedBead(mass=MASS, charge=CHARGE, sign="positive")
+    return EmEntity(particle=particle, **{"start": OBLIQUE, **acting})  # type: ignore[arg-type]
+
+
+def at(moment: Moment, quantity: str, **acting: object) -> float:
+    """Return the size of a quantity then, by a solution that passes every check."""
+    return answer("fields", fields(**acting), Query("event", Target(quantity, BEAD), moment))
+
+
+def whole(functional: str, **acting: object) -> float:
+    """Return an extreme of the whole motion, by a solution that passes every check."""
+    return answer("fields", fields(**acting), StretchQuery("extremum", None, WholeMotion(True), functional, BEAD))
+
+
+def text(moment: Moment, quantity: str, **acting: object) -> str:
+    scene = Scene(entities=(Named(name="fields", entity=fields(**acting)),))
+    return derived(scene, Query("event", Target(quantity, BEAD), moment)).text
+
+
+def test_an_arc_has_its_chord() -> None:
+    """2R sin(α/2) with R = m v/(q B)."""
+    far = at(VelocityTurned(BEAD, 60.0), "displacement", magnetic=MAGNETIC)
+    assert far == pytest.approx(2.0 * SPEED / TURNS * sin(radians(30.0)))
+
+
+def test_across_an_electric_field_a_charge_goes_round_a_parabola() -> None:
+    """tan α = a t/v, x = v t, y = a t²/2; the component across the field is kept, so the speed is v/cos α."""
+    time = SPEED * tan(radians(30.0)) / PULL
+    turned = VelocityTurned(BEAD, 30.0)
+    far = at(turned, "displacement", electric=ELECTRIC, start=ALONG_X)
+    assert far == pytest.approx(hypot(SPEED * time, 0.5 * PULL * time**2))
+    assert at(turned, "velocity", electric=ELECTRIC, start=ALONG_X) == pytest.approx(SPEED / cos(radians(30.0)))
+    apex = at(AcrossField(BEAD), "displacement", electric=OPPOSED)
+    assert apex == pytest.approx(hypot(VX * VY / PULL, VY**2 / (2.0 * PULL)))
+
+
+def test_half_a_cycloid_is_as_wide_as_half_a_turn_of_its_wheel() -> None:
+    """From rest π u/Ω along the drift, 2u/Ω along the field, and 2u fast at the top (Griffiths, example 5.2)."""
+    crossed = {"electric": ELECTRIC, "magnetic": MAGNETIC, "start": REST}
+    assert at(AcrossField(BEAD), "displacement", **crossed) == pytest.approx(DRIFT / TURNS * hypot(pi, 2.0))
+    assert at(AcrossField(BEAD), "velocity", **crossed) == pytest.approx(2.0 * DRIFT)
+    told = text(AcrossField(BEAD), "displacement", **crossed)
+    assert "has made half a turn" in told
+    assert told.count("Over half a turn") == 2
+
+
+def test_over_a_period_of_the_velocity_only_the_drift_moves_it() -> None:
+    """2π m u/(q B)."""
+    crossed = {"electric": ELECTRIC, "magnetic": MAGNETIC}
+    far = at(VelocityReturned(BEAD), "displacement", **crossed)
+    assert far == pytest.approx(2.0 * pi * DRIFT / TURNS)
+    assert "adds nothing to the displacement" in text(VelocityReturned(BEAD), "displacement", **crossed)
+
+
+def test_distances_from_an_axis_are_told_by_centre_and_radius() -> None:
+    """R (1 + |cos θ|); in crossed fields the same of what turns; 2y_c from rest where a field drives it back."""
+    axis = "greatest distance from the x axis"
+    turned = hypot(VX - DRIFT, VY)
+    assert whole(axis, magnetic=MAGNETIC) == pytest.approx(SPEED / TURNS * (1.0 + cos(ANGLE)))
+    crossed = whole(axis, electric=ELECTRIC, magnetic=MAGNETIC)
+    assert crossed == pytest.approx((abs(VX - DRIFT) + turned) / TURNS)
+    assert whole(axis, electric=LINEAR, magnetic=MAGNETIC, start=REST) == pytest.approx(
+        2.0 * PULL / (CHARGE * SLOPE / MASS + TURNS**2)
+    )
+
+
+@pytest.mark.parametrize("magnetic", [None, MAGNETIC])
+def test_a_field_that_drives_it_back_makes_it_fastest_where_it_is_zero(magnetic: UniformMagnetic | None) -> None:
+    """v² = v₀² + a E/k by energy, as the magnetic force does no work; at y = E/k, which it reaches here."""
+    start = Launched(speed=SPEED, angle=140.0)
+    fastest = whole("greatest speed", electric=LINEAR, magnetic=magnetic, start=start)
+    assert fastest == pytest.approx(sqrt(SPEED**2 + PULL * FIELD / SLOPE))
+
+
+def test_half_an_oscillation_ends_at_its_other_end() -> None:
+    """From an end: 2y_c along the field, v + 2Ω y_c across it, and (v + Ω y_c) π/ω as far, with Ω² + kq/m = ω²."""
+    square = CHARGE * SLOPE / MASS + TURNS**2
+    center = (PULL - TURNS * SPEED) / square
+    both = {"electric": LINEAR, "magnetic": MAGNETIC, "start": ALONG_X}
+    assert at(AcrossField(BEAD), "velocity", **both) == pytest.approx(abs(SPEED + 2.0 * TURNS * center))
+    across = (SPEED + TURNS * center) * pi / sqrt(square)
+    assert at(AcrossField(BEAD), "displacement", **both) == pytest.approx(hypot(across, 2.0 * center))
+    alone = hypot(SPEED * pi / sqrt(CHARGE * SLOPE / MASS), 2.0 * FIELD / SLOPE)
+    assert at(AcrossField(BEAD), "displacement", electric=LINEAR, start=ALONG_X) == pytest.approx(alone)
