@@ -76,6 +76,22 @@ def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     return tuple(f"{noun.phrase} {again(query.moment, noun.phrase, when, words)}" for when in whens)
 
 
+def stating_then(query: Query, words: Words, noun: Noun, value: str) -> tuple[str, ...]:
+    """Return statements that a quantity has a value, with every phrase for its moment; those with verbs come first."""
+    assert query.moment is not None
+    plain = tuple(f"{named} is {value}" for named in naming_then(query, words, noun))
+    if noun.timeless:
+        return plain
+    noun, whens = spanning(query.moment, words, noun)
+    first = tuple(f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
+    if not noun.states or noun.over:
+        return (*plain, *first)
+    states = noun.states.replace("{value}", value)
+    verbal = (f"{states} {again(query.moment, states, when, words)}" for when in whens)
+    early = (f"{when}, {states}" for when in whens if when[0].isalpha())
+    return (*verbal, *early, *plain, *first)
+
+
 def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
     """A noun with the phrases for its moment, or for the stretch up to that, if it is called something over one."""
     stretches = moment.stretches(words) if noun.over else ()

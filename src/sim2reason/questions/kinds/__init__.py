@@ -13,7 +13,7 @@ from sim2reason.questions.choices import bears_from, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
-from sim2reason.questions.phrasing import again, asking_then, naming_then, spanning
+from sim2reason.questions.phrasing import asking_then, naming_then, stating_then
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
@@ -212,20 +212,8 @@ class ValueKind(Kind):
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
         """Also with the moment first, and with a verb: *when B first stops, A is moving at 2.1 m/s*."""
-        assert query.moment is not None
         assert noun is not None
-        plain = super().told(query, words, noun, value)
-        if noun.timeless:
-            return plain
-        noun, whens = spanning(query.moment, words, noun)
-        first = tuple(f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
-        if not noun.states or noun.over:
-            return (*plain, *first)
-        states = noun.states.replace("{value}", value)
-        said = [again(query.moment, states, when, words) for when in whens]
-        verbal = [f"{states} {when}" for when in said]
-        early = [f"{when}, {states}" for when in whens if when[0].isalpha()]
-        return (*verbal, *early, *plain, *first)
+        return stating_then(query, words, noun, value)
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of all quantities in the scene."""
