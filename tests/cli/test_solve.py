@@ -47,11 +47,11 @@ def test_a_problem_of_an_id_is_told_and_its_solution_is_graded_right(
 
 def test_an_answer_in_other_units_is_converted_at_the_end() -> None:
     """1 J is 10⁷ erg."""
-    solution = call("--id", "pulley-easy-numeric-0-5-cgs").output
-    usual = call("--id", "pulley-easy-numeric-0-5").output
-    assert r"W \approx \boxed{11.7}\ \text{J}$" in usual
-    assert "Given, in SI units: $m_B" in solution
-    assert r"\ \text{J} \approx \boxed{1.17 \times 10^{8}}\ \text{erg}$" in solution
+    solution = call("--id", "incline-medium-numeric-0-3-cgs").output
+    usual = call("--id", "incline-medium-numeric-0-3").output
+    assert r"Q \approx \boxed{4.13}\ \text{J}$" in usual
+    assert "Given, in SI units: $" in solution
+    assert r"\ \text{J} \approx \boxed{4.13 \times 10^{7}}\ \text{erg}$" in solution
 
 
 def test_in_symbols_no_number_is_said_that_the_problem_does_not_say() -> None:
@@ -75,7 +75,7 @@ def test_json_has_the_steps_with_their_relations() -> None:
     told = call("--id", "pulley-easy-numeric-0-5", "--json")
     found = json.loads(told.output)
     assert found["strategy"] == "constant acceleration"
-    assert found["answer"] == pytest.approx(11.68735, rel=1e-4)
+    assert found["answer"] == pytest.approx(5.372973, rel=1e-4)
     assert [step["id"] for step in found["steps"]] == list(range(len(found["steps"])))
     for step in found["steps"]:
         assert all(number < step["id"] for number in step["needs"])

@@ -101,7 +101,7 @@ def slopes(drawn: Drawing) -> list[float]:
 
 
 def test_the_slope_of_an_incline_is_not_the_one_asked_for(tmp_path: Path) -> None:
-    item, found = made(requested("mixed", "hard", "reverse", 7730119, 4, {}, "SI"))
+    item, found = made(requested("mixed", "hard", "reverse", 7730119, 7, {}, "SI"))
     assert item.asked.unknown == "two_side_mass_plane.plane.angle"
     drawn = drawing(found.description.scene, found.description)
     assert slopes(drawn)

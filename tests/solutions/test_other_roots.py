@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 X, A = Symbol("x"), Symbol("a")
 
@@ -52,6 +52,29 @@ def test_a_root_that_contradicts_a_comparison_is_told() -> None:
     text, relations = told(3.0, X, [5.0], [(X, X)], Relation(A, X, "exceeds"), a=4.0)
     assert text == "With the other root, $5.0000$, $a$ would not be greater than $x$."
     assert [(r.left, r.right) for r in relations] == [(Number(5.0), A)]
+
+
+@pytest.mark.parametrize(("bound", "told_of"), [(2.5, "would not be"), (3.5, "")])
+def test_a_second_positive_root_is_excluded_by_a_comparison_or_nothing_is_solved(bound: float, told_of: str) -> None:
+    """Of x² − 5 x = −6, with 2 as the answer: b > x excludes 3 for b = 2.5, and nothing does for b = 3.5."""
+    book = Book()
+    book.know("x", 2.0)
+    book.know("b", bound)
+    step = book.open("verify")
+    step.relations.append(Relation(Symbol("b"), X, "exceeds"))
+    step.say("Before.")
+    step.close()
+    shown = (Power(X, 2) - Number(5.0) * X, Number(-6.0))
+    step = book.open("solve")
+    OtherRoots(book, "x", lambda name: Chain(((name, X),))).tell(step, "x", X, [], [shown, shown])
+    step.close()
+    (check,) = book.checks.values()
+    if told_of:
+        check()
+        assert told_of in book.steps[-1].text
+    else:
+        with pytest.raises(UnsolvedError, match="excludes the other root, 3"):
+            check()
 
 
 def test_nothing_is_said_where_there_is_no_other_root() -> None:

@@ -15,9 +15,9 @@ from sim2reason.solutions.solve import setting_of
 from sim2reason.solutions.verification import refusal
 
 CELLS = [
-    ("box", "hard", "which_first"),
+    ("hybrid", "hard", "which_first"),
     ("collision", "medium", "which_first"),
-    ("collision", "hard", "which_greater"),
+    ("collision", "medium", "which_greater"),
     ("pulley", "medium", "which_greater"),
     ("incline", "medium", "which_greater"),
 ]

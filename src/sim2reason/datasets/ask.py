@@ -23,7 +23,7 @@ from sim2reason.scene_files import SceneLike, scene_of
 from sim2reason.simulation.trace import ending
 
 QUESTIONS = 5
-TRIES = 10  # for each question that is wanted
+TRIES = 10  # for each question that is wanted, and again for easy ones
 SAME_ANSWER = "an answer that another question has"  # as a refusal is counted
 SPARE = 2  # times the questions that are wanted: so many with their variants end the search
 
@@ -51,8 +51,9 @@ def ask(
 ) -> list[Item]:
     """Return at most `items` problems about a scene that pass every filter; another seed gives other problems.
 
-    The problems are items as in a dataset, but without a recipe or a difficulty. No two have the same answer. With
-    `all`, easy, odd and uncertain problems are kept, too.
+    The problems are items as in a dataset, but without a recipe or a difficulty. No two have the same answer. Easy
+    problems, which few laws answer, are asked where there are too few others. With `all`, odd and uncertain problems
+    are kept, too.
 
     Raises:
         TypeError: neither a scene nor the path of its file, its text or an item.
@@ -72,9 +73,10 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
     result = AskedScene(search.description.text)
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
     answers = set[Hashable]()
-    for attempt in range(TRIES * items):
+    for attempt in range(2 * TRIES * items):
         if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
             break
+        search.easy = attempt >= TRIES * items
         name = modes[attempt % len(modes)]
         rng, base = generator("ask", name, seed, attempt), f"{scene.name}-{name}-{seed}"
         certified = search.ask(MODES[name], rng, result.refused)

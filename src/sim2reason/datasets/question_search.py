@@ -77,6 +77,7 @@ class QuestionSearch:
         """
         self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
+        self.easy = False  # whether what few laws or one line answer is kept
         self._sift = _kept if unfiltered else sift
         self.study = scene if isinstance(scene, Study) else Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -213,6 +214,7 @@ class QuestionSearch:
             tolerance=self._tolerance,
             needs=self._needs,
             labelled=self._difficulty is not None,
+            easy=self.easy,
             beside=beside,
         )
         return _Told(candidate, description, prompt.shape)

@@ -188,14 +188,14 @@ KINETIC = Beside("static_friction", r"\mu_k", "coefficient of kinetic friction")
 Friction = Annotated[
     float,
     Ge(0),
-    Le(2),
+    Le(10),
     Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction", beside=KINETIC, sought=3.0),
     Range(0.1, 0.7),
 ]
 StaticFriction = Annotated[
     float,
     LEAST,
-    Le(2),
+    Le(10),
     Above("friction"),
     Measure("static friction", "", r"\mu_s", decimals=2, called="coefficient of static friction"),
     Range(0.2, 0.9),

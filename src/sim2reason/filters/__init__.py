@@ -37,6 +37,8 @@ class Candidate:
     """What its solution may need."""
     labelled: bool = False
     """Whether its difficulty was ordered, and must fit."""
+    easy: bool = False
+    """Whether what few laws or one line answer is kept."""
     beside: "tuple[Candidate, ...]" = ()
     """Earlier parts of the same problem."""
 

@@ -20,7 +20,7 @@ class OneLine(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """See how the answer goes with each number, and whether that is all there is to it."""
-        if candidate.kind.measured(candidate.question.query).whole:
+        if candidate.easy or candidate.kind.measured(candidate.question.query).whole:
             return ""
         line = product_of(candidate) or sum_of(candidate)
         return "" if line and turns_by_weight(candidate) else line

@@ -99,7 +99,7 @@ class PotentialEnergy(Energy):
     over = "the magnitude of the change in {body}'s gravitational potential energy"
     how = "by how much does the gravitational potential energy of {body} change {when}?"
     magnitude = f"{over} since the start"
-    drawn_by_recipes = False  # of one body it is seldom of use by itself
+    weight = 0.02  # of one body it is seldom of use by itself
     from_start = True
     panel, pooled, order = "energy", True, 8
 

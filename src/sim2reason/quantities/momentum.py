@@ -23,7 +23,7 @@ class Momentum(Quantity):
     signed = "the {component}momentum of {body}{ground}"
     given = True
     needs = ("mass",)
-    drawn_by_recipes = False  # of one body alone it is seldom more than its speed times its mass
+    weight = 0.02  # of one body alone it is seldom more than its speed times its mass
     floor, heavy = 0.1, True
     order = 3
 
@@ -62,7 +62,7 @@ class AboutCenter(Quantity):
 
     of, vector = TurningBodies(), True
     needs = ("mass",)
-    drawn_by_recipes = False  # rather its angular velocity and acceleration
+    weight = 0.02  # rather its angular velocity and acceleration
     floor, heavy = 0.01, True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:

@@ -19,6 +19,6 @@ def parse_question(text: str, study: Study, words: Words, kinds: Collection[str]
     for kind in (found for name, found in KINDS.items() if kinds is None or name in kinds):
         for query in kind.parsed(text, study, words, heard):
             noun = offered[query.target] if query.target is not None else None
-            if any(sentence(shape) == text for shape in kind.shapes(query, words, noun)):
+            if any(sentence(shape) == text for shape in (*kind.shapes(query, words, noun), *kind.former(query, words))):
                 return query
     return None

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from math import pi
+from math import inf, pi
 
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
@@ -72,10 +72,12 @@ class OtherRoots:
     def exclude(self, others: Sequence[float], lead: str = OTHER) -> None:
         """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
 
-        By then all comparisons are written on which the equations rest. The sentence begins with `lead`.
+        By then all comparisons are written on which the equations rest. The sentence begins with `lead`. Where no
+        comparison would be false, there is no solution: nobody could tell which root counts.
         """
+        right_angle = self.book.units[self.unknown] == DEGREES
         for value in others:
-            if value > 0.0:
+            if 0.0 < value < (0.5 * pi if right_angle else inf):  # of a greater angle the text says that it is one
                 self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead))
 
     def _tell_excluded(self, value: float, lead: str) -> None:
@@ -101,6 +103,7 @@ class OtherRoots:
                 step.say(f"{positive}.")
                 step.close()
                 return
+        raise UnsolvedError(f"nothing that it states excludes the other root, {value:.5g}")
 
     def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
         """Return a formula with all inserted that hangs on the unknown, and a value for that.
@@ -182,6 +185,8 @@ class OtherRoots:
             if misses:
                 exceeds(self.book, step, gap, ZERO)
                 step.say(f"The other root, {number}, does not satisfy the equation before it is squared.")
+        elif name == self.unknown:
+            self.exclude([other])
         else:
             self._say_never(step, name, other)
 

@@ -104,3 +104,10 @@ def test_a_turned_velocity_tells_how_the_force_has_turned() -> None:
     moment = VelocityTurned(BEAD, 60.0)
     assert {told.quantity for told in moment.tells} == {"acceleration", "net force"}
     assert replace(moment, value=45.0).stated == ((45.0, "deg"),)
+
+
+@pytest.mark.parametrize(("angle", "again"), [(0.0, True), (60.0, False)])
+def test_a_bead_that_is_launched_across_the_field_moves_across_it_again(angle: float, *, again: bool) -> None:
+    """*First* alone would mean the start."""
+    words = words_of(describe(scene(angle, electric=ELECTRIC, magnetic=MAGNETIC)))
+    assert all((" again" in phrase) is again for phrase in AcrossField(BEAD).phrases(words))

@@ -24,7 +24,7 @@ class NetImpulse(Functional):
     name, unit, kind, least = "impulse of the net force", "N s", "sum", 1e-3
     of, needs, center = Bodies(), ("mass",), False
     phrase = "the magnitude of the impulse of the net force on {body}"
-    drawn_by_recipes = False
+    weight = 0.02
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether a body has constant mass and is not part of a larger rigid body."""

@@ -110,6 +110,11 @@ class Kind(ABC):
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
 
+    def former(self, query: Query, words: Words) -> tuple[str, ...]:
+        """Return sentences of earlier versions, which are read but no longer written; by default none."""
+        del query, words
+        return ()
+
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Noun phrases for what it asks, its moment included: *the speed of A when B first stops*.
 
@@ -166,10 +171,7 @@ class Kind(ABC):
         return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """Whether another scene differs only in what such answers by nature do not depend on; by default not.
-
-        The numbers that tell it may be idle: who knows the law knows that, and who does not is misled by them.
-        """
+        """Whether another scene differs only in idle numbers that mislead who does not know the law; by default not."""
         del query, study, other
         return False
 

@@ -14,7 +14,7 @@ from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, ans
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.targets import Noun, Targets, targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words
@@ -112,6 +112,16 @@ class ComparisonKind(NestedKind):
             return ()
         forms = _ratio_forms(query, number) if query.ratio else _difference_forms(query, number)
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
+
+    def former(self, query: Query, words: Words) -> tuple[str, ...]:
+        """As in: what would be the ratio of the new value to the original value of …, if the mass of A were doubled?"""
+        assert isinstance(query, ComparisonQuery)
+        number = words.named.get(query.path)
+        if number is None or not query.ratio or query.factor not in GERUNDS:
+            return ()
+        noun = targets(words)[query.target] if query.target is not None else None
+        ratio, changed = "the ratio of the new value to the original value of", f"{number} were {_done(query.factor)}"
+        return tuple(f"what would be {ratio} {name}, if {changed}?" for name in self.names(query, words, noun))
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: the factor by which doubling the mass of A would multiply the speed of B 0.80 s after release."""

@@ -187,6 +187,15 @@ def squares(parts: Iterable[Expression]) -> Expression:
     return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
+def length_of(parts: Iterable[Expression]) -> Expression:
+    """Return the length of a vector with these components: of a single one that is not zero its absolute value."""
+    kept = [part for part in parts if part != ZERO]
+    if len(kept) != 1:
+        return Root(squares(kept))
+    (lone,) = kept
+    return Absolute(-lone if lone.negative else lone)
+
+
 def values(held: Expression, at: Mapping[str, Array]) -> Array:
     """The values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
     with np.errstate(all="ignore"):

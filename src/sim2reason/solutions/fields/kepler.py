@@ -13,7 +13,7 @@ from sim2reason.dsl.triples import minus
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, length_of, squares
 from sim2reason.solutions.fields.initial_anomaly import InitialAnomaly
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.setting import Setting, capital
@@ -61,7 +61,7 @@ class KeplerOrbit:
     @cached_property
     def radius(self) -> Symbol:
         """Return the distance from the centre at the start, in m."""
-        formula = Root(squares(self.place))
+        formula = length_of(self.place)
         said = f"The initial distance of {self.setting.called(self.body)} is"
         return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
 

@@ -9,7 +9,7 @@ from sim2reason.dsl.triples import minus
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.functions import Root, squares
+from sim2reason.solutions.algebra.functions import length_of
 from sim2reason.solutions.oscillations.greatest_value import greatest_target
 from sim2reason.solutions.setting import LEVEL, Setting
 from sim2reason.solutions.swings.angle import Way
@@ -70,7 +70,7 @@ class LoneSpring:
     def length(self) -> Symbol:
         """At the start."""
         said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
-        return self.book.told("length", said, name, Root(squares(self.apart)), METRES)
+        return self.book.told("length", said, name, length_of(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
         """Write the answer, unless it has a name; `turned` gives its formula the sign or the component asked for."""

@@ -1,0 +1,35 @@
+"""When a body first stops sliding on what carries it."""
+
+import numpy as np
+import pytest
+
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.slab import Slab
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.prose.description import describe
+from sim2reason.questions.following import motion_of
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.prompt import words_of
+
+
+@pytest.mark.parametrize(("angle", "offered"), [(28.0, False), (5.0, True)])
+def test_a_body_that_turned_back_before_is_not_asked_about(angle: float, *, offered: bool) -> None:
+    """A slab sent up the slope on another one: on a steep slope it turns back, and slips on, before it sticks."""
+    slabs = StackedMassPlane(
+        plane=Plane(angle=angle, friction=0.16),
+        lower=Slab(mass=9.1),
+        upper=Slab(mass=8.7),
+        top=Slab(mass=8.6),
+        friction=0.20,
+        top_friction=0.35,
+        speed=4.0,
+    )
+    scene = Scene(entities=(Named(name="stack", entity=slabs),))
+    study = motion_of(scene, 20.0).study
+    moment = StoppedSlipping("stack.upper")
+    assert moment.time(study.trace) is not None
+    assert moment.turned_back(study.trace) is not offered
+    found = StoppedSlipping.found(study, words_of(describe(scene)), np.random.default_rng(0))
+    assert (moment in found) is offered
