@@ -119,7 +119,7 @@ contracts: .venv/dev
 	$(BIN)/lint-imports --no-logo
 
 docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
-	$(BIN)/sim2reason sample --recipe hybrid --difficulty medium --seed 7 --index 3 -o docs/images/scene.yaml
+	$(BIN)/sim2reason sample --recipe hybrid --difficulty medium --seed 7 --index 8 -o docs/images/scene.yaml
 	$(BIN)/sim2reason figure docs/images/scene.yaml -o docs/images/scene.svg --numbers
 	$(BIN)/sim2reason plot docs/images/scene.yaml -o docs/images/traces.png
 	$(BIN)/sim2reason schema --page -o docs/scene-format.md
