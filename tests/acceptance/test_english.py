@@ -123,7 +123,15 @@ def test_the_question_is_one_sentence_at_the_end(batch: list[Sample]) -> None:
         assert not any(VERB.search(sentence) for sentence in sample.prose.story), sample.prose.text
 
 
-SIGNED = "positive", "x component", "y component", "horizontal displacement", "vertical displacement", "gain in"
+SIGNED = (
+    "positive",
+    "x component",
+    "y component",
+    "horizontal displacement",
+    "vertical displacement",
+    "gain in",
+    "ward component",
+)
 
 
 def test_signs_are_defined_where_they_matter_and_nowhere_else(batch: list[Sample]) -> None:

@@ -84,6 +84,6 @@ def introduced(letter: str, story: str) -> bool:
     noun = r"\b(?!(?:from|to|of|and|at|on|over|with|round|joins|reaches|carries)\b)[a-z]+"
     first = re.search(rf"(?<![A-Za-z$]){letter}(?![A-Za-z$])", story)
     before = story[: first.start()] if first else ""
-    return bool(re.search(rf"{noun},? (?:[A-Z] \([^)]*\)(?:, | and ))*$", before, re.IGNORECASE)) or before.endswith(
-        "| "
-    )
+    return bool(
+        re.search(rf"{noun},? (?:[A-Z](?: \([^)]*\))?(?:, | and ))*$", before, re.IGNORECASE)
+    ) or before.endswith("| ")

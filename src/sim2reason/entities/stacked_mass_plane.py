@@ -27,7 +27,7 @@ THICK = 0.4  # m; how much higher than one slab's the strings of the next one ar
 
 
 def frictions(number: str, below: str, above: str) -> dict[str, Word]:
-    """Three ways to tell the friction between two slabs, or that there is none."""
+    """Four ways to tell the friction between two slabs, or that there is none."""
     given, pair = f"{{{number}}}", f"between {{{below}}} and {{{above}}}"
     return {
         f"{number}1": Word(
@@ -44,6 +44,11 @@ def frictions(number: str, below: str, above: str) -> dict[str, Word]:
             number,
             {0.0: f"{{{below}}} and {{{above}}} touch each other at smooth faces"},
             f"static and kinetic friction {pair} have the same coefficient, {given}",
+        ),
+        f"{number}4": Word(
+            number,
+            {0.0: f"friction {pair} is negligible"},
+            f"{{{below}}} and {{{above}}} rub against each other with a coefficient of {given}, static and kinetic",
         ),
     }
 
@@ -70,10 +75,10 @@ class StackedMassPlane(Entity):
         ),
         either("on {upper} lies {top}.", "{top} is on top of {upper}.", "{upper} in turn carries {top}."),
         FRICTION_ON_PLANE,
-        either("{friction1}.", "{friction2}.", "{friction3}.").if_given(
+        either("{friction1}.", "{friction2}.", "{friction3}.", "{friction4}.").if_given(
             "static_friction", *two_coefficients("between {lower} and {upper}")
         ),
-        either("{top_friction1}.", "{top_friction2}.", "{top_friction3}."),
+        either("{top_friction1}.", "{top_friction2}.", "{top_friction3}.", "{top_friction4}."),
         starting(
             "at t = 0 {upper} is moving {plane.uphill} at speed {speed}, and all else is at rest.",
             "{upper} is launched {plane.uphill} at t = 0 with a speed of {speed}, all else being at rest.",

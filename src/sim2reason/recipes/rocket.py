@@ -18,7 +18,10 @@ def _waits(rocket: RocketEntity) -> bool:
 
 IDEAS = {
     "easy": (Idea(KIND, {"place": ("DeepSpace",)}),),
-    "medium": (Idea(KIND, {"place": ("LevelGround",)}),),  # with weight, and perhaps a wait until it can lift off
+    "medium": (  # with weight, often with a wait until it can lift off
+        Idea(KIND, {"place": ("LevelGround",)}, 0.6),
+        Idea(KIND, {"place": ("LevelGround",)}, suits=_waits),
+    ),
     "hard": (  # with a weight that falls off, or too heavy to lift off at once
         Idea(KIND, {"place": ("AirlessPlanet",)}, 2.0),
         Idea(KIND, {"place": ("LevelGround",)}, suits=_waits),
@@ -26,7 +29,8 @@ IDEAS = {
 }
 
 WEIGHTS = {
-    "time_to_event": 0.3,  # which are often about a minute
+    "time_to_event": 0.2,  # which are often about a minute
+    "state": 0.4,
     "extremum": 0.03,
     "optimum": 0.0,
 }

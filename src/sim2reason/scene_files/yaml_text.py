@@ -42,6 +42,7 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_.]*", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 TRUTH = {"true": True, "false": False, "null": None}
 """The words that are values, to readers of YAML 1.1 and 1.2 alike."""
+LETTERS = {"y", "n"}  # which YAML 1.1 takes for true and false, but hardly any reader or writer: y is an axis
 _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # when not exactly true, false or null
 
 
@@ -150,7 +151,7 @@ class _Reader:
         if event.value == "<<":
             self._refuse(event, "keys are merged with <<", "write the values out")
         key = event.value
-        unclear = len(key) > 1 and key.lower() in _AMBIGUOUS and not event.style  # the coordinate y is clear to all
+        unclear = key.lower() in _AMBIGUOUS - LETTERS and not event.style
         if unclear or not _WORD.fullmatch(key) or len(key) > MAX_DIGITS:
             self._refuse(event, f"{shown(event.value)} can't be a key", "use the keys that the format has")
         return key
@@ -167,7 +168,7 @@ class _Reader:
             self._refuse(event, "it has no value", "write one, or take the key out")
         if text[0] in "+-.0123456789":
             return self._number(event)
-        if text.lower() in _AMBIGUOUS:
+        if text.lower() in _AMBIGUOUS - LETTERS:
             self._refuse(event, f"{text} means true, false or nothing to some readers", f'write "{text}" in quotes')
         return text
 

@@ -69,18 +69,18 @@ class OtherRoots:
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
 
-    def exclude(self, others: Sequence[float], lead: str = OTHER) -> None:
+    def exclude(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
         """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
 
-        By then all comparisons are written on which the equations rest. The sentence begins with `lead`. Where no
-        comparison would be false, there is no solution: nobody could tell which root counts.
+        By then all comparisons are written on which the equations rest. The sentence begins with `lead`. With `must`,
+        there is no solution where no comparison would be false: nobody could tell which root counts.
         """
         right_angle = self.book.units[self.unknown] == DEGREES
         for value in others:
             if 0.0 < value < (0.5 * pi if right_angle else inf):  # of a greater angle the text says that it is one
-                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead))
+                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead, must=must))
 
-    def _tell_excluded(self, value: float, lead: str) -> None:
+    def _tell_excluded(self, value: float, lead: str, *, must: bool) -> None:
         held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
         relations = [relation for step in self.book.steps for relation in step.relations]
         for relation in relations:
@@ -103,7 +103,8 @@ class OtherRoots:
                 step.say(f"{positive}.")
                 step.close()
                 return
-        raise UnsolvedError(f"nothing that it states excludes the other root, {value:.5g}")
+        if must:
+            raise UnsolvedError(f"nothing that it states excludes the other root, {value:.5g}")
 
     def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
         """Return a formula with all inserted that hangs on the unknown, and a value for that.
@@ -186,7 +187,7 @@ class OtherRoots:
                 exceeds(self.book, step, gap, ZERO)
                 step.say(f"The other root, {number}, does not satisfy the equation before it is squared.")
         elif name == self.unknown:
-            self.exclude([other])
+            self.exclude([other], must=True)
         else:
             self._say_never(step, name, other)
 

@@ -54,8 +54,8 @@ class FieldTurn:
         """Write the speed where an electric field has turned the velocity; None of other moments."""
         if not isinstance(self.moment, VelocityTurned):
             return None
-        said = "The electric force is perpendicular to the initial velocity, whose component across the field is kept:"
-        said = f"{said} it is the speed times the cosine of the angle turned, so the speed is"
+        said = "The electric force is perpendicular to the initial velocity, so the component across the field"
+        said = f"{said} does not change: it is the speed times the cosine of the angle turned, so the speed is"
         formula = launched / Call("cos", self.angle)
         return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
 

@@ -168,7 +168,8 @@ class StretchKind(Kind):
         found, moment = FUNCTIONALS[asked.find], WholeMotion(asked.find in PLACELESS, not self.ends_matter)
         called = words.called(found.of)
         names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
-        end = moment_of(asked, words) if asked.when else moment
+        named = moment_of(asked, words) if asked.when else moment
+        end = moment if isinstance(named, WholeMotion) else named
         return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
