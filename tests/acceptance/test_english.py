@@ -130,7 +130,8 @@ SIGNED = (
     "horizontal displacement",
     "vertical displacement",
     "gain in",
-    "ward component",
+    "upward component",
+    "rightward component",
 )
 
 

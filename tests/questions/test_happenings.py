@@ -148,7 +148,7 @@ def cyclotron() -> motions.Motion:
 
 
 def across() -> float:
-    """When v_x first is zero: the part of the velocity that turns, v₀ − u with u along y, turns by Ω t."""
+    """The component v_x is first zero when v₀ − u, which turns by Ω t, has no x component; u is along y."""
     turned = 2.7 * np.exp(1j * radians(304.0)) - 1j * 0.76  # u = E × B/B²: −E x̂ × B ẑ = E B ŷ
     return float((0.5 * pi - np.angle(turned)) % pi) / TURNS
 

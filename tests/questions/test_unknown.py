@@ -59,7 +59,7 @@ def test_one_of_two_masses_of_a_body_is_named_by_its_symbol() -> None:
 
 
 def test_what_people_measure_by_what_happens_is_left_unknown_more_often() -> None:
-    """Of a block on a rough slope its mass and its angle are known before its coefficient of friction is."""
+    """The mass of a block and the angle of a slope are usually known; its coefficient of friction is measured."""
     scene = loads(
         "scene: {entities: [{name: ramp, type: TwoSideMassPlane, parameters: {plane: {angle: 40.0, friction: 0.2}, "
         "blocks: [{mass: 2.0}], speed: 3.0}}]}"

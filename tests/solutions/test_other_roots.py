@@ -56,7 +56,7 @@ def test_a_root_that_contradicts_a_comparison_is_told() -> None:
 
 @pytest.mark.parametrize(("bound", "told_of"), [(2.5, "would not be"), (3.5, "")])
 def test_a_second_positive_root_is_excluded_by_a_comparison_or_nothing_is_solved(bound: float, told_of: str) -> None:
-    """Of x² − 5 x = −6, with 2 as the answer: b > x excludes 3 for b = 2.5, and nothing does for b = 3.5."""
+    """The roots of x² − 5 x = −6 are 2 and 3; b > x rules out 3 for b = 2.5, but not for b = 3.5."""
     book = Book()
     book.know("x", 2.0)
     book.know("b", bound)

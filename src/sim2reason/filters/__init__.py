@@ -38,7 +38,7 @@ class Candidate:
     labelled: bool = False
     """Whether its difficulty was ordered, and must fit."""
     easy: bool = False
-    """Whether what few laws or one line answer is kept."""
+    """Whether questions that few laws or one line answer are kept."""
     beside: "tuple[Candidate, ...]" = ()
     """Earlier parts of the same problem."""
 

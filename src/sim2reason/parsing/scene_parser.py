@@ -193,7 +193,7 @@ def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
 
 
 def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
-    """Return the error, beginning with the facts that are missing from a text that is otherwise understood."""
+    """Return the error for a text that could not be read; if only facts are missing, it names them first."""
     if not translations or not all(found.missing for found in translations):
         return error
     lacks = ", ".join(min((found.missing for found in translations), key=len))

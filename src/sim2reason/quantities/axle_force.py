@@ -4,15 +4,16 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.axles import VERTICAL, Axles
-from sim2reason.quantities.supports import AxleForce
+from sim2reason.quantities.subjects.axles import Axles
+from sim2reason.quantities.subjects.bodies import VERTICAL
+from sim2reason.quantities.supports import ForceOnAxle
 
 FORCE = "force that the axle exerts on {body}"
 
 
 @quantity
-class ForceOfAxle(Quantity):
-    """The force that a fixed axle exerts on the body that turns about it, the reaction of that on the axle."""
+class AxleForce(Quantity):
+    """The force that a fixed axle exerts on the body that turns about it."""
 
     name, unit, symbol = "axle force", "N", "F"
     of, vector = Axles(), True
@@ -27,7 +28,7 @@ class ForceOfAxle(Quantity):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return Σ m (a − g) of all bodies that turn together, in N, (n, 3)."""
-        return -AxleForce.evaluate(state, subject)
+        return -ForceOnAxle.evaluate(state, subject)
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return *the upward component* or *the rightward component*, so that the phrase fixes the sign."""

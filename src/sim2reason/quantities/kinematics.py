@@ -7,10 +7,9 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.bodies import HORIZONTAL, VERTICAL, Bodies
 from sim2reason.quantities.subjects.paths import EVEN, center_path
 
-HORIZONTAL, VERTICAL = "horizontal", "vertical"
 RANGE, SLANTED = 1.5, 0.15  # shares of the horizontal displacement of what is thrown, and of its distance
 SWUNG = 0.3  # share of the acceleration of a point of what swings
 STRAIGHT = 1e-9  # of the product of speed and acceleration: with less between them, a path does not bend

@@ -61,7 +61,7 @@ class AxleLoads(TurningBodies):
 
 
 @quantity
-class AxleForce(SupportForce):
+class ForceOnAxle(SupportForce):
     """The force that a body on a fixed axle exerts on the axle, where only the axle and gravity act on the body."""
 
     name = "force on the axle"

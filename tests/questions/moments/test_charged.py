@@ -39,7 +39,7 @@ def scene(angle: float = 0.0, **acting: object) -> Scene:
 
 
 def when(moment: Moment, angle: float = 0.0, **acting: object) -> float | None:
-    """When it comes, s."""
+    """Return the time of the moment, s."""
     study = motion_of(scene(angle, **acting), 12.0).study
     return moment.time(study.trace)
 

@@ -43,7 +43,7 @@ _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """A number of one kind, such as a mass or a length, in the SI unit of that kind."""
+    """A value of a physical quantity, such as a mass or a length, in the SI unit of that quantity."""
 
     kind: str
     digits: str

@@ -29,7 +29,7 @@ _SURFACE = r"(?:slope|incline|ramp|hill|plane|floor|table|ground|surface)"
 _UNSAYABLE = re.compile(
     rf"\?$|\b(?:kg|g|kilograms?|grams?) {_SURFACE}\b|\b{_SURFACE} (?:of|with) (?:a )?mass\b", re.IGNORECASE
 )
-"""Matches questions, and the mass of a fixed surface, which would be taken for the mass of a body."""
+"""Sentences that are not translated: questions, and those that give a fixed surface a mass, as if it were a body."""
 _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 

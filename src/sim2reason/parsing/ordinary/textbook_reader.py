@@ -1,4 +1,4 @@
-"""Translation of whole scenes from the words of textbooks into the library's sentences."""
+"""Translation of descriptions of whole scenes from the words of textbooks into the library's sentences."""
 
 import re
 from collections.abc import Sequence

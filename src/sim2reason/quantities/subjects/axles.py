@@ -6,18 +6,17 @@ from dataclasses import dataclass
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities.subjects import Sense, Subject, all_said
-from sim2reason.quantities.subjects.bodies import RIGHT, SELDOM, UP
+from sim2reason.quantities.subjects.bodies import HORIZONTAL, RIGHT, SELDOM, UP, VERTICAL
 from sim2reason.quantities.subjects.paths import EVEN, carried_by, chain
 from sim2reason.quantities.subjects.rods import Rods
 
-HORIZONTAL, VERTICAL = "horizontal", "vertical"
 ACROSS: Vector = (1.0, 0.0, 0.0)
 UPWARD: Vector = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True)
 class Axles(Subject):
-    """Every body that turns about a fixed axle of its own and is held by that axle alone.
+    """The bodies that turn about a fixed axle of their own and are held by that axle alone.
 
     A light rod with its load at one point is none of them: the force in the rod is that of the axle.
     """

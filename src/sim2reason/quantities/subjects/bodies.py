@@ -10,6 +10,7 @@ from sim2reason.quantities.subjects.paths import EVEN, CenterPath, center_path, 
 
 UP, RIGHT = "up", "right"
 OPPOSITE = {UP: "down", RIGHT: "left"}
+HORIZONTAL, VERTICAL = "horizontal", "vertical"
 SELDOM = 0.3  # of a component along no axis of the text, or along one of two
 AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
@@ -83,6 +84,6 @@ def _of_path(path: CenterPath) -> list[Sense]:
     if not path.rises:
         return []
     if not path.straight:
-        return [Sense(UP, (0.0, 0.0, 1.0), "vertical", share=SELDOM)]
+        return [Sense(UP, (0.0, 0.0, 1.0), VERTICAL, share=SELDOM)]
     way = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
     return [Sense(UP if way[2] > 1.0 - EVEN else "up the slope", way)]

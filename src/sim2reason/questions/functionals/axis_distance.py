@@ -35,7 +35,7 @@ class AxisDistance(Extreme):
         return all(self._is_along(law) for law in acts.electric)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Also in a motion that repeats itself elsewhere: along an electric field it does not drift."""
+        """Return phrases also for a motion that repeats itself displaced: this coordinate does not drift."""
         return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
 
     def _is_along(self, law: Push) -> bool:

@@ -1,6 +1,6 @@
 """The greatest force of a fixed axle."""
 
-from sim2reason.quantities.axle_force import ForceOfAxle
+from sim2reason.quantities.axle_force import AxleForce
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 
@@ -10,7 +10,7 @@ class GreatestAxleForce(Extreme):
     """The greatest size of the force that a fixed axle exerts on the body that turns about it."""
 
     name = "greatest axle force"
-    quantity = ForceOfAxle
+    quantity = AxleForce
     impulsive = True
     phrase = "the greatest magnitude of the force that the axle exerts on {body}"
     weight = 3.0

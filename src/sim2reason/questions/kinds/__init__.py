@@ -171,7 +171,7 @@ class Kind(ABC):
         return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """Whether another scene differs only in idle numbers that mislead who does not know the law; by default not."""
+        """Return whether another scene differs only in numbers that cannot affect such answers; by default False."""
         del query, study, other
         return False
 
@@ -213,7 +213,7 @@ class ValueKind(Kind):
         return naming_then(query, words, noun)
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """Also with the moment first, and with a verb: *when B first stops, A is moving at 2.1 m/s*."""
+        """Return statements with a verb or the moment first, too: *when B first stops, A is moving at 2.1 m/s*."""
         assert noun is not None
         return stating_then(query, words, noun, value)
 

@@ -22,6 +22,7 @@ from sim2reason.simulation.certify import Certificate
 
 GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
 OFTEN = (0.6, 0.25, 0.15)
+RATIO = "the ratio of the new value to the original value of"
 RATIOS = 0.85  # of comparisons: how often the factor is asked for, not the difference
 CLEARLY = 0.1  # relative: by how much the answer must change
 POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
@@ -114,14 +115,14 @@ class ComparisonKind(NestedKind):
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
     def former(self, query: Query, words: Words) -> tuple[str, ...]:
-        """As in: what would be the ratio of the new value to the original value of …, if the mass of A were doubled?"""
+        """Return *what would be the ratio of the new value to the original value of …*, for a doubled number, say."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or not query.ratio or query.factor not in GERUNDS:
             return ()
         noun = targets(words)[query.target] if query.target is not None else None
-        ratio, changed = "the ratio of the new value to the original value of", f"{number} were {_done(query.factor)}"
-        return tuple(f"what would be {ratio} {name}, if {changed}?" for name in self.names(query, words, noun))
+        changed = f"{number} were {_done(query.factor)}"
+        return tuple(f"what would be {RATIO} {name}, if {changed}?" for name in self.names(query, words, noun))
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: the factor by which doubling the mass of A would multiply the speed of B 0.80 s after release."""
@@ -178,7 +179,7 @@ def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words
 def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
     """The questions for a ratio, with a gap for what is compared."""
     changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
-    ratio = "the ratio of the new value to the original value of {}"
+    ratio = f"{RATIO} {{}}"
     return (
         f"by what factor would {changing}, and nothing else, multiply {{}}?",
         f"determine the factor by which {changing} would multiply {{}}.",

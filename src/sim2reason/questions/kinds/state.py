@@ -20,9 +20,9 @@ class StateKind(ValueKind):
     share = 0.06  # at most 30 % of all that passes the filters
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A time away from events, and any quantity that is not then what it was at the start.
+        """Draw a quantity at a time that is not close to an event, whose value differs then from the initial one.
 
-        None where no short formula tells what happens when.
+        None where no short formula gives the motion as a function of time.
         """
         if not has_formula_of_time(study.mechanism):
             return None

@@ -13,7 +13,7 @@ from sim2reason.questions.choices import only_falls
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.charged import acting_on
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
@@ -51,7 +51,7 @@ class Away(DistanceThreshold):
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the puck is first 0.50 m from its starting point."""
         first = f"{self.subject(words)} is first {self.said(words)} from its starting point"
-        return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
+        return when_phrases(first)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the puck is first 0.50 m from its starting point."""

@@ -17,7 +17,7 @@ from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.free_motion import goes_straight_up
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -113,7 +113,7 @@ class Moved(DistanceThreshold):
         """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
         if self._may_return(words):
             there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
-            return (f"when {there}", f"at the moment when {there}", f"at the instant at which {there}")
+            return when_phrases(there)
         moved = f"{self.subject(words)} has {self._moved(words)} {self.said(words)}"
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 

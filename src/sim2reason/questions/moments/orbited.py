@@ -11,7 +11,7 @@ from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -92,7 +92,7 @@ class Orbited(Passage):
         """As in: when planet A has completed one orbit."""
         center, planet = self.ends(words)
         done = f"{planet} {self.verb.told}" if self.degrees == ALL_ROUND else self._swept(center, planet, "has ")
-        return (f"when {done}", f"at the moment when {done}", f"at the instant at which {done}")
+        return when_phrases(done)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: planet A has completed one orbit."""

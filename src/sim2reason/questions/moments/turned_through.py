@@ -9,7 +9,7 @@ from sim2reason.quantities.rotation import AngleTurned
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.spoken import spoken
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -54,7 +54,7 @@ class TurnedThrough(Threshold):
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the rod has turned through 30° from its starting position."""
         turned = f"{self.subject(words)} has first turned through {self.said(words)} from its starting position"
-        return (f"when {turned}", f"at the moment when {turned}", f"at the instant at which {turned}")
+        return when_phrases(turned)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the rod has first turned through 30° from its starting position."""

@@ -13,7 +13,7 @@ from sim2reason.simulation.trace import Trace
 @MOMENTS.register("velocity_returned")
 @dataclass(frozen=True, slots=True)
 class VelocityReturned(FieldPassage):
-    """The end of the first period of a velocity that goes round a circle about the drift velocity."""
+    """The first time that a velocity in crossed fields has its initial value again: the end of a cyclotron period."""
 
     label = "velocity again"
     hangs_on = "velocity"

@@ -10,6 +10,7 @@ from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.verbs import when_phrases
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
@@ -71,12 +72,12 @@ class VelocityTurned(FieldPassage, Threshold):
         return f"the velocity of {self.candidates(words)[self.name]}"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the velocity of the bead has turned through 60°."""
+        """Return phrases such as *when the velocity of the bead has turned through 60°*."""
         done = f"{self.subject(words)} has turned through {words.say(self.value, self.unit)}"
-        return (f"when {done}", f"at the moment when {done}", f"at the instant at which {done}")
+        return when_phrases(done)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the velocity of the bead has turned through 60°."""
+        """Return the clause *the velocity of the bead has turned through 60°*."""
         turned = f"turned through {words.say(self.value, self.unit)}"
         takes = f"to turn through {words.say(self.value, self.unit)}"
         return Clause(self.subject(words), "has", turned, f"has {turned}", takes)

@@ -18,7 +18,7 @@ from sim2reason.simulation.trace import Trace, ending
 class WholeMotion(Moment):
     """The end of the first period of a motion, or the instant from which all is at rest for good.
 
-    Of what does not depend on the place it is also the instant from which all moves uniformly for ever.
+    For quantities that do not depend on positions, it is also the instant from which all moves uniformly for ever.
     A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
     """
 
@@ -30,7 +30,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """One, if the motion repeats itself, be it elsewhere."""
+        """Return the whole motion if it repeats itself, in place or displaced; else nothing."""
         del words, rng
         if study.time(cls(ends=False)) is not None:
             return [cls()]
@@ -38,7 +38,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """It has no number or name of its own: of what repeats itself elsewhere alone, both ways to understand it."""
+        """Yield the whole motion, which no word names; before it that with drift, if only that repeats itself."""
         del text, words
         if cls(ends=False).time(trace) is None and cls(drifts=True, ends=False).time(trace) is not None:
             yield cls(drifts=True)

@@ -15,7 +15,7 @@ def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
     if book.in_symbols or not book.is_hidden(mu):
         return orbit.apsis(far=far)
     name, momentum, square = orbit.named("r"), orbit.momentum, squares(orbit.rate)
-    swift = (momentum if book.value(momentum) > 0.0 else -momentum) / name
+    swift = book.magnitude(momentum) / name
     begun, there = square - TWO * mu / first, Power(swift, 2) - TWO * mu / name
     step, which = book.open("apsis"), "greatest" if far else "least"
     law, star = step.law(begun, there), orbit.setting.called(orbit.center)

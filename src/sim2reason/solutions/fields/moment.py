@@ -73,7 +73,7 @@ class FieldMoment:
         drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self._from_rest:
-            size = turns if self.book.value(turns) > 0.0 else -turns
+            size = self.book.magnitude(turns)
             return self.book.told(
                 "stop",
                 "The rotating part of the velocity cancels the drift again after",
@@ -110,7 +110,7 @@ class FieldMoment:
         """The radius of the circle on which a magnetic field alone leads it."""
         turns = self.fields.turning
         assert turns is not None
-        size = turns if self.book.value(turns) > 0.0 else -turns
+        size = self.book.magnitude(turns)
         who = self.setting.called(self.fields.body)
         said = f"The radius of the circle on which {who} moves is the speed over the magnitude of the angular velocity,"
         return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
@@ -159,7 +159,7 @@ class FieldMoment:
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
         turns = self.fields.turning
         assert turns is not None
-        size = turns if self.book.value(turns) > 0.0 else -turns
+        size = self.book.magnitude(turns)
         half = Call("arcsin", distance / (TWO * self.circle))
         said = "The distance is the chord of the arc covered, which gives"
         return self.book.told("chord", said, name, TWO / size * half, SECONDS)

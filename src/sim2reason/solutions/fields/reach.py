@@ -1,5 +1,6 @@
 """How far a charged body gets from an axis through its starting point, to and fro or round a circle."""
 
+from sim2reason.questions.functionals.axis_distance import GreatestXAxisDistance, GreatestYAxisDistance
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
@@ -9,7 +10,7 @@ from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SPEED
 
 HALF, TWO = Number(0.5), Number(2.0)
-REACHES = {"greatest distance from the y axis": 0, "greatest distance from the x axis": 1}
+REACHES = {found.name: found.along for found in (GreatestYAxisDistance, GreatestXAxisDistance)}
 """The number of the coordinate whose greatest size each functional is."""
 
 
@@ -33,7 +34,7 @@ class Reach:
         if center == ZERO:
             said = f"As the centre lies on the {across} axis, the greatest distance from this axis is"
             return self.book.told("extremum", said, self.book.fresh("d"), size, METRES)
-        far = center if self.book.value(center) > 0.0 else -center
+        far = self.book.magnitude(center)
         if size == far:
             said = f"It starts from a turning point along {along} and turns back as far beyond the centre, so the"
             said = f"{said} greatest distance from the {across} axis is"
@@ -54,8 +55,8 @@ class Reach:
         size = kept[0] if len(kept) == 1 else Root(Power(parts[0], 2) + Power(parts[1], 2))
         if drive is None:
             size = self.launched
-        pace = turns if self.book.value(turns) > 0.0 else -turns
-        size = size if self.book.value(size) > 0.0 else -size
+        pace = self.book.magnitude(turns)
+        size = self.book.magnitude(size)
         what = "The circle on which it moves" if drive is None else "The circle that the rotating part leads it round"
         size = self.book.told("circle", f"{what} has the radius", self.book.fresh("R"), size / pace, METRES)
         center = parts[1 - self.axis] * TURNS[self.axis] / turns
@@ -73,7 +74,7 @@ class Reach:
             raise UnsolvedError("it does not oscillate along this coordinate")
         center, first = motion.center, motion.launch[self.axis]
         if first == ZERO:
-            size = center if self.book.value(center) > 0.0 else -center
+            size = self.book.magnitude(center)
             return center, size
         said = "With the initial velocity and displacement from the centre, the amplitude of the oscillation is"
         formula = Root(Power(center, 2) + Power(first / motion.frequency, 2))

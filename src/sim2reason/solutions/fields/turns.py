@@ -1,4 +1,4 @@
-"""When the velocity of a charged body has turned so far, is across the electric field, or is the initial one again."""
+"""Solutions for the times at which a charged body's velocity has turned, is across the field or is the initial one."""
 
 from math import radians
 
@@ -22,7 +22,7 @@ TURNED = (AcrossField, VelocityReturned, VelocityTurned)
 
 
 class FieldTurn:
-    """One of these moments, and what components of a motion are then, where that is short."""
+    """A moment of a turning velocity, with the components of the motion at it where they have short formulas."""
 
     def __init__(self, moment: Moment, fields: Fields, motion: FieldMotion) -> None:
         """Nothing is written yet."""
@@ -40,7 +40,7 @@ class FieldTurn:
         turns = self.fields.turning
         if turns is None:
             raise UnsolvedError("nothing turns uniformly")
-        return turns if self.book.value(turns) > 0.0 else -turns
+        return self.book.magnitude(turns)
 
     @cached_property
     def angle(self) -> Symbol:
@@ -70,26 +70,28 @@ class FieldTurn:
         return self._across(name)
 
     def _turned(self, name: Symbol, launched: Expression) -> Symbol:
-        """When the velocity has turned through the angle."""
+        """Write the time after which the velocity has turned through the angle."""
         drive, alpha = self.fields.drive, self.angle.latex()
         if drive is None:
             said = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
             return self.book.told("turn", said, name, self.angle / self.pace, SECONDS)
-        pull = drive.strength if self.book.value(drive.strength) > 0.0 else -drive.strength
+        pull = self.book.magnitude(drive.strength)
         step = self.book.open("turn")
         step.rest_on(self.fields.law)
         law = step.law(pull * name, launched * Call("tan", self.angle))
         step.say(
-            f"The electric force is perpendicular to the initial velocity, whose component ${launched.latex()}$ is"
+            f"The electric force is perpendicular to the initial velocity, so the component ${launched.latex()}$ across"
         )
-        step.say(f"kept, while the component along the force grows to ${(pull * name).latex()}$. So the velocity has")
+        step.say(
+            f"it does not change, while the component along it grows to ${(pull * name).latex()}$. The velocity has"
+        )
         step.say(f"turned through ${alpha}$ when {law}, that is,")
         step.say(f"{step.result(name, launched * Call('tan', self.angle) / pull, SECONDS)}.")
         step.close()
         return name
 
     def _across(self, name: Symbol) -> Symbol:
-        """When the component along the electric field has come to zero."""
+        """Write the time after which the component along the electric field is zero."""
         drive = self.fields.drive
         assert drive is not None
         if (swing := self._swing) is not None:
@@ -113,7 +115,7 @@ class FieldTurn:
 
     @property
     def halved(self) -> bool:
-        """Whether the rotating part has made half a turn then: at the start, too, no velocity is along the field."""
+        """Return whether the rotating part has made half a turn then: the launch has no component along the field."""
         drive = self.fields.drive
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, Turning):
             return False

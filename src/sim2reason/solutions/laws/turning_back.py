@@ -70,7 +70,7 @@ def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomi
 
     def write() -> None:
         step, name = book.open("verify"), book.fresh("s", r"\text{rest}")
-        left = rest if book.value(rest) > 0.0 else -rest
+        left = book.magnitude(rest)
         exceeds(book, step, left, ZERO)
         step.say(f"Indeed {step.verified(name, left, METRES)} is positive, so the distance is covered only after this.")
         step.close()

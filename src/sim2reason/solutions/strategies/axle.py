@@ -90,7 +90,7 @@ class _Turning(AxleForces):
     def size(self) -> Expression:
         """Return the distance from the axle to the centre of mass of the piece, in m."""
         place = self.piece.place
-        return place if self.book.value(place) > 0.0 else -place
+        return self.book.magnitude(place)
 
     # ---- the laws
 

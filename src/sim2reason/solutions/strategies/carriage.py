@@ -113,7 +113,7 @@ class _Asked(CarriageLaws):
             formula = self.arm.inertia - Power(self.moment, 2) / c.total_mass
             reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
             said = "For small angles the restoring torque is proportional to the angle, so"
-            formula = Root((self.moment if book.value(self.moment) > 0.0 else -self.moment) * self.gravity / reduced)
+            formula = Root(book.magnitude(self.moment) * self.gravity / reduced)
         rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(book, query, rate)
 

@@ -100,7 +100,7 @@ class _Round(LoneSpring):
         """The angular momentum about the fixed end per unit of mass, of its size."""
         (x, y), (u, v) = self.apart, self.launch
         formula = x * v - y * u
-        formula = formula if self.book.value(formula) > 0.0 else -formula
+        formula = self.book.magnitude(formula)
         said = (
             "The spring force points to the fixed end, so the angular momentum about that point is conserved; per unit"
         )

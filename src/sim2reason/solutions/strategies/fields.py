@@ -130,7 +130,7 @@ class _InFields(Way):
         turns = self.fields.turning
         if turns is None or self.fields.drive is not None or self.fields.damping is not None:
             raise UnsolvedError("it does not go round a circle")
-        size = turns if self.book.value(turns) > 0.0 else -turns
+        size = self.book.magnitude(turns)
         return measured_period(self.book, query, size, "The period of the circular motion is")
 
     def _summed(self, query: StretchQuery) -> Symbol:

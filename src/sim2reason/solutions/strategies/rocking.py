@@ -172,7 +172,7 @@ class _Rocking:
         if sense is not None and any(sense.vector):
             raise UnsolvedError("a component of that is not known")
         if quantity in ("angular acceleration", "torque"):
-            size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
+            size = self.book.magnitude(self.growth)
             if quantity == "torque":
                 said = "The magnitude of the torque about the centre of mass is"
                 return self.book.told("answer", said, self.book.fresh("M"), self.own * size, TORQUE)
@@ -207,7 +207,7 @@ class _Rocking:
         along = quantity == "friction force"
         part = x * ux + (z + self.gravity) * uz if along else (z + self.gravity) * ux - x * uz
         formula = self.mass * part
-        formula = formula if self.book.value(formula) > 0.0 else -formula
+        formula = self.book.magnitude(formula)
         said = f"Newton's second law {'along' if along else 'perpendicular to'} the plane gives the {quantity}"
         return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 

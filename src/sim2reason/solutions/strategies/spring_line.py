@@ -92,7 +92,7 @@ class _Oscillating(LoneSpring):
     @property
     def amplitude(self) -> Expression:
         """Return the amplitude of the oscillation, in m."""
-        return self.strain if self.book.value(self.strain) > 0.0 else -self.strain
+        return self.book.magnitude(self.strain)
 
     @cached_property
     def rate(self) -> Symbol:

@@ -40,7 +40,7 @@ RIGHTWARD = (
 
 
 class AxleForces(SwingAngle):
-    """What swings about a fixed axle, and the force of that axle.
+    """A body that swings about a fixed axle, with the force that the axle exerts.
 
     Who makes one sets `arm` and `gravity`, its acceleration of free fall.
     """
@@ -60,7 +60,7 @@ class AxleForces(SwingAngle):
         if self.sine == ZERO:
             return ZERO
         moment = self.arm.moment
-        size = moment if self.book.value(moment) > 0.0 else -moment
+        size = self.book.magnitude(moment)
         formula = size * self.gravity * self.sine / self.arm.inertia
         said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
@@ -83,7 +83,7 @@ class AxleForces(SwingAngle):
         """The distance of their common centre of mass from the axle."""
         if len(self.arm.bodies) == 1:
             place = self.arm.piece(self.arm.bodies[0]).place
-            return place if self.book.value(place) > 0.0 else -place
+            return self.book.magnitude(place)
         moment = self.arm.moment
         formula = (moment if self.falls else -moment) / self.whole
         said = "The distance of the common centre of mass from the axle is"

@@ -223,7 +223,7 @@ class SlackChain:
             return self.swing.times
         book, ell = self.book, self.length
         angle = self.angle(held, book.fresh(r"\phi"))
-        size = speed if book.value(speed) > 0.0 else -speed
+        size = book.magnitude(speed)
         outward = book.value(held.x) * book.value(speed) > 0.0
         return SwingTime(book, self.swing.natural, angle, size / ell, 1.0 if outward else -1.0)
 

@@ -13,7 +13,7 @@ HARMONIC = "This is the moment of inertia times the angular acceleration, so"
 
 def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
     """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
-    size = arm.moment if book.value(arm.moment) > 0.0 else -arm.moment
+    size = book.magnitude(arm.moment)
     torque, inertia, angle = size * arm.gravity, arm.inertia, book.fresh(r"\varphi")
     step, exact, near = book.open("torque"), -(torque * Call("sin", angle)), -(torque * angle)
     step.say(

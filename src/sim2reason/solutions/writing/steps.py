@@ -32,15 +32,13 @@ class Book(FreshNames):
         called: Mapping[str, str] | None = None,
         most: Need = Need.INTEGRATION,
     ) -> None:
-        """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for.
+        """Make an empty book with results in `units`; with `asks_time` the time that is said is what is asked for.
 
-        `called` makes it one in symbols: no number is written, and the question's own numbers are called as it has it,
-        by the name that they would have. No result may need more than `most`.
+        With `called`, it is in symbols: no number is written, and given numbers have the names that it maps theirs to.
+        No result may need more than `most`.
         """
         super().__init__(called)
-        self.most = most
-        self._units = units
-        self.asks_time = asks_time
+        self.most, self._units, self.asks_time = most, units, asks_time
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.steps: list[Step] = []
@@ -137,6 +135,10 @@ class Book(FreshNames):
     def is_hidden(self, held: Expression) -> bool:
         """Return whether the value of a formula may not be written, as it is unknown, or all is in symbols."""
         return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
+
+    def magnitude(self, formula: Expression) -> Expression:
+        """Return a formula if its value is positive, else its negative."""
+        return formula if self.value(formula) > 0.0 else -formula
 
     def worked(self, formula: Expression) -> Expression:
         """A formula of which the number alone is written, unless that hangs on what is unknown."""
@@ -294,6 +296,5 @@ class Writing:
     def close(self) -> None:
         """Keep it, if it says anything."""
         if self._said or self.relations or self._integration:
-            self._book.close(
-                self._kind, " ".join(self._said), self.relations, self._gives, self._rests, self._integration
-            )
+            text = " ".join(self._said)
+            self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)

@@ -1,4 +1,4 @@
-"""Scenes as textbooks describe them: patterns of the words, and a function that writes the library's sentences."""
+"""Kinds of scene read in the words of textbooks: patterns of those words, and a writer of the library's text."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -62,7 +62,7 @@ class Facts:
 
     @property
     def g(self) -> float:
-        """Return the acceleration of free fall, m/s²: the default if the text does not give it."""
+        """Return the acceleration of free fall that the text gives, m/s²; the default where it gives none."""
         return self.value("g", "") if self.has("g") else GRAVITY
 
     @property

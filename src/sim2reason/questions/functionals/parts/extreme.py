@@ -85,7 +85,7 @@ class Extreme(Functional):
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Of a motion that repeats itself it is the extreme of all that follows, too; elsewhere if no place matters."""
+        """Return phrases of moments; a motion repeated elsewhere counts only where positions do not matter."""
         if not isinstance(moment, WholeMotion):
             return super().when(moment, words, name)
         return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()

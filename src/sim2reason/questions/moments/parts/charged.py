@@ -1,4 +1,4 @@
-"""What moments share that only a body in electric and magnetic fields has."""
+"""Shared base of the moments of bodies in electric and magnetic fields."""
 
 import math
 from abc import abstractmethod
@@ -13,6 +13,7 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.vectors import inner
 from sim2reason.quantities.subjects.bodies import AXES, Bodies
 from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.questions.moments.parts.verbs import when_phrases
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -28,17 +29,17 @@ class ActingFields(NamedTuple):
 
     @property
     def turning(self) -> bool:
-        """Whether they turn a body back, or its velocity, in a way that short formulas tell."""
+        """Return whether they turn the velocity or reverse it, in a way that short formulas give."""
         return bool(self.magnetic) or all(law.profile.uniform or _drives_back(law) for law in self.electric)
 
     @property
     def uniform(self) -> bool:
-        """Whether all of them are the same everywhere and always, without a medium."""
+        """Return whether all fields are uniform and constant, and there is no medium."""
         return not self.medium and all(law.profile.uniform for law in (*self.electric, *self.magnetic))
 
 
 def _drives_back(law: Push) -> bool:
-    """Return whether a force draws a body to where it is zero."""
+    """Return whether the force of a field is a restoring one, towards the position where the force is zero."""
     return law.profile.steady and law.profile.slope * inner(law.profile.axis, law.direction) < 0.0
 
 
@@ -77,9 +78,9 @@ class FieldPassage(Passage):
         return Passage.time(self, trace) if acts is not None and self.suits(acts) else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the bead first has its initial velocity again."""
+        """Return phrases such as *when the bead first has its initial velocity again*."""
         first = f"{self.subject(words)} first {self.does(words).told}"
-        return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
+        return when_phrases(first)
 
     @classmethod
     @abstractmethod
@@ -88,7 +89,7 @@ class FieldPassage(Passage):
 
 
 def begins(state: State, name: str) -> tuple[Array, Array]:
-    """Return velocity and acceleration, (3,) each, of a body in fields at the start of the motion of a state."""
+    """Return the initial velocity, m/s, and acceleration, m/s², of a body in fields, (3,) each."""
     mechanism = state.mechanism
     body = mechanism.body[name]
     velocity = sum((c.speed * np.array(c.axis) for c in body.coordinates), np.zeros(3))

@@ -15,6 +15,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening, Moment
+from sim2reason.questions.moments.parts.verbs import when_phrases
 from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target, quantities_named, target_named, targets
@@ -84,7 +85,7 @@ class Reached(Happening):
         if self.target not in targets(words) or self.number > 1:
             return ()
         first = f"{self._noun(words)} is {self._said()} for the first time"
-        return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
+        return when_phrases(first)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the speed of A is 2.1 m/s for the first time; None where the text has no words for the quantity."""

@@ -8,6 +8,11 @@ from sim2reason.questions.spoken import ordinal
 from sim2reason.questions.words import Words
 
 
+def when_phrases(statement: str) -> tuple[str, str, str]:
+    """Return the phrases for the moment of a statement, as in *when it stops* and *at the moment when it stops*."""
+    return f"when {statement}", f"at the moment when {statement}", f"at the instant at which {statement}"
+
+
 @dataclass(frozen=True, slots=True)
 class Verb:
     """What a subject does, as a statement and as a question: *goes slack*, *does … go slack*."""
@@ -22,7 +27,7 @@ class Verb:
             first = f"{subject} first {self.told}"
             return (f"when {first}", f"at the moment when {first}", f"when {self._counted(subject, 1)}")
         happens = f"{subject} {self.told}" if number is None else self._counted(subject, number)
-        return (f"when {happens}", f"at the moment when {happens}", f"at the instant at which {happens}")
+        return when_phrases(happens)
 
     def sided(self, subject: str, number: int | None, *, after: bool) -> tuple[str, ...]:
         """*Just before …* or *just after …*; `number` is None for what can happen but once."""
