@@ -93,7 +93,7 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
             kept = variants if problem(named) in problems else result.found
             kept[certified.question.text] = certified, named
             problems.add(problem(named))
-    if search.fault and search.study.trace.cut:
+    if search.is_unstable:
         unit = scene.units.time
         result.reason = f"the motion ends at {search.study.trace.stable_until:.3g} {unit}: {ending(search.study.trace)}"
     result.found.update(islice(variants.items(), items - len(result.found)))

@@ -11,7 +11,7 @@ from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
-from sim2reason.filters import FILTERS, Candidate, Verdict, sift
+from sim2reason.filters import Candidate, Verdict, sift, sift_scene
 from sim2reason.filters.length import followed
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
@@ -78,7 +78,7 @@ class QuestionSearch:
         self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self.easy = False  # whether what few laws or one line answer is kept
-        self._sift = _kept if unfiltered else sift
+        self._unfiltered, self._sift = unfiltered, _kept if unfiltered else sift
         self.study = scene if isinstance(scene, Study) else Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
@@ -122,9 +122,17 @@ class QuestionSearch:
     @cached_property
     def fault(self) -> str:
         """Why no question about the scene can pass, as a manifest counts it; empty if one can."""
-        if self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1]):
+        if self.is_unstable:
             return f"unstable: {self.study.trace.cut}"
+        verdict = Verdict(keep=True, filter="") if self._unfiltered else sift_scene(self.study)
+        if not verdict.keep:
+            return verdict.counted
         return "" if followed(self.description.sentences) else "length"
+
+    @property
+    def is_unstable(self) -> bool:
+        """Whether the engines give up before much of the motion is over."""
+        return self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1])
 
     def ask(
         self,
@@ -146,8 +154,6 @@ class QuestionSearch:
             if isinstance(found, CertifiedQuestion):
                 return found
             refused[found.counted] += 1
-            if not question.unknown and found.filter in FILTERS and FILTERS[found.filter].of_scene:
-                return None
         return None
 
     def certified(

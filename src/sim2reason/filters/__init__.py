@@ -169,12 +169,10 @@ class Filter(ABC):
     Class data:
         order: its place among the filters: what costs little comes first.
         needs_witness: whether it runs last, with the certificate, since the witness costs most.
-        of_scene: whether what it refuses is the scene, so that no other question about it need be asked.
     """
 
     order: ClassVar[int]
     needs_witness: ClassVar[bool] = False
-    of_scene: ClassVar[bool] = False
 
     def ready(self, candidate: Candidate) -> bool:
         """Whether all that it looks at is worked out, so that it may as well come first; by default not."""
@@ -194,7 +192,29 @@ class Filter(ABC):
         yield from ()
 
 
+class SceneFilter(Filter):
+    """One reason to drop a scene, and with it all questions about it; scenes are filtered before anything is asked."""
+
+    order = 0
+
+    @abstractmethod
+    def scene_reason(self, study: Study) -> str:
+        """Return why the scene must go, in the form of `Filter.reason`; empty if it may stay."""
+
+    def reason(self, candidate: Candidate) -> str:
+        """Return the reason against the scene."""
+        return self.scene_reason(candidate.study)
+
+
 FILTERS: Registry[Filter] = Registry("filters")
+
+
+def sift_scene(study: Study) -> Verdict:
+    """Return the first verdict against a scene."""
+    for name, found in in_order():
+        if isinstance(found, SceneFilter) and (reason := found.scene_reason(study)):
+            return Verdict(keep=False, filter=name, reason=reason)
+    return Verdict(keep=True, filter="")
 
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:

@@ -3,18 +3,15 @@
 from collections.abc import Iterator
 
 from sim2reason.dsl.magnitudes import implausible_numbers
-from sim2reason.filters import FILTERS, Candidate, Filter
+from sim2reason.filters import FILTERS, Candidate, SceneFilter
+from sim2reason.questions import Study
 
 
-class Magnitudes(Filter):
+class Magnitudes(SceneFilter):
     """A stated number, a density, a ratio of masses or the length of a spring at the start is not plausible."""
 
-    order = 0
-    of_scene = True
-
-    def reason(self, candidate: Candidate) -> str:
+    def scene_reason(self, study: Study) -> str:
         """Look up all stated numbers, once for each scene."""
-        study = candidate.study
         return study.once("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:

@@ -53,7 +53,7 @@ def bears_from(trace: Trace) -> float:
     """From when on all that a text gives can have a bearing, s; infinite if it never has.
 
     Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it; where a field has
-    borders, the first crossing of one.
+    borders, the first crossing of one; where what swings on a string leaves its circle, when the string goes slack.
     """
     mechanism, waits = trace.mechanism, [burn.until for burn in trace.mechanism.burns]
     if mechanism.meetings:
@@ -64,6 +64,9 @@ def bears_from(trace: Trace) -> float:
         waits += first.values()
     if any(force.region is not None for force in mechanism.forces):
         waits.append(next((event.time for event in trace.events if event.kind in CROSSINGS), inf))
+    slack = next((event for event in trace.events if event.kind == "slack"), None)
+    if slack is not None and bending(mechanism.line[slack.subjects[0]], start(mechanism)):
+        waits.append(slack.time)
     return max(waits, default=0.0)
 
 

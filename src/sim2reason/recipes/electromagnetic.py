@@ -41,7 +41,7 @@ IDEAS = {
         Idea(KIND, {**ELECTRIC, **RIGHT, "way": ALONG_Y}),
         Idea(KIND, {**ELECTRIC, **UP, "way": ALONG_X}),
         Idea(KIND, {**ELECTRIC, **LAUNCHED}, 2.0),
-        Idea(KIND, {**CROSSED, **RELEASED}, 1.5),
+        Idea(KIND, {**CROSSED, **RELEASED}, 0.8),
     ),
     "medium": (  # crossed fields, and a field that depends on the place, or that has an end
         Idea(KIND, {**CROSSED, **RELEASED}),

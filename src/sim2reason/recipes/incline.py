@@ -39,7 +39,7 @@ TIERS = {
         words=WORDS["medium"],
     ),
     "hard": Tier(
-        Count(2, 2), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.4, words=WORDS["hard"]
+        Count(2, 2), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.8, words=WORDS["hard"]
     ),
 }
 PULLED = 0.4  # of the easy scenes are of two blocks that a hand pulls: without it they would slide as one

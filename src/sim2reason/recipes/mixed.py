@@ -51,7 +51,7 @@ TIERS = {
     "hard": Tier(
         Count(2, 2),
         (
-            {"SliderMass": 2.0, "RollingEntity": 1.0, **SPRINGS},
+            {"SliderMass": 2.0, "RollingEntity": 1.5, "AnchoredSpring": 0.6, "SpringMassIncline": 0.6},
             {"RigidPendulum": 1.0, **MACHINES},
         ),
         {**NUMBERS["hard"], **SIMPLE, "Hemisphere.mass": Range(1.0, 4.0), "SphericalCap.mass": Range(1.0, 3.5)},

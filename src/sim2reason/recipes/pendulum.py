@@ -1,17 +1,32 @@
 """Pendulums on rods and strings, at fixed points and on carriages."""
 
+from math import cos, radians
+
 import numpy as np
 
+from sim2reason.authoring import GRAVITY
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.pendulum import Pendulum
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ideas import Idea, one_of
 from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 KIND = "Pendulum"
+SLACKENS = 2.0, 5.0
+"""The squares of speeds at the lowest point, in units of gℓ, between which a string goes slack on the way up."""
 RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(20.0, 90.0)}
 SENT = {**RELEASED, "angle": Range(15.0, 60.0), "speed?": 1.0}
+
+
+def _goes_slack(drawn: Pendulum) -> bool:
+    """Return whether a bob sent along its arc leaves it before the highest point of the circle."""
+    rise = 1.0 - cos(radians(drawn.angle))
+    square = (drawn.speed or 0.0) ** 2 / (GRAVITY * drawn.hanger.length) + 2.0 * rise
+    return SLACKENS[0] < square < SLACKENS[1]
+
+
 IDEAS = {
     "easy": (  # released, or set moving: of a release energy alone tells most of what is not about time
         Idea(KIND, {**RELEASED, "speed?": 0.0}),
@@ -21,9 +36,9 @@ IDEAS = {
         Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(0.5, 2.8)}),
         Idea(KIND, {**SENT, "speed": Range(0.5, 2.5)}),
     ),
-    "hard": (  # fast enough for a string to go slack, or for a rod to go right round
-        Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(3.5, 9.0), "hanger": ("Cord",)}, 2.0),
-        Idea(KIND, {**SENT, "speed": Range(3.0, 9.0)}),
+    "hard": (  # a string goes slack on the way up: nearly all about a full circle is one law
+        Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(3.5, 9.0), "hanger": ("Cord",)}, 2.0, suits=_goes_slack),
+        Idea(KIND, {**SENT, "speed": Range(3.0, 9.0), "hanger": ("Cord",)}, 1.0, suits=_goes_slack),
     ),
 }
 

@@ -53,9 +53,9 @@ IDEAS = {
         Idea(KIND, {**ROLLS, "start?": 1.0}),
     ),
     "medium": (  # it slips until it rolls, slips all the way on too steep a slope, or has its weight on one side
-        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 0.5),
-        Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.3}),
-        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 1.0, _hole_counts),
+        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 1.2),
+        Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.0}, 0.3),  # few questions about it take more than two laws
+        Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 0.6, _hole_counts),
     ),
     "hard": (
         Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 1.0, _hole_counts),

@@ -1,7 +1,7 @@
 """A puck on a table, held by springs at angles, and a block on a rough plane at the end of one spring."""
 
 from itertools import permutations
-from math import cos, radians, sin
+from math import cos, radians, sin, tan
 
 import numpy as np
 
@@ -26,6 +26,7 @@ ROUGH = {
 }
 STRAINED = 0.07  # of its natural length, at least: less hangs on the last digits of both lengths
 DRIVEN = 0.25  # times the block's weight, at least, is what moves it at the start: with less it soon stays
+UNLIKE = 0.18  # of tan θ from 1, at least: nearer to it, who takes the sine for the cosine is right
 CLEAR = 0.08  # m, from a spring to the nail of another one
 
 
@@ -34,7 +35,7 @@ def _starts_well(held: SpringMassIncline) -> bool:
     strain, angle = held.start - held.spring.length, radians(held.plane.angle)
     pull = held.spring.stiffness * strain / (GRAVITY * held.block.mass) + sin(angle)  # down the slope
     moves = abs(pull) - held.plane.friction * cos(angle) >= DRIVEN
-    return moves and abs(strain) >= STRAINED * held.spring.length
+    return moves and abs(strain) >= STRAINED * held.spring.length and abs(tan(angle) - 1.0) >= UNLIKE
 
 
 def _apart(held: SpringBlock) -> bool:
@@ -61,7 +62,7 @@ IDEAS = {
         Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.1, _apart),
         Idea(KIND, {**EVEN, **ACROSS}, 0.6),
         Idea(KIND, {**EVEN, **CENTRAL}, 0.6),
-        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 45.0)}, 1.2, _starts_well),
+        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 40.0)}, 1.2, _starts_well),
     ),
     "hard": (  # friction of the springs themselves
         Idea(
@@ -70,7 +71,7 @@ IDEAS = {
             0.05,
             _apart,
         ),
-        Idea(PLANE, {**ROUGH, "angle": Range(26.0, 60.0)}, 1.5, _starts_well),
+        Idea(PLANE, {**ROUGH, "angle": Range(30.0, 60.0)}, 1.5, _starts_well),
     ),
 }
 

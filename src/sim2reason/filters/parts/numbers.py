@@ -7,6 +7,7 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
+from sim2reason.solutions.algebra.expressions import Symbol
 
 SHIFT = 1e-3  # relative
 TURN = 10.0  # deg: how far an angle is moved either way, where other numbers are halved and doubled
@@ -73,10 +74,14 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 
 
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
-    """That of the answer to all that is given, each shifted by one part in a thousand."""
+    """That of the answer to all that is given, each shifted by one part in a thousand.
+
+    Numbers that the worked solution does not use come first: one that has no bearing is found without the others.
+    """
     study = candidate.study
     before = study.trace.story(candidate.time)
-    for given in givens(study.scene, candidate.question.left_open):
+    used = _used(candidate)
+    for given in sorted(givens(study.scene, candidate.question.left_open), key=lambda g: not used.isdisjoint(g.paths)):
         other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
         if other is None or answer is None:
@@ -85,6 +90,15 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
         time = candidate.kind.time(candidate.question.query, other)
         size = candidate.change_to(answer) / SHIFT
         yield Elasticity(given, size, reordered=other.trace.story(time) != before)
+
+
+def _used(candidate: Candidate) -> set[str]:
+    """Return the addresses of all numbers that the worked solution takes from the text; none without a solution."""
+    if candidate.words is None or candidate.solution is None:
+        return set()
+    relations = (relation for step in candidate.solution.steps for relation in step.relations)
+    said = {relation.left for relation in relations if relation.role == "given"}
+    return {path for path, symbol in candidate.words.symbols.items() if Symbol(symbol) in said}
 
 
 def matters(candidate: Candidate, found: Elasticity) -> bool:

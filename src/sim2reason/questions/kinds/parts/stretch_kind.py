@@ -1,9 +1,9 @@
 """What kinds of question share that ask for a functional of a stretch of motion."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import islice
+from itertools import islice, tee
 from math import nan
 from typing import ClassVar
 
@@ -70,11 +70,11 @@ class StretchKind(Kind):
         del targets
         return self._to([moment], study, words, rng)
 
-    def _to(self, ends: list[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
+    def _to(self, ends: Iterable[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
         """A functional of a stretch with one of these ends."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
         if not self.ends_matter:
-            ends = [moment for moment in ends if not moment.stated]
+            ends = (moment for moment in ends if not moment.stated)
         for _ in range(TRIES):
             if not offered:
                 break
@@ -83,8 +83,8 @@ class StretchKind(Kind):
             functional, name = offered.pop(int(rng.choice(len(offered), p=weights / weights.sum())))
             if rng.random() > functional.weight:  # what is seldom asked is so where little else is offered, too
                 continue
-            fitting = (moment for moment in ends if functional.when(moment, words, name))
-            for moment in islice(fitting, ENDS):
+            ends, these = tee(ends)  # no end is looked for before it is needed
+            for moment in islice(_fitting(these, functional, words, name), ENDS):
                 query = StretchQuery(self.name, None, moment, functional.name, name)
                 if self._worth(query, study):
                     return query
@@ -220,6 +220,10 @@ def _value(query: StretchQuery, study: Study) -> float | None:
     return functional.value(study.trace, query.name, end)
 
 
+def _fitting(ends: Iterable[Moment], functional: Functional, words: Words, name: str) -> Iterator[Moment]:
+    return (moment for moment in ends if functional.when(moment, words, name))
+
+
 def _end(query: StretchQuery, study: Study) -> float | None:
     """The last instant that counts, s."""
     if query.moment is None:
@@ -228,23 +232,22 @@ def _end(query: StretchQuery, study: Study) -> float | None:
     return query.moment.side(time) if time is not None else None
 
 
-def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
-    """Moments of a motion that may end a stretch: a few of those that the motion brings about, and a time."""
-    found, events = list[Moment](), 0
+def _ends(study: Study, words: Words, rng: np.random.Generator) -> Iterator[Moment]:
+    """Moments of a motion that may end a stretch: the whole motion, a few that the motion brings about, and a time."""
+    events = 0
     timed = has_formula_of_time(study.mechanism)
     classes = [cls for cls in by_cause() if cls.drawn_by_recipes and (timed or cls is not AtTime)]
     order: list[int] = rng.permutation(len(classes)).tolist()
-    for cls in (classes[number] for number in order):
+    for cls in sorted((classes[number] for number in order), key=_rank):
         happens = issubclass(cls, Happening)
         if happens and events == EVENTS:
             continue
         here = cls.found(study, words, rng)
         if here:
             events += happens
-            found.append(here[int(rng.integers(len(here)))])
-    return sorted(found, key=_rank)
+            yield here[int(rng.integers(len(here)))]
 
 
-def _rank(moment: Moment) -> int:
+def _rank(moment: type[Moment]) -> int:
     """Return the rank of an end: whole motions take the fewest words, and instants are arbitrary."""
-    return 0 if isinstance(moment, WholeMotion) else 2 if isinstance(moment, AtTime) else 1
+    return 0 if issubclass(moment, WholeMotion) else 2 if moment is AtTime else 1
