@@ -13,6 +13,27 @@ def test_a_formula_is_a_function_of_the_symbols_in_it() -> None:
     assert formula.value(point) == pytest.approx(9.0 * math.sin(0.8) / 9.8)
 
 
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\left|a - b\left|a\right|\right|",
+        r"\lvert a - b \lvert a\rvert\rvert",
+        r"\bigl|a - b\,|a|\bigr|",
+        "|a - |a| b|",
+        "||a| b - a|",
+        r"\left(|a - b\left|a\right||\right)",
+    ],
+)
+def test_bars_may_stand_within_bars(latex: str) -> None:
+    assert compiled(latex, ("a", "b")).value({"a": -2.0, "b": 3.0}) == 8.0
+
+
+@pytest.mark.parametrize("latex", [r"\left|a - b", r"\left|a \left| b", r"\right| a \right|", "|a| - |b", "||"])
+def test_bars_that_are_not_closed_are_refused(latex: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(repr(latex))):
+        compiled(latex, ("a", "b"))
+
+
 def test_it_has_no_value_where_it_is_not_real() -> None:
     formula = compiled(r"\sqrt{a - b}", ("a", "b"))
     assert formula.value({"a": 1.0, "b": 2.0}) is None

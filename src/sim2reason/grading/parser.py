@@ -30,9 +30,8 @@ class _Parser:
     def __init__(self, tokens: Sequence[Token], *, unit_follows: bool) -> None:
         end = tokens[-1].finish if tokens else 0
         self.tokens = [*tokens, *[Token("end", "", end, end)] * 3]
-        self.at = 0
-        self.depth = 0
-        self.in_bars = False
+        self.at = self.depth = 0
+        self.in_bars = ""  # the text of the bar that opened
         self.is_sum = False
         self.unit_follows = unit_follows
         self.refusal: Refused | None = None
@@ -113,7 +112,10 @@ class _Parser:
         token, inside = self.next, self.tokens[self.at + 1].kind
         if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
             return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")
-        return token.kind in _STARTS or (token.kind == "bar" and not self.in_bars)
+        return token.kind in _STARTS or self.opens_bars()
+
+    def opens_bars(self) -> bool:
+        return self.next.kind == "bar" and (self.next.text == "(" or self.next.text == "|" != self.in_bars)
 
     def is_cross(self) -> bool:
         """Whether the letter x here is the times sign of a power of ten."""
@@ -167,7 +169,7 @@ class _Parser:
                 return self.leaf()
             case "open":
                 return self.visible_group()
-            case "bar" if not self.in_bars:
+            case "bar" if self.next.text != ")":  # within bars, too: a factor must begin here
                 return self.bars()
             case "fraction":
                 self.take()
@@ -209,7 +211,7 @@ class _Parser:
     def group(self) -> Node:
         opening = self.take()
         self.deeper()
-        in_bars, self.in_bars = self.in_bars, False
+        in_bars, self.in_bars = self.in_bars, ""
         inside = self.quotient() if opening.text == "{" else self.expression()
         if self.next.kind != "close" or self.take().text != CLOSES[opening.text]:
             raise self.unexpected()
@@ -218,13 +220,12 @@ class _Parser:
         return inside
 
     def bars(self) -> Node:
-        self.take()
+        in_bars, self.in_bars = self.in_bars, self.take().text
         self.deeper()
-        self.in_bars = True
         inside = self.expression()
-        if not self.skip("bar"):
+        if self.next.text == "(" or not self.skip("bar"):
             raise _unreadable("a bar is not closed")
-        self.in_bars = False
+        self.in_bars = in_bars
         self.depth -= 1
         return arithmetic.call("abs", inside)
 
@@ -271,7 +272,7 @@ class _Parser:
         r"""What a function applies to: a group, or numbers and names side by side, to an angle or space like ``\,``."""
         if self.next.kind == "open":
             return self.group()
-        if self.next.kind == "function" or (self.next.kind == "bar" and not self.in_bars):
+        if self.next.kind == "function" or self.opens_bars():
             return self.atom()
         factors: list[tuple[Node, bool]] = []
         start = self.next.kind

@@ -35,7 +35,8 @@ class Token(NamedTuple):
     plus, minus, dash, times, slash, degree, percent, relation, hedge, soft (a word or comma that hedges between
     numbers), arrow, step, stop, colon, mark or end; `text` its normal form; `begin` and `finish` where it stands;
     `apart` 1 where an explicit space such as ``\,`` precedes it, 2 where a wide one does; `upright` whether it stands
-    inside ``\text{…}``; `label` what stands below a word; `said` how the answer spells what is no word.
+    inside ``\text{…}``; `label` what stands below a word; `said` how the answer spells what is no word. The text of a
+    bar says whether ``\left`` or ``\right`` makes it an opening or a closing one.
     """
 
     kind: str
@@ -75,6 +76,11 @@ _SUBSCRIPT: Final = re.compile(
 _NO_NAME: Final = re.compile(r"\\(?:text|mathrm|rm)(?![A-Za-z])|[\\{}\s]")
 
 
+_OPENING: Final = re.compile(r"\\(?:left|[Bb]igg?l)\s*(?:\\?\||\\\w+)$")
+_CLOSING: Final = re.compile(r"\\(?:right|[Bb]igg?r)\s*(?:\\?\||\\\w+)$")
+_DELIMITED: Final = len(r"\right ")
+
+
 class _Lexer:
     """Cuts one text; `symbols` None takes every letter for a symbol, as in a reference without a table."""
 
@@ -90,6 +96,8 @@ class _Lexer:
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
         upright = self.upright[-1] if self.upright else False
         said = self.text[begin:finish]
+        if kind == "bar":
+            text = _side(self.text[max(0, begin - _DELIMITED) : finish])
         self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", said))
         self.apart = 0
 
@@ -274,6 +282,13 @@ def canonical(name: str) -> str:
     if re.fullmatch(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?", plain):
         return plain
     raise ValueError(f"{name!r} is no symbol")
+
+
+def _side(said: str) -> str:
+    """Return ``(`` for a bar that only opens, ``)`` for one that only closes, else ``|``."""
+    if said.endswith("lvert") or _OPENING.search(said):
+        return "("
+    return ")" if said.endswith("rvert") or _CLOSING.search(said) else "|"
 
 
 def _show(character: str) -> str:
