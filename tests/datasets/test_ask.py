@@ -10,9 +10,9 @@ from sim2reason.scene_files import load
 
 def test_variants_of_a_problem_only_fill_up() -> None:
     """Of a pendulum there are few problems: each comes before any of them has other numbers."""
-    found = [problem(item) for item in ask(swing(), items=10, seed=2)]
+    found = [problem(item) for item in ask(swing(), items=8, seed=9)]
     distinct = len(set(found))
-    assert len(found) == 10
+    assert len(found) == 8
     assert 3 < distinct < len(found)
     assert len(set(found[:distinct])) == distinct
 

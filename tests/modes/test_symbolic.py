@@ -337,7 +337,7 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
 def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str) -> None:
     """Where the answer is an angle, or an angle stands in the formula as a number."""
     weights = (("threshold", 0.0),)
-    drawn = (make(Request(recipe, difficulty, "symbolic", 2316, index, weights=weights)).item for index in range(40))
+    drawn = (make(Request(recipe, difficulty, "symbolic", 2317, index, weights=weights)).item for index in range(40))
     item = next(found for found in drawn if found is not None and "in radians" in found.prompt)
     held = item.answer.formula
     assert held is not None

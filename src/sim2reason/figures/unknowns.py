@@ -15,7 +15,8 @@ from sim2reason.prose.description import Description
 from sim2reason.questions.unknown import limits_of
 
 FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
-"""Factors by which the value of an unknown is multiplied, in the order of trial; each changes it by over a tenth."""
+"""Factors by which the value of an unknown, with two digits, is multiplied, in the order of trial."""
+LEAST = 0.1  # of the value, by which the drawn one differs from it
 QUADRANT, CLEAR = 90.0, 5.0  # degrees; how far a drawn angle keeps from a multiple of a right angle
 SCALES = (parse_unit("m").dimension, parse_unit("deg").dimension)
 MINOR = ("hair", "dots")  # strokes whose number depends on sizes
@@ -70,13 +71,14 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
     """Yield the scenes with other values of a number that fit together in the same way."""
     parameter = next(p for p in scene.parameters if p.path == path)
     value, (least, most) = parameter.value or 0.0, limits_of(scene, path)
-    for factor in FACTORS:
-        if not least <= factor * value <= most:
+    told = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
+    for drawn in (float(f"{factor * told:.3g}") for factor in FACTORS):
+        if not least <= drawn <= most or abs(drawn - value) < LEAST * abs(value):
             continue
-        if parameter.measure.unit == "deg" and not _is_alike(value, factor * value):
+        if parameter.measure.unit == "deg" and not _is_alike(value, drawn):
             continue
         try:
-            other = scene.having(path, float(f"{factor * value:.3g}"))
+            other = scene.having(path, drawn)
             if other.mechanism.routes == scene.mechanism.routes:
                 yield other
         except (SceneError, ValueError):

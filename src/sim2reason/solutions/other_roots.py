@@ -127,11 +127,14 @@ class OtherRoots:
             step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
     def _say_never(self, step: Writing, name: str, value: float) -> None:
-        """Say that no possible value of the unknown gives another root, if that is so."""
+        """Say that no possible value of the unknown gives another root, or let the end exclude the values that do."""
         if name == self.unknown:
             return
         chain = self._chain(name)
-        if is_explicit(chain) and not values_with(chain, value, self.unknown, self.book):
+        values = values_with(chain, value, self.unknown, self.book) if is_explicit(chain) else None
+        if values:
+            self.exclude(values, must=True)
+        elif values is not None:
             what = told_range(self.unknown, self.book)
             step.say(f"No {what} gives the other root, {self._number(name, value)}.")
 

@@ -31,14 +31,22 @@ def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Im
     return f"{lead}; nothing else collides before they do."
 
 
-def late_values(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> Iterator[str]:
-    """Yield the values of an argument that were unknown before, and that the `last` collision comes before `until`."""
+def late_values(flights: Impacts, step: Writing) -> Iterator[str]:
+    """Yield a sentence with the values of an argument that were unknown before."""
     book = flights.book
     used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
     late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
     if late:
         yield f"Now {joined([step.stated(Symbol(name), book.units[name]) for name in late])}."
-    time = flights.times.get(last.number) if last is not None else None
-    if time is not None and time.name in book.formulas and until is not None and until.name in book.stated:
+
+
+def told_before(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> str:
+    """Return the sentence that the `last` collision comes before a given time; empty if nothing needs to say so."""
+    book, time = flights.book, flights.times.get(last.number) if last is not None else None
+    if book.in_symbols or time is None or until is None:
+        return ""
+    if time.name in book.formulas and until.name in book.stated:
         exceeds(book, step, until, time)
-        yield f"The last collision, at {step.stated(time, book.units[time.name])}, comes before ${until.latex()}$."
+        which = "last collision" if last is not None and last.number else "collision"
+        return f"The {which}, at {step.stated(time, book.units[time.name])}, comes before ${until.latex()}$."
+    return ""

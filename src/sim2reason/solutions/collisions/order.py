@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import Excluded, clauses
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.collisions.next_pair import late_values, told_approach
+from sim2reason.solutions.collisions.next_pair import late_values, told_approach, told_before
 from sim2reason.solutions.collisions.relative import RelativeMotion
 from sim2reason.solutions.collisions.together import Intervals, Together
 from sim2reason.solutions.setting import joined
@@ -75,10 +75,11 @@ class CollisionOrder:
             if stretch.begins == begins and (begins is None or not stretch.meets):
                 told += filter(None, [self._excluded(step, stretch)])
         last = begins if self._early and begins == self._early[-1] else None
-        step.say(*late_values(self._flights, step, last, self._until))
+        now, before = [*late_values(self._flights, step)], told_before(self._flights, step, last, self._until)
+        step.say(*(now if told else ()), before, *(each.motion for each in told))
         if told:
-            step.say(*(each.motion for each in told))
             step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
+        if told or before:
             self._close(step)
 
     def _tell_next(self, begins: Impact) -> None:
@@ -89,7 +90,7 @@ class CollisionOrder:
         own = (held for held in self._held if held.begins == begins and self._held.is_late(held))
         told = [found for held in own if (found := self._excluded(step, held)) is not None]
         closing = told_approach(self._flights, step, begins, following)
-        step.say(*late_values(self._flights, step, None, None))
+        step.say(*late_values(self._flights, step))
         if told:
             step.say(*(each.motion for each in told), f"{self._lead(begins)} {'; '.join(clauses(told))}.")
         step.say(closing)
@@ -278,9 +279,7 @@ class CollisionOrder:
         return f"just after {self._flights.event(self._flights.when(held.begins))}"
 
     def _lead(self, begins: Impact | None) -> str:
-        if begins is None:
-            return "Undisturbed,"
-        return f"After {self._flights.event(self._flights.when(begins))},"
+        return f"After {self._flights.event(self._flights.when(begins))}," if begins is not None else "Undisturbed,"
 
     def _hence(self, begins: Impact | None) -> str:
         """Return what follows about the next collision, where these are the last ones to be excluded."""
