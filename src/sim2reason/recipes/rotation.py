@@ -41,6 +41,7 @@ SMALL = 0.7  # the chance that a further piece is a small ball
 UNBALANCED = 0.3  # of Σ m |x| is left of Σ m x, at least: arms near balance hang on the last digits of all numbers
 OWN = 0.175  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
 MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
+CLEAR = 0.02  # m, from the axle to the surface of a piece
 MANY = 3  # pieces, of which one may have a size without bearing
 TRIES = 10  # pieces that are drawn before all are drawn anew
 DRAWS = 60 * TRIES
@@ -132,8 +133,9 @@ def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
 
 
 def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
-    """Return whether a piece leaves the axle free, and is beside the others."""
-    return not holds_axle(piece) and all(is_clear(piece, other) for other in others)
+    """Return whether a piece leaves the axle free, stays clear of it, and is beside the others."""
+    clear = min(map(abs, piece.span)) >= CLEAR
+    return clear and not holds_axle(piece) and all(is_clear(piece, other) for other in others)
 
 
 def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:

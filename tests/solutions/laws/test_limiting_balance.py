@@ -4,6 +4,7 @@ from math import cos, radians, sin
 
 import pytest
 
+from sim2reason.datasets.items import item
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -60,3 +61,11 @@ def test_it_is_said_which_way_a_body_is_about_to_slip_and_what_slips_with_it() -
     found, _ = solve_prompt(PRISM)
     assert "block A is just about to slip down the face: friction on it has its greatest value" in found.text
     assert "and so has the friction on block B, which the taut string makes slip together with it" in found.text
+
+
+def test_a_modulus_says_what_it_means_for_slipping_either_way() -> None:
+    found = item(recipe="pulley", difficulty="hard", mode="symbolic", seed=977, index=0, solutions=True)
+    assert found.answer.formula is not None
+    assert found.solution is not None
+    assert r"\left|" in found.answer.formula.latex
+    assert "the other way $\\mu$ has the opposite sign" in found.solution.text

@@ -11,6 +11,7 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.inverse import other_solutions, put, settled, solved_for
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
+from sim2reason.solutions.laws.either_way import BAR
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.sliding import way_of_slip
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
@@ -147,6 +148,17 @@ class LimitingBalance(LimitingDynamics):
             raise UnsolvedError("the limit has no short closed form")
         return found, formula
 
+    def _either_way(self) -> str:
+        """Return what a sign means where the answer in symbols is a modulus: the body may slip either way."""
+        formula, way = self.setting.formula, self._way()
+        if not self.book.in_symbols or formula is None or BAR not in formula.latex or not way or self._with_it():
+            return ""
+        unknown = f"${self.book.sought}$"
+        return (
+            f"The equations below are for slipping{way}; for slipping the other way {unknown} has the opposite sign in "
+            f"them, so that the magnitude of {unknown} is the answer in both cases."
+        )
+
     def _way(self) -> str:
         """Return in which direction the body is about to slip, after a space; empty if that has no short name."""
         sides = self.newton.rough.items()
@@ -182,12 +194,14 @@ class LimitingBalance(LimitingDynamics):
     def _introduce(self, *, slides: bool) -> None:
         """Write what holds in the limiting case."""
         step, who = self.book.open("limit"), self.setting.called(self._who)
-        what = f"slip{self._way()}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
+        either = self._either_way() if slides else ""
+        way = self._way() if slides and not either else ""
+        what = f"slip{way}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
         rests = len(self.frozen) == len(self.mechanism.coordinates)
         still = "all bodies are still at rest" if rests else "its acceleration is still zero"
         parent = self.mechanism.body[self._who].parent
         if not rests and slides and parent is not None:
             still = f"its acceleration relative to {self.setting.called(parent)} is still zero"
-        step.say(f"In the limiting case {who} is just about to {what} {still}.")
+        step.say(f"In the limiting case {who} is just about to {what} {still}.", either)
         step.label("limit")
         step.close()
