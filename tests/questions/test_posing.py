@@ -69,6 +69,7 @@ def found(scene: Scene, **parts: str) -> Followed:
         (row((2.0,), (50.0,), "left", speed=1.5), {"find": "frequency"}, 2.5 / pi),
         (swing(60.0), {"find": "tension", "when": "lowest point"}, 0.5 * G * 2.0),
         (SLIDING, {"find": "displacement", "when": "velocity = 3 m/s"}, 16.0 / (0.1 * G)),
+        (SLIDING, {"find": "displacement", "when": "speed = 3 m/s"}, 16.0 / (0.1 * G)),
         (SLIDING, {"find": "energy dissipated by friction", "when": "velocity = 3 m/s"}, 16.0),
         (SLIDING, {"find": "acceleration", "when": "stopped before"}, 0.05 * G),
         (SLIDING, {"find": "time", "when": "stopped minus velocity = 2 m/s"}, 2.0 / (0.05 * G)),

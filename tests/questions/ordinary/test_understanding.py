@@ -115,6 +115,8 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
         ("long_burn", "How fast is the probe 2 s after the fuel is used up?", "counted from the start"),
         ("pucks", "In which direction does puck B move off?", "ask for the components"),
         ("ramp", "What is the average speed of the block in the first 3 s?", "averages"),
+        ("ramp", "What is the tension in the strings after 2 s?", "the scene has no string"),
+        ("ramp", "How fast does the cart move when it hits the wall?", "the scene has no cart"),
     ],
 )
 def test_what_has_no_question_is_refused_with_the_reason(name: str, question: str, why: str) -> None:

@@ -9,6 +9,7 @@ from sim2reason.questions.following import FollowedMotion, eventful
 from sim2reason.questions.kinds import KINDS, by_cause
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.ordinary.absent import absent
 from sim2reason.questions.ordinary.beyond import reason
 from sim2reason.questions.posing import PosedQuestion
 from sim2reason.questions.query import Query
@@ -23,7 +24,7 @@ COMMON = frozenset(
 
 def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:
     """Return a hint for a sentence not understood: the reason, if known, and the questions that share most words."""
-    why = reason(sentence)
+    why = absent(sentence, motion.study.scene) or reason(sentence)
     said = _words(sentence)
     offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
     ranked = sorted((told for told in offered if told), key=lambda told: -len(said & _words(told)) / len(_words(told)))

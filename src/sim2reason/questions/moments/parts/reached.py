@@ -11,7 +11,6 @@ import numpy as np
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments import Clause, Happening, Moment
@@ -118,7 +117,7 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
     names = (name for name in known if f"{left} ".startswith(f"{name} of ") or left == name)  # which may hold an *of*
     name = max(names, key=len, default=left.partition(" of ")[0])
     find, of = one_of(place, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
-    own = place == "when" and (bool(of) or not QUANTITIES[find].vector)
+    own = place == "when" and (bool(of) or not known[find].vector)
     named = replace(asked, find=find, of=of or asked.of, along=along or ("" if own else asked.along))
     target = target_named(named, words)
     return target, measured(place, right, words.units.spell(target.unit))

@@ -1,0 +1,24 @@
+"""Things that a question speaks of and that a scene does not have."""
+
+import re
+
+from sim2reason.dsl.body import BODIES
+from sim2reason.dsl.scene import Scene
+from sim2reason.prose.description import describe
+
+SETTING = frozenset("circle ground half-plane plane rectangle space start strip table track".split(" "))
+"""Nouns that sentences about any scene may have."""
+
+
+def absent(sentence: str, scene: Scene) -> str:
+    """Return a clause that the scene lacks a thing of which a sentence speaks; empty if it lacks none."""
+    asked, told = _words(sentence), _words(describe(scene).text)
+    present = {noun for body in scene.bodies.values() for noun in body.nouns}
+    nouns = {noun for body in BODIES.values() for noun in body.nouns} - SETTING - present
+    missing = sorted(noun for noun in nouns if noun in asked and noun not in told)
+    return f"the scene has no {missing[0]}" if missing else ""
+
+
+def _words(text: str) -> set[str]:
+    """Return the words of a text, without the plural's s."""
+    return {word.removesuffix("s") for word in re.findall(r"[a-z-]+", text.lower())}
