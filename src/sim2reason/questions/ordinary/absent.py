@@ -6,7 +6,9 @@ from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.description import describe
 
-SETTING = frozenset("circle ground half-plane plane rectangle space start strip table track".split(" "))
+SETTING = frozenset(
+    ["circle", "ground", "half-plane", "plane", "rectangle", "space", "start", "strip", "table", "track"]
+)
 """Nouns that sentences about any scene may have."""
 
 
