@@ -5,6 +5,8 @@ from math import cos, radians, sin, sqrt
 import pytest
 
 from sim2reason.bodies.ball import Ball
+from sim2reason.datasets.make import make
+from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
@@ -45,3 +47,8 @@ def test_the_first_time_at_a_distance_is_not_before_the_bounce(angle: float) -> 
     assert ("it never rises above its starting point" in found.text) == (angle == 0.0)
     if angle:
         assert seen[r"s_{\text{top}}"] == pytest.approx(up * up / (2.0 * G))
+
+
+def test_a_bounce_that_a_motion_does_not_reach_is_no_error() -> None:
+    """One draw of this problem asks for the restitution of a motion that ends before its second bounce."""
+    assert make(Request("projectile", "easy", "reverse", 3232, 0)).item is not None

@@ -144,6 +144,8 @@ class _Struck(Way):
             return None
         bodies = set(moment.subjects)
         same = [held for held in self.flights.impacts if set(held.bodies) == bodies]
+        if len(same) < moment.number:
+            raise UnsolvedError("the motion ends before that collision")
         return same[moment.number - 1]
 
     @cached_property

@@ -1,0 +1,65 @@
+"""Refactoring changes no item: digests of 300 items with their solutions.
+
+The test compares a quarter of them. ``python tests/acceptance/test_same_items.py`` compares all, and with ``--write``
+writes the digests anew, after a change that is meant to change items.
+"""
+
+import json
+import sys
+from hashlib import sha256
+from itertools import product
+from multiprocessing import Pool
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets.make import make
+from sim2reason.datasets.request import Request
+from sim2reason.questions import MODES
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+DIGESTS = Path(__file__).parents[1] / "data" / "same_items.json"
+SEED = 3232
+
+
+def requests(recipe: str) -> list[Request]:
+    cells = [(difficulty, mode, 0) for difficulty, mode in product(DIFFICULTIES, MODES)]
+    cells += [("medium", mode, 1) for mode in MODES]
+    return [Request(recipe, difficulty, mode, SEED, index, solutions=True) for difficulty, mode, index in cells]
+
+
+def digest(request: Request) -> str:
+    """Return a digest of an item, but for the versions of the libraries that made it."""
+    item = make(request).item
+    if item is None:
+        return ""
+    held = json.loads(item.model_dump_json())
+    held["provenance"].pop("versions")
+    return sha256(json.dumps(held, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def digests(recipe: str) -> dict[str, str]:
+    return {request.id: digest(request) for request in requests(recipe)}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_items_are_the_same_byte_for_byte(recipe: str) -> None:
+    known = json.loads(DIGESTS.read_text(encoding="utf-8"))[recipe]
+    assert all(digest(request) == known[request.id] for request in requests(recipe)[::4])
+
+
+def main(options: list[str]) -> int:
+    """Compare all digests, or write them; return the number of items that differ."""
+    with Pool() as pool:
+        made = dict(zip(RECIPES, pool.map(digests, RECIPES, chunksize=1), strict=True))
+    if options == ["--write"]:
+        DIGESTS.write_text(f"{json.dumps(made, indent=1)}\n", encoding="utf-8")
+    known = json.loads(DIGESTS.read_text(encoding="utf-8"))
+    differ = [name for recipe in RECIPES for name, found in made[recipe].items() if known[recipe][name] != found]
+    sys.stdout.write("\n".join([f"{sum(map(len, made.values()))} items, {len(differ)} differ", *differ, ""]))
+    return len(differ)
+
+
+if __name__ == "__main__":
+    sys.exit(min(main(sys.argv[1:]), 1))
