@@ -40,7 +40,7 @@ def test_import_loads_nothing_heavy() -> None:
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(ROOT / "src/sim2reason")))
 def test_modules_and_functions_are_short(path: Path) -> None:
-    assert len(path.read_text("utf-8").splitlines()) <= 300
+    assert len(path.read_text("utf-8").splitlines()) <= 400
     assert not [f"{f.name}: {lines(f)}" for f in functions(path) if lines(f) > 40]
 
 

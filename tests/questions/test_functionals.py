@@ -27,7 +27,7 @@ from sim2reason.quantities.subjects.whole import ALL
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.area_swept import AreaSwept
+from sim2reason.questions.functionals.paths import AreaSwept
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.bounced import Bounced

@@ -7,7 +7,7 @@ from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import effects_of
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
-from sim2reason.questions.simplifications.gravity_left_out import GravityLeftOut
+from sim2reason.questions.simplifications.omissions import GravityLeftOut
 from sim2reason.questions.simplifications.parts.which import solid
 
 TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"

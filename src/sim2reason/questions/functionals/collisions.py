@@ -1,18 +1,112 @@
-"""How many collisions there are."""
+"""Numbers of collisions, and the energies lost and impulses exchanged in them."""
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.momentum import Momentum
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.quantities.subjects.whole import Whole
-from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals import Functional, functional
+from sim2reason.questions.functionals.parts.encounter import encounter
 from sim2reason.questions.functionals.parts.event_count import EventCount
-from sim2reason.questions.functionals.parts.jump import massive
+from sim2reason.questions.functionals.parts.jump import BALANCE, energies, energy_lost, hits, is_loose, jumps, massive
 from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.bounced import WALLS, struck
 from sim2reason.questions.moments.last_collision import LastCollision
+from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
+
+
+@functional
+class Bounces(EventCount):
+    """How often a body hits the ground, a wall or walls."""
+
+    name = "number of bounces"
+    of = Bodies()
+    phrase = "the number of times that {body} hits {what}"
+    how = "how many times does {body} hit {what} {when}?"
+    fewest = 2  # a ball that is thrown is not followed for much longer
+    indirect = "how many times {body} hits {what}"
+
+    def own(self, words: Words, name: str) -> dict[str, str]:
+        """What it hits."""
+        return {"what": struck(words, name)}
+
+    def present(self, words: Words, name: str) -> bool:
+        """What can hit something fixed."""
+        return bool(struck(words, name))
+
+    def times(self, trace: Trace, name: str) -> Sequence[float]:
+        """Those of its collisions with what is fixed."""
+        return [event.time for event in trace.events if event.kind == "collision" and event.subjects == (name,)]
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its velocity."""
+        del mechanism
+        return (Channel(name, Velocity.name),)
+
+
+@functional
+class CollisionImpulse(Functional):
+    """The size of the impulse that each of two loose bodies gets from the other."""
+
+    name, unit, kind, least = "impulse of a collision", "N s", "sum", 1e-3
+    of, needs = Pairs(), ("mass",)
+    phrase = "the magnitude of the impulse that {pair} exert on each other"
+    how = "how large is the impulse that {pair} exert on each other {when}?"
+    weight = 3.0
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """As in: in their second collision."""
+        return encounter(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """m|Δv| of the one, if the other gets the opposite, so that nothing else strikes them at that instant."""
+        one, other = (jumps(trace, lambda s, n=n: Momentum.evaluate(s, n), [end])[0] for n in members(name))
+        size = float(np.linalg.norm(one))
+        return size if float(np.linalg.norm(one + other)) <= BALANCE * size else None
+
+    def present(self, words: Words, name: str) -> bool:
+        """Two loose bodies, so that no string or axle takes part of it."""
+        return all(is_loose(words.mechanism, body) for body in members(name))
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Both momenta."""
+        del mechanism
+        return tuple(Channel(body, Momentum.name) for body in members(name))
+
+
+@functional
+class CollisionLoss(Functional):
+    """The kinetic energy that two bodies lose as they collide."""
+
+    name, unit, kind, least = "energy lost in a collision", "J", "sum", 1e-3
+    of, needs = Pairs(), ("mass",)
+    phrase = "the kinetic energy that {pair} lose together"
+    how = "how much kinetic energy do {pair} lose together {when}?"
+    indirect = "how much kinetic energy {pair} lose together"
+    weight = 5.0
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """As in: in their second collision."""
+        return encounter(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """The loss of all bodies; None if something else collides at the same instant."""
+        del name
+        alone = hits(trace, end).count(end) == 1
+        return energy_lost(trace, [end]) if alone else None
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """All kinetic energies."""
+        del name
+        return energies(mechanism)
 
 
 @functional
@@ -53,3 +147,100 @@ class Collisions(EventCount):
         """All velocities."""
         del name
         return tuple(Channel(body, Velocity.name) for body in massive(mechanism))
+
+
+FEWEST = 2  # impacts in a sum of them
+
+
+class FromFixed(Functional):
+    """What something fixed does to a body that bounces from it."""
+
+    unit, kind, least = "N s", "sum", 1e-3
+    of, needs = Bodies(), ("mass",)
+
+    def present(self, words: Words, name: str) -> bool:
+        """A loose body that can meet the ground, or one wall."""
+        return struck(words, name) not in {"", WALLS} and is_loose(words.mechanism, name)
+
+    def own(self, words: Words, name: str) -> dict[str, str]:
+        """What it meets."""
+        return {"what": struck(words, name)}
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its momentum."""
+        del mechanism
+        return (Channel(name, Momentum.name),)
+
+    def sum(self, trace: Trace, name: str, times: list[float]) -> float | None:
+        """|Σ mΔv|; None if anything else strikes the body at one of these instants."""
+        others = hits(trace, times[-1], lambda e: name in e.subjects and len(e.subjects) > 1) if times else []
+        if not times or set(others) & set(times):
+            return None
+        return float(np.linalg.norm(np.sum(jumps(trace, lambda s: Momentum.evaluate(s, name), times), axis=0)))
+
+
+@functional
+class ImpactImpulse(FromFixed):
+    """The size of the impulse of one impact."""
+
+    name = "impulse of an impact"
+    phrase = "the magnitude of the impulse that {what} exerts on {body}"
+    how = "how large is the impulse that {what} exerts on {body} {when}?"
+    weight = 3.0
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """As in: in their second collision."""
+        return encounter(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """m|Δv|."""
+        return self.sum(trace, name, [end])
+
+
+@functional
+class TotalImpactImpulse(FromFixed):
+    """The size of the impulse of several impacts, which all have one direction."""
+
+    name = "total impulse of impacts"
+    phrase = "the magnitude of the total impulse that {what} exerts on {body}"
+    how = "how large is the total impulse that {what} exerts on {body} {when}?"
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """|Σ mΔv|."""
+        return self.sum(trace, name, hits(trace, end, lambda event: event.subjects == (name,)))
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether there are several."""
+        return len(hits(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
+
+
+@functional
+class TotalCollisionLoss(Functional):
+    """The kinetic energy that is lost in all collisions up to a moment."""
+
+    name, unit, kind, least = "energy lost in collisions", "J", "sum", 1e-3
+    of, needs = Whole(), ("mass",)
+    phrase = "the total kinetic energy lost in collisions"
+    how = "how much kinetic energy is lost in collisions altogether {when}?"
+    weight = 4.0
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Also of all that ever happen."""
+        if isinstance(moment, LastCollision):
+            return (f"from {words.since} on", "in the motion that follows", "in the whole motion")
+        return super().when(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """The sum over all collisions."""
+        del name
+        return energy_lost(trace, hits(trace, end))
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether there are several."""
+        del name
+        return len(hits(study.trace, end)) >= FEWEST
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """All kinetic energies."""
+        del name
+        return energies(mechanism)

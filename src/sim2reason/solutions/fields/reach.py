@@ -1,6 +1,6 @@
 """How far a charged body gets from an axis through its starting point, to and fro or round a circle."""
 
-from sim2reason.questions.functionals.axis_distance import GreatestXAxisDistance, GreatestYAxisDistance
+from sim2reason.questions.functionals.kinematics import GreatestXAxisDistance, GreatestYAxisDistance
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields

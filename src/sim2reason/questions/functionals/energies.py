@@ -1,0 +1,268 @@
+"""Extreme values of energies, works and energies dissipated."""
+
+from collections.abc import Mapping
+from math import isfinite
+
+import numpy as np
+
+from sim2reason.dsl.fields import Push, Resistance
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.triples import minus, product
+from sim2reason.quantities.contact import FrictionForce
+from sim2reason.quantities.energy import KineticEnergy
+from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.springs import ExtensionRate, SpringEnergy
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.quantities.subjects.hands import Hands
+from sim2reason.quantities.subjects.paths import rides
+from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.strings import strings
+from sim2reason.quantities.tension import StringLength, Tension
+from sim2reason.questions.functionals import Functional, functional
+from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.functionals.parts.jump import is_smooth
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
+from sim2reason.questions.moments.parts.slip_change import slip
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+
+@functional
+class DashpotHeat(Integral):
+    """The energy that the dashpot beside a spring dissipates."""
+
+    name, unit, least = "energy dissipated by a dashpot", "J", 1e-3
+    of = Springs()
+    phrase = "the energy that the dashpot beside {spring} dissipates"
+    how = "how much energy does the dashpot beside {spring} dissipate {when}?"
+    indirect = "how much energy the dashpot beside {spring} dissipates"
+    weight = 5.0
+
+    def rate(self, state: State, name: str) -> Array:
+        """The force c·dl/dt times the rate dl/dt, W, (n,)."""
+        return _damping(state.mechanism, name) * ExtensionRate.evaluate(state, name) ** 2
+
+    def present(self, words: Words, name: str) -> bool:
+        """A damped spring that acts both ways."""
+        return _damping(words.mechanism, name) > 0.0
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """The rate."""
+        del mechanism
+        return (Channel(name, ExtensionRate.name),)
+
+
+def _damping(mechanism: Mechanism, name: str) -> float:
+    law = mechanism.line[name].law
+    return law.damping if isinstance(law, Elastic) and not law.side else 0.0
+
+
+@functional
+class DragHeat(Integral):
+    """The energy that a body loses to the resistance of a medium that is everywhere."""
+
+    name, unit, least = "energy lost to drag", "J", 1e-6
+    of, needs = Bodies(), ("mass",)
+    phrase = "the energy that {body} loses to the resistance of the medium"
+    how = "how much energy does {body} lose to the resistance of the medium {when}?"
+    indirect = "how much energy {body} loses to the resistance of the medium"
+    weight = 5.0
+
+    def rate(self, state: State, name: str) -> Array:
+        """−F·v, W, (n,)."""
+        point, total = state.frames.center(name), np.zeros(len(state.times))
+        for force in state.mechanism.forces:
+            if force.body == name and isinstance(force.law, Resistance):
+                pull = force.law.force(point.place, point.velocity, state.times, np)
+                total = total - product(pull, point.velocity)
+        return total
+
+    def present(self, words: Words, name: str) -> bool:
+        """What a medium resists."""
+        drags = [f for f in words.mechanism.forces if f.body == name and isinstance(f.law, Resistance)]
+        return bool(drags) and all(force.region is None for force in drags)
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its velocity."""
+        del mechanism
+        return (Channel(name, Velocity.name),)
+
+
+@functional
+class FieldWork(Integral):
+    """The work of the electric force on a charge, where it is positive."""
+
+    name, unit, least = "work of an electric field", "J", 1e-6
+    of, needs = Bodies(), ("charge",)
+    phrase = "the work that the electric field does on {body}"
+    how = "how much work does the electric field do on {body} {when}?"
+    indirect = "how much work the electric field does on {body}"
+    weight = 1.5
+
+    def rate(self, state: State, name: str) -> Array:
+        """F·v inside the field, W, (n,)."""
+        point, total = state.frames.center(name), np.zeros(len(state.times))
+        for force in _pushes(state.mechanism, name):
+            pull = force.law.force(point.place, point.velocity, state.times, np)
+            power = product(pull, point.velocity) + 0.0 * state.times
+            if force.region is not None:
+                margins = [margin + 0.0 * state.times for margin in force.region.margins(point.place, np)]
+                power = np.where(np.min(margins, axis=0) > 0.0, power, 0.0)
+            total = total + power
+        return total
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """None where it is against the motion on the whole."""
+        work = super().value(trace, name, end)
+        return work if work is not None and work > 0.0 else None
+
+    def present(self, words: Words, name: str) -> bool:
+        """A charge in an electric field."""
+        return bool(_pushes(words.mechanism, name))
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Where it is and how fast it moves."""
+        del mechanism
+        return (Channel(name, Velocity.name), Channel(name, Displacement.name))
+
+
+def _pushes(mechanism: Mechanism, name: str) -> list[Force]:
+    return [force for force in mechanism.forces if force.body == name and isinstance(force.law, Push)]
+
+
+@functional
+class FrictionHeat(Integral):
+    """The energy that friction between a body and its face dissipates: friction times the speed of slip, over time."""
+
+    name, unit, least = "energy dissipated by friction", "J", 1e-3
+    of, needs = Contacts(), ("mass",)
+    phrase = "the energy that friction between {body} and {surface} dissipates"
+    how = "how much energy does friction between {body} and {surface} dissipate {when}?"
+    indirect = "how much energy friction between {body} and {surface} dissipates"
+    weight = 2.5
+
+    def rate(self, state: State, name: str) -> Array:
+        """−f·u, W, (n,), never negative."""
+        return -FrictionForce.evaluate(state, name) * slip(state, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """None after an impact, at which a face may rub with an impulse."""
+        return super().value(trace, name, end) if is_smooth(trace, end) else None
+
+    def present(self, words: Words, name: str) -> bool:
+        """Only where something rough can slip."""
+        return words.mechanism.contacts[name].friction > 0.0 and isfinite(words.mechanism.contacts[name].friction)
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """The force, and how fast the body and what it lies on move."""
+        moving = (name, mechanism.body[name].parent)
+        return (Channel(name, FrictionForce.name), *(Channel(body, Velocity.name) for body in moving if body))
+
+
+@functional
+class GreatestKineticEnergy(Extreme):
+    """The greatest kinetic energy of a body, that of its turning included."""
+
+    name = "greatest kinetic energy"
+    quantity = KineticEnergy
+    phrase = "the greatest kinetic energy of {body}{ground}"
+    weight = 0.2  # rather its greatest speed
+
+
+@functional
+class PullWork(Functional):
+    """The work that a hand does as it draws a string in with a constant force."""
+
+    name, unit, kind, least = "work of a hand", "J", "sum", 1e-3
+    of = Hands()
+    phrase = "the work that {hand} does"
+    how = "how much work does {hand} do {when}?"
+    indirect = "how much work {hand} does"
+    weight = 1.5
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Not until something has moved by a stated distance: force times distance is no question."""
+        return () if isinstance(moment, DistanceThreshold) else super().when(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """Its force times what it has drawn in; None where it has let out more."""
+        line = trace.mechanism.line[name]
+        assert isinstance(line.law, ConstantTension)
+        start, here = (float(trace.at(time).free_length(line)[0][0]) for time in (0.0, end))
+        work = line.law.force * (start - here)
+        return work if work > 0.0 else None
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """How the string's length changes."""
+        del mechanism
+        return (Channel(name, StringLength.name),)
+
+
+@functional
+class GreatestSpringEnergy(Extreme):
+    """The greatest energy stored in a spring."""
+
+    name = "greatest spring energy"
+    quantity = SpringEnergy
+    phrase = "the greatest energy stored in {spring}"
+
+
+@functional
+class StringWork(Integral):
+    """The work of the only string that is tied to a body, where it is positive."""
+
+    name, unit, least = "work of a tension", "J", 1e-3
+    of, needs = Bodies(), ("mass",)
+    phrase = "the work that the tension in {string} does on {body}"
+    how = "how much work does the tension in {string} do on {body} {when}?"
+    indirect = "how much work the tension in {string} does on {body}"
+    weight = 0.2  # rather the tension itself
+
+    def own(self, words: Words, name: str) -> dict[str, str]:
+        """What the text calls the string."""
+        return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
+
+    def present(self, words: Words, name: str) -> bool:
+        """A body with one string, which the text can name, that rides on no other, and on which no pulley rides."""
+        tied = _tied(words.mechanism, name)
+        ridden = any(body.parent == name for body in words.mechanism.bodies) or rides(words.mechanism, name)
+        return len(tied) == 1 and not ridden and tied[0][0] in _called(words)
+
+    def rate(self, state: State, name: str) -> Array:
+        """T·v along the string, away from the body, W, (n,)."""
+        line, own, other = _tied(state.mechanism, name)[0]
+        here, there = state.frames.site(own), state.frames.site(other)
+        apart = minus(there.place, here.place)
+        length: Array = np.sqrt(product(apart, apart)) + 0.0 * state.times
+        along = product(apart, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
+        return Tension.evaluate(state, line) * along
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """None after an impact, at which a string may jerk, and where it is against the motion on the whole."""
+        known = is_smooth(trace, end) and _tied(trace.mechanism, name)  # the string may have been left out
+        work = super().value(trace, name, end) if known else None
+        return work if work is not None and work > 0.0 else None
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """The tension and the velocity."""
+        return (Channel(_tied(mechanism, name)[0][0], Tension.name), Channel(name, Velocity.name))
+
+
+def _called(words: Words) -> Mapping[str, str]:
+    return strings(words.mechanism, words.mentions)
+
+
+def _tied(mechanism: Mechanism, name: str) -> list[tuple[str, str, str]]:
+    """The strings that pass or end at a body, each with its site there and the next site."""
+    found = list[tuple[str, str, str]]()
+    for line in mechanism.lines:
+        if isinstance(line.law, Inextensible):
+            for own, other in ((line.through[0], line.through[1]), (line.through[-1], line.through[-2])):
+                if mechanism.site[own].body == name:
+                    found.append((line.name, own, other))
+    return found

@@ -1,0 +1,193 @@
+"""Distances travelled, angles and areas swept, and reversals of the direction of motion."""
+
+from collections.abc import Sequence
+from math import degrees
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.pairs import DistanceBetween
+from sim2reason.quantities.rotation import AngleTurned, AngularVelocity
+from sim2reason.quantities.subjects.bodies import Bodies, moves
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.paths import center_path, rides
+from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.questions.choices import still
+from sim2reason.questions.crossing import crossings
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.circles import circles, is_told_by_angles, leaves_circle
+from sim2reason.questions.functionals.parts.event_count import EventCount
+from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.parts.apsis import Apsis
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+DIFFERS = 0.02  # of the angle: what is less larger than the angle between start and end is not worth asking
+
+
+@functional
+class AngleSwept(Integral):
+    """The sum of all angles, whatever their sense, through which a body turns about one axle."""
+
+    name, unit, least = "total angle", "deg", 0.1
+    of = TurningBodies()
+    phrase = "the total angle through which {body} turns"
+    how = "through what angle does {body} turn altogether, to and fro, {when}?"
+
+    def rate(self, state: State, name: str) -> Array:
+        """|ω|, degrees per second, (n,)."""
+        return degrees(1.0) * np.linalg.norm(AngularVelocity.evaluate(state, name), axis=1)
+
+    def present(self, words: Words, name: str) -> bool:
+        """What turns by one hinge and does not roll, so that the engine says when it turns back."""
+        mechanism = words.mechanism
+        hinges = [c for c in mechanism.body[name].coordinates if c.kind == "hinge"]
+        return len(hinges) == 1 and mechanism.body[name].parent is None and name in AngleTurned().subjects(mechanism)
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Not where geometry alone gives the angle."""
+        return () if is_told_by_angles(moment, words) else super().when(moment, words, name)
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether it turns back."""
+        total = self.value(study.trace, name, end) or 0.0
+        net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
+        return total - net > DIFFERS * total and super().worth(study, name, end)
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """How fast it turns."""
+        del mechanism
+        return (Channel(name, AngularVelocity.name),)
+
+
+@functional
+class AreaSwept(Integral):
+    """The area that the line from a fixed body to one that it attracts sweeps out, as in Kepler's second law."""
+
+    name, unit, least = "area swept", "m^2", 1e-4
+    of = Pairs()
+    phrase = "the area that the line between {pair} sweeps out"
+    how = "how large an area does the line between {pair} sweep out {when}?"
+    weight = 0.3
+
+    def rate(self, state: State, name: str) -> Array:
+        """½|r × v|, (n,)."""
+        return np.linalg.norm(_areal_velocity(state, name), axis=1)
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Only where the line turns in one sense: of one that turns back nobody says whether areas cancel."""
+        scan = study.trace.scan
+        swept = _areal_velocity(scan, name)[scan.times <= end]
+        return super().worth(study, name, end) and bool((swept @ swept.mean(axis=0) >= 0.0).all())
+
+    def present(self, words: Words, name: str) -> bool:
+        """One that is fixed, and one that it attracts."""
+        pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
+        return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Until something happens on the same orbit; a time by the areal velocity at the start needs no attraction."""
+        return super().when(moment, words, name) if isinstance(moment, Orbited | Apsis) and moment.name == name else ()
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Both velocities and the distance."""
+        del mechanism
+        velocities = (Channel(body, Velocity.name) for body in members(name))
+        return (Channel(name, DistanceBetween.name), *velocities)
+
+
+def _areal_velocity(state: State, name: str) -> Array:
+    """½ r × v, (n, 3)."""
+    a, b = members(name)
+    apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
+    parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
+    return 0.5 * np.cross(apart, parting)
+
+
+@functional
+class DistanceTravelled(Integral):
+    """The length of the path of a body along a line, or on a circle."""
+
+    name, unit, least = "distance travelled", "m", 1e-3
+    of, center = Bodies(), True
+    phrase = "the total distance that {body} travels{ground}"
+    how = "how far does {body} travel in all{ground} {when}?"
+    indirect = "how far {body} travels in all{ground}"
+    weight = 2.0
+
+    def rate(self, state: State, name: str) -> Array:
+        """The speed, (n,)."""
+        return np.linalg.norm(Velocity.evaluate(state, name), axis=1)
+
+    def corners(self, trace: Trace, name: str) -> list[float]:
+        """Where a body on a line turns back; on a circle a coordinate does, and the engine says when."""
+        path = center_path(trace.mechanism, name)
+        if not path.straight:
+            return []
+        way = np.array(path.ways[0])
+        senses = (way, -way)
+        return [
+            time for sense in senses for time in crossings(trace, lambda s, x=sense: Velocity.evaluate(s, name) @ x)
+        ]
+
+    def present(self, words: Words, name: str) -> bool:
+        """What moves along a line or on a circle."""
+        return center_path(words.mechanism, name).straight or circles(words.mechanism, name)
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """On a circle not where geometry alone gives the arc."""
+        told = circles(words.mechanism, name) and is_told_by_angles(moment, words)
+        return () if told else super().when(moment, words, name)
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its velocity, and where that leads."""
+        del mechanism
+        return (Channel(name, Velocity.name), Channel(name, Displacement.name))
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether it is longer than the displacement, which is asked for otherwise, and on one circle if on any."""
+        if circles(study.mechanism, name) and leaves_circle(study.trace, end):
+            return False
+        path = self.value(study.trace, name, end) or 0.0
+        direct = float(np.linalg.norm(Displacement.evaluate(study.trace.at(end), name)[0]))
+        return path - direct > DIFFERS * path and super().worth(study, name, end)
+
+
+@functional
+class Reversals(EventCount):
+    """How often a body on a line reverses its direction of motion."""
+
+    name = "number of reversals"
+    of = Bodies()
+    phrase = "the number of times that {body} reverses its direction of motion"
+    how = "how many times does {body} reverse its direction of motion {when}?"
+    indirect = "how many times {body} reverses its direction of motion"
+    weight = 2.0
+
+    def present(self, words: Words, name: str) -> bool:
+        """What moves along one line of the room."""
+        return center_path(words.mechanism, name).straight and not rides(words.mechanism, name)
+
+    def times(self, trace: Trace, name: str) -> Sequence[float]:
+        """Where the sign of its velocity changes, on a line between two instants of a scan.
+
+        Halts without a reversal do not count.
+        """
+        way = np.array(center_path(trace.mechanism, name).ways[0])
+        speeds = Velocity.evaluate(trace.scan, name) @ way
+        clear = np.flatnonzero(np.abs(speeds) > still(trace, speeds))
+        times, speeds = trace.scan.times[clear], speeds[clear]
+        (before,) = np.nonzero(speeds[1:] * speeds[:-1] < 0.0)
+        shares = speeds[before] / (speeds[before] - speeds[before + 1])
+        return (times[before] + shares * (times[before + 1] - times[before])).tolist()
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its velocity."""
+        del mechanism
+        return (Channel(name, Velocity.name),)

@@ -1,0 +1,115 @@
+"""Mistakes about collisions and other events."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import inf, isfinite
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.questions.crossing import crossings
+from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, simplification
+from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.simplifications.parts.restitution import OneRestitution
+from sim2reason.questions.simplifications.parts.steady import with_formulas
+from sim2reason.questions.study import Study, Timed
+from sim2reason.simulation.trace import happened
+
+
+@simplification
+class ElasticCollisions(OneRestitution):
+    """Collisions are taken as elastic."""
+
+    name = "elastic collisions"
+    reason = "every collision is taken as elastic"
+    restitution = 1.0
+    common = True
+
+
+@simplification
+class PerfectlyInelasticCollisions(OneRestitution):
+    """Collisions are taken as perfectly inelastic."""
+
+    name = "perfectly inelastic collisions"
+    reason = "every collision is taken as perfectly inelastic"
+    restitution = 0.0
+
+
+@simplification
+class LaterRoot(OtherReading):
+    """Where an equation for the time has two roots, the later one is taken."""
+
+    name = "later root"
+    reason = "the second time at which this happens is taken for the first"
+    sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where a passage is asked about, which can come twice."""
+        del study
+        return [""] if _is_passage(query.moment) else []
+
+    def read(self, study: Study) -> Study:
+        """The same motion, in which passages are what they are the second time."""
+        return _Later(study.scene, study.trace)
+
+
+def _is_passage(moment: object) -> bool:
+    return isinstance(moment, Passage) and type(moment).time is Passage.time
+
+
+class _Later(Study):
+    """A motion in which whatever is passed for the first time counts when it is passed again."""
+
+    def time(self, moment: Timed) -> float | None:
+        """When a passage comes for the second time, from either side; of all else the first time."""
+        first = super().time(moment)
+        if first is None or not (isinstance(moment, Passage) and _is_passage(moment)):
+            return first
+        back = crossings(self.trace, lambda state: -moment.excess(state))
+        again = (
+            next((time for time in side if time > first), inf) for side in (crossings(self.trace, moment.excess), back)
+        )
+        later = min(again)
+        return later if isfinite(later) else None
+
+
+@simplification
+class NoCollisions(ChangedMechanism):
+    """Collisions are left out, as if bodies went through each other."""
+
+    name = "no collisions"
+    reason = "collisions are left out"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where anything can collide."""
+        del query
+        return [""] if study.mechanism.meetings else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Without them."""
+        del subject
+        return replace(mechanism, meetings=())
+
+
+@simplification
+class NoEvents(OtherReading):
+    """The motion is taken to go on as it begins, whatever happens on the way: stops, slips, collisions."""
+
+    name = "no events"
+    reason = "the motion is taken to go on as it begins"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where forces are constant and something happens before the moment."""
+        end = asked_until(query, study)
+        changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
+        return [""] if changes and not changing(study.mechanism) else []
+
+    def read(self, study: Study) -> Study:
+        """With the accelerations and forces of the start."""
+        return Study(study.scene, with_formulas(study.trace, _continued))
+
+
+def _continued(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
+    return v * t + 0.5 * a * t * t, v + a * t

@@ -1,0 +1,228 @@
+"""Formulas applied where they do not hold."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+from math import pi
+
+import numpy as np
+
+from sim2reason.dsl.ablation import with_lines
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
+from sim2reason.dsl.mobility import weighs
+from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, Simplification, simplification
+from sim2reason.questions.simplifications.parts.hanging import hanging
+from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
+from sim2reason.questions.simplifications.parts.steady import is_steady, with_formulas
+from sim2reason.questions.study import Study
+from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
+from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
+from sim2reason.simulation.trace import Trace
+
+
+@simplification
+class HalfForgotten(OtherReading):
+    """What is let go is taken to move by at², as if it had all the while the speed that it reaches."""
+
+    name = "half forgotten"
+    reason = "the distance covered from rest is taken to be a t\N{SUPERSCRIPT TWO}, without the factor 1/2"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where all accelerations are constant."""
+        return [""] if is_steady(query, study) else []
+
+    def read(self, study: Study) -> Study:
+        """With distances twice as large, and the speeds of the same times."""
+        return Study(study.scene, with_formulas(study.trace, _doubled))
+
+
+def _doubled(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
+    return v * t + a * t * t, v + a * t
+
+
+@simplification
+class LengthAsExtension(ChangedMechanism):
+    """The natural length of springs is forgotten."""
+
+    name = "length as extension"
+    reason = "the length of a spring is taken for its extension"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where a spring acts both ways."""
+        del query
+        return [""] if _springs(study.mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With springs of no natural length."""
+        del subject
+        return with_lines(mechanism, _springs(mechanism), _short)
+
+
+def _springs(mechanism: Mechanism) -> list[str]:
+    straight = (line for line in mechanism.lines if line.circle is None)
+    return [line.name for line in straight if isinstance(line.law, Elastic) and not line.law.side]
+
+
+def _short(line: Line) -> Line:
+    assert isinstance(line.law, Elastic)
+    return replace(line, law=replace(line.law, length=0.0))
+
+
+@simplification
+class MeanVelocity(OtherReading):
+    """A velocity is taken to be the distance over the time, also of what speeds up."""
+
+    name = "mean velocity"
+    reason = "the mean velocity is taken for the velocity at the end"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where all accelerations are constant."""
+        return [""] if is_steady(query, study) else []
+
+    def read(self, study: Study) -> Study:
+        """With half the velocities."""
+        return Study(study.scene, with_formulas(study.trace, _averaged))
+
+
+def _averaged(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
+    return v * t + 0.5 * a * t * t, v + 0.5 * a * t
+
+
+@simplification
+class SineForCosine(Simplification):
+    """An acute angle is taken from the other leg: its complement stands wherever it should."""
+
+    name = "sine for cosine"
+    common = True
+    reason = "sine and cosine of an angle are confused"
+    sound_if_same = True  # then both enter alike, as in the range of a throw
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The addresses of all acute angles that the text states."""
+        del query
+        return [
+            parameter.path
+            for parameter in study.scene.parameters
+            if parameter.measure.unit == "deg"
+            and not parameter.hidden
+            and parameter.value is not None
+            and 0.0 < parameter.value < 90.0
+        ]
+
+    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+        """The scene with the complement of that angle; None if it can't be built so."""
+        return study.with_values({subject: 90.0 - float(study.scene.value(subject))}, until)
+
+
+FITS = 1e-3  # of the largest displacement: what the modes leave of how a motion starts
+
+
+@simplification
+class SmallAngle(OtherReading):
+    """A swing is taken to be harmonic about its equilibrium, however wide it is."""
+
+    name = "small angle"
+    common = True
+    reason = "the angle is taken as small"
+    sound_if_same = True  # then it is small
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where weight drives a motion whose equations change."""
+        del query
+        mechanism = study.mechanism
+        return [""] if weighs(mechanism) and changing(mechanism) else []
+
+    def read(self, study: Study) -> Study | None:
+        """The motion in normal modes; None where there are none, or where it is harmonic anyway."""
+        rest = equilibrium(study.mechanism)
+        if rest is None or rest.linear:
+            return None
+        modes = oscillations(rest)
+        trace = _harmonic(study.trace, rest, modes) if modes is not None else None
+        return Study(study.scene, trace) if trace is not None else None
+
+
+def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
+    """Q = q₀ + Σ s (a cos ωt + b sin ωt) with the place and the speeds of the start; forces are not known."""
+    first = trace.sample(np.zeros(1))
+    gone, speeds = first.q[0] - rest.coordinates, first.v[0]
+    omega, shapes = modes.frequencies, modes.shapes
+    inverse = np.asarray(np.linalg.pinv(shapes), dtype=np.float64)
+    a, b = inverse @ gone, inverse @ speeds
+    if max(np.abs(shapes @ a - gone).max(), np.abs(shapes @ b - speeds).max()) > FITS * max(np.abs(gone).max(), FITS):
+        return None
+
+    def sample(times: Array) -> State:
+        c, s = np.cos(np.outer(times, omega)), np.sin(np.outer(times, omega))
+        unknown = np.full(len(times), np.nan)
+        q, v = rest.coordinates + (c * a + s * (b / omega)) @ shapes.T, (c * b - s * (a * omega)) @ shapes.T
+        dynamics = Dynamics(
+            -((c * a + s * (b / omega)) * omega**2) @ shapes.T,
+            dict.fromkeys(first.constraint_tension, unknown),
+            dict.fromkeys(first.normal, unknown),
+            dict.fromkeys(first.friction, unknown),
+        )
+        return State.of(first.mechanism, times, (q, v), dynamics)
+
+    end = float(trace.state.times[-1])
+    return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))
+
+
+@simplification
+class UniformAngularSpeed(OtherReading):
+    """Equal times are taken to belong to equal angles on an ellipse, not to equal areas."""
+
+    name = "uniform angular speed"
+    reason = "equal angles are taken to be swept out in equal times, as on a circle"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where planets go round a star and return."""
+        del query
+        found = orbits(study.mechanism)
+        return [""] if found and all(orbit.period is not None for orbit in found) else []
+
+    def read(self, study: Study) -> Study:
+        """On their ellipses about the star alone, in the periods that they have there."""
+        ellipses = {orbit: partial(_turned, orbit) for orbit in orbits(study.mechanism)}
+        return Study(study.scene, moving_as(study.trace, ellipses))
+
+
+def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
+    """With r = p/(1 + e cos ν), ṙ = r² e sin ν ω/p and r̈ = (2ṙ²/r + r² e cos ν ω²/p)."""
+    assert orbit.period is not None
+    rate, p, (ex, ey) = orbit.sense * 2.0 * pi / orbit.period, orbit.semi_latus_rectum, orbit.eccentricity_vector
+    angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times
+    out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    along = np.stack([-out[:, 1], out[:, 0]], axis=1)
+    ahead, aside = (out @ np.array([ex, ey]))[:, None], (along @ np.array([ex, ey]))[:, None]  # e cos ν, −e sin ν
+    r = p / (1.0 + ahead)
+    faster = -(r**2) * aside * rate / p
+    outward = 2.0 * faster**2 / r + r**2 * ahead * rate**2 / p
+    velocity = faster * out + r * rate * along
+    return r * out, velocity, (outward - r * rate**2) * out + 2.0 * faster * rate * along
+
+
+@simplification
+class WeightAsTension(ChangedMechanism):
+    """What hangs from a string is taken to pull with its weight, as if it were at rest."""
+
+    name = "weight as tension"
+    reason = "the tension in a string is taken to balance the weight that hangs from it"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Whatever hangs."""
+        del query
+        return hanging(study.mechanism)
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With that tension in what holds it, shared by as many pieces as run up from it."""
+        held = hanging(mechanism)[subject]
+        law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
+        return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))

@@ -1,0 +1,189 @@
+"""Mistakes about moments of inertia and centres of mass."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from sim2reason.dsl.ablation import inertialess, with_bodies
+from sim2reason.dsl.mechanism import ZERO, Mechanism, RigidBody
+from sim2reason.dsl.solids import Solid
+from sim2reason.dsl.vectors import Vector, add, inner, scale
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.figures import OtherFigure
+from sim2reason.questions.simplifications.parts.which import solid
+from sim2reason.questions.study import Study
+
+
+@simplification
+class CenterOfMass(ChangedMechanism):
+    """A centre of mass is taken to be what the text calls the centre, such as that of a hemisphere's flat face."""
+
+    name = "centre of mass not displaced"
+    reason = "the centre of mass of {subject} is taken to be at its geometric centre"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Whatever turns and has its centre of mass elsewhere."""
+        del query
+        mechanism = study.mechanism
+        return [name for name in solid(mechanism) if any(mechanism.body[name].center)]
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With its centre of mass there."""
+        return with_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
+
+
+@simplification
+class HoleAboutCenter(OtherFigure):
+    """The moment of inertia about the geometric centre is taken to be that of the body without the hole.
+
+    The one about the centre of mass then follows by the parallel-axis theorem.
+    """
+
+    name = "hole left out of the inertia about the centre"
+    reason = "the moment of inertia of {subject} about its geometric centre is taken to be that without the hole"
+    overlooked = "hole"
+
+    def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
+        """With that inertia less m(c² 1 − c cᵀ), of its own centre of mass."""
+        x, y, z = body.center
+        about = figure.inertia(body.mass)
+        steiner = (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
+        xx, yy, zz, xy, xz, yz = (a - body.mass * b for a, b in zip(about, steiner, strict=True))
+        return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
+
+
+@simplification
+class HoleForgotten(OtherFigure):
+    """A body is taken to have no hole, so that its centre of mass is at its centre."""
+
+    name = "hole left out"
+    reason = "the hole in {subject} is left out"
+    overlooked = "hole"
+
+    def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
+        """With the inertia and the centre of mass of a body of the same mass without the hole."""
+        return replace(body, center=figure.center, inertia=figure.inertia(body.mass))
+
+
+@simplification
+class HoleInInertia(OtherFigure):
+    """The moment of inertia about the centre of mass is taken to be that of the body without the hole."""
+
+    name = "hole left out of the inertia"
+    reason = "the moment of inertia of {subject} about its centre of mass is taken to be that without the hole"
+    overlooked = "hole"
+    common = True
+
+
+@simplification
+class OwnInertia(ChangedMechanism):
+    """The moment of inertia of one body about its own centre of mass is left out, but that of others is kept."""
+
+    name = "own inertia left out"
+    common = True
+    reason = "the moment of inertia of {subject} about its own centre of mass is left out"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Each of several; a single one is covered by taking all bodies as points."""
+        del query
+        found = solid(study.mechanism)
+        return found if len(found) > 1 else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Without that inertia."""
+        return with_bodies(mechanism, [subject], inertialess)
+
+
+ON_AXIS = 1e-9  # m
+
+
+@simplification
+class ParallelAxisForgotten(ChangedMechanism):
+    """The moment of inertia about the axle is taken to be that about the centre of mass."""
+
+    name = "parallel axis forgotten"
+    reason = "the parallel-axis theorem is not applied"
+    common = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where something with a size turns about an axis beside its centre of mass that nothing moves."""
+        del query
+        return [""] if _off_axis(study.mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With moments of inertia less by m(d² 1 - d dᵀ), which motion about the axle adds again."""
+        del subject
+        arms = _off_axis(mechanism)
+
+        def less(body: RigidBody) -> RigidBody:
+            x, y, z = arms[body.name]
+            steiner = (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
+            xx, yy, zz, xy, xz, yz = (i - body.mass * part for i, part in zip(body.inertia, steiner, strict=True))
+            return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
+
+        return with_bodies(mechanism, arms, less)
+
+
+def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
+    """The arms from such axes to centres of mass, at right angles to the axes, m; by body."""
+    arms = ((name, _arm(mechanism, name)) for name in solid(mechanism))
+    return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
+
+
+def _arm(mechanism: Mechanism, name: str) -> Vector | None:
+    body = mechanism.body[name]
+    arm = body.center
+    while not body.coordinates and body.parent is not None:
+        arm, body = add(body.at, arm), mechanism.body[body.parent]
+    hinges = [coordinate for coordinate in body.coordinates if coordinate.kind == "hinge"]
+    if len(hinges) != 1 or body.parent is not None:
+        return None
+    axis = hinges[0].axis
+    return add(arm, scale(-inner(arm, axis), axis))
+
+
+@simplification
+class PointMass(ChangedMechanism):
+    """Bodies with a size are taken as points at their centres of mass; what rolls then only slides."""
+
+    name = "point mass"
+    reason = "the moment of inertia about the centre of mass is left out"
+    common = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where anything with inertia about its centre of mass can turn."""
+        del query
+        return [""] if solid(study.mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Without that inertia."""
+        del subject
+        return with_bodies(mechanism, solid(mechanism), inertialess)
+
+
+@simplification
+class ThinDisc(OtherFigure):
+    """The moment of inertia is taken to be that of a thin disc of the same radius."""
+
+    name = "body taken as a thin disc"
+    reason = "the moment of inertia of {subject} is taken to be that of a thin disc"
+    overlooked = "height"
+    common = True
+
+
+@simplification
+class ThinRod(OtherFigure):
+    """The moment of inertia is taken to be that of a thin rod of the same length."""
+
+    name = "body taken as a thin rod"
+    reason = "the moment of inertia of {subject} is taken to be that of a thin rod"
+    overlooked = "section"
+
+
+@simplification
+class ThinWall(OtherFigure):
+    """The moment of inertia is taken to be that of a thin shell or pipe of the same radius."""
+
+    name = "wall taken as thin"
+    reason = "the wall of {subject} is taken as thin"
+    overlooked = "wall"

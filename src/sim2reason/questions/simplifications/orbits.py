@@ -1,0 +1,145 @@
+"""Mistakes about orbits."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+from math import hypot, sqrt
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Attraction, Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, simplification
+from sim2reason.questions.simplifications.parts.asked import asked_name
+from sim2reason.questions.simplifications.parts.orbits import (
+    ACCELERATIONS,
+    SPEEDS,
+    Motion,
+    PlanetOrbit,
+    directed,
+    moving_as,
+    orbits,
+    with_accelerations,
+    with_velocities,
+)
+from sim2reason.questions.study import Study
+
+
+@simplification
+class CentripetalAcceleration(OtherReading):
+    """The acceleration is taken to be v²/r towards the star, as on a circle."""
+
+    name = "centripetal acceleration"
+    reason = "the acceleration is taken to be v\N{SUPERSCRIPT TWO}/r, as on a circle about the star"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        return [""] if asked_name(query) in ACCELERATIONS and orbits(study.mechanism) else []
+
+    def read(self, study: Study) -> Study:
+        """With that acceleration."""
+        return Study(study.scene, with_accelerations(study.trace, _towards_the_star))
+
+
+def _towards_the_star(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
+    del orbit
+    return -place * (velocity**2).sum(axis=1, keepdims=True) / (place**2).sum(axis=1, keepdims=True)
+
+
+@simplification
+class CircularOrbit(OtherReading):
+    """A planet is taken to go round its star at the distance that it has at the start, as fast as on a circle."""
+
+    name = "circular orbit"
+    reason = "the orbit is taken as a circle about the star through the starting point"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where planets go round a star."""
+        del query
+        return [""] if orbits(study.mechanism) else []
+
+    def read(self, study: Study) -> Study:
+        """On circles, with ω² = GM/r³."""
+        circles = {orbit: partial(_circle, orbit) for orbit in orbits(study.mechanism)}
+        return Study(study.scene, moving_as(study.trace, circles))
+
+
+def _circle(orbit: PlanetOrbit, times: Array) -> Motion:
+    r = orbit.distance
+    rate = orbit.sense * sqrt(orbit.gravitational_parameter / r**3)
+    angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times
+    out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    along = np.stack([-out[:, 1], out[:, 0]], axis=1)
+    return r * out, r * rate * along, -r * rate**2 * out
+
+
+@simplification
+class CircularOrbitSpeed(OtherReading):
+    """A planet is taken to have the speed of a circle at the distance that it has just then."""
+
+    name = "circular orbit speed"
+    reason = "the speed is taken to be that on a circle at the momentary distance, \N{SQUARE ROOT}(GM/r)"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
+
+    def read(self, study: Study) -> Study:
+        """With v² = GM/r."""
+        return Study(study.scene, with_velocities(study.trace, _as_on_a_circle))
+
+
+def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
+    distance = np.linalg.norm(place, axis=1, keepdims=True)
+    return directed(velocity, np.sqrt(orbit.gravitational_parameter / distance))
+
+
+@simplification
+class ConstantOrbitalSpeed(OtherReading):
+    """A planet is taken to be everywhere as fast as at the start, though its distance changes."""
+
+    name = "constant orbital speed"
+    reason = "the speed is taken to be the same all along the orbit"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
+
+    def read(self, study: Study) -> Study:
+        """With velocities as large as those of the start."""
+        return Study(study.scene, with_velocities(study.trace, _as_at_first))
+
+
+def _as_at_first(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
+    del place
+    return directed(velocity, hypot(*orbit.velocity))
+
+
+@simplification
+class NoMutualAttraction(ChangedMechanism):
+    """Bodies that move are taken not to attract each other, as planets of one star."""
+
+    name = "no mutual attraction"
+    reason = "the attraction between the moving bodies is left out"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where a fixed body attracts them as well."""
+        del query
+        mechanism = study.mechanism
+        mutual = [_is_mutual(mechanism, pull) for pull in mechanism.attractions]
+        return [""] if any(mutual) and not all(mutual) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Without it."""
+        del subject
+        kept = tuple(pull for pull in mechanism.attractions if not _is_mutual(mechanism, pull))
+        return replace(mechanism, attractions=kept)
+
+
+def _is_mutual(mechanism: Mechanism, pull: Attraction) -> bool:
+    return all(mechanism.body[name].coordinates for name in (pull.a, pull.b))

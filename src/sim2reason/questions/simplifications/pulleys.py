@@ -1,0 +1,201 @@
+"""Mistakes about pulleys and strings."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from sim2reason.dsl.ablation import NEARLY_NOTHING, held, with_bodies, with_lines
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.simplifications.parts.hanging import carried, movable_pulleys
+from sim2reason.questions.simplifications.parts.which import wheels
+from sim2reason.questions.study import Study
+
+
+@simplification
+class FixedMovablePulley(ChangedMechanism):
+    """The acceleration relative to a movable pulley is taken for that relative to the ground."""
+
+    name = "fixed movable pulley"
+    reason = "a movable pulley is taken as fixed"
+    holds = True
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """All movable pulleys."""
+        del query
+        return movable_pulleys(study.mechanism)
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With it held."""
+        return held(mechanism, subject)
+
+
+@simplification
+class MasslessPulley(ChangedMechanism):
+    """The inertia of all pulleys is left out."""
+
+    name = "massless pulley"
+    reason = "pulleys are taken as light"
+    common = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """All pulleys at once."""
+        del query
+        return [""] if wheels(study.mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With next to no mass and inertia in them."""
+        del subject
+        return with_bodies(mechanism, wheels(mechanism), _light)
+
+
+def _light(body: RigidBody) -> RigidBody:
+    inertia = tuple(NEARLY_NOTHING * part for part in body.inertia)
+    return replace(body, mass=NEARLY_NOTHING * body.mass, inertia=inertia)
+
+
+@simplification
+class PulleyAsStringEnd(ChangedMechanism):
+    """A pulley in the bight of a string that is fixed at its end is taken to move as far as the string is drawn."""
+
+    name = "pulley as string end"
+    reason = "a movable pulley is taken to move as far as the end of its string, without the factor 2"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The strings that run from a movable pulley to a fixed place, where they end."""
+        del query
+        return dict.fromkeys(line.whole for line in study.mechanism.strings if _ends_beyond(study.mechanism, line))
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With the string tied to the pulley, as if it were drawn up by one piece of it instead of two."""
+        lines = (line if line.whole != subject else _tied(mechanism, line) for line in mechanism.lines)
+        return replace(mechanism, lines=tuple(lines))
+
+
+def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
+    """The movable pulley beyond which a line ends at a fixed place; None if there is none."""
+    pulleys = movable_pulleys(mechanism)
+    for end, before in (line.through[:2], line.through[:-3:-1]):
+        name = carried(mechanism, mechanism.site[before].body)
+        if mechanism.site[end].body is None and name in pulleys:
+            return name
+    return None
+
+
+def _tied(mechanism: Mechanism, line: Line) -> Line:
+    """A part of such a string, which ends at the pulley; one that is all beyond it pulls at nothing."""
+    parts = (part for part in mechanism.lines if part.whole == line.whole)
+    pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
+    turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}
+    free = replace(line, wheels=tuple(wheel for wheel in line.wheels if wheel.coordinate not in turned))
+    if _ends_beyond(mechanism, line) is None:
+        return free
+    forth = mechanism.site[line.through[-1]].body is None
+    through = line.through if forth else line.through[::-1]
+    first = next(n for n, site in enumerate(through) if carried(mechanism, mechanism.site[site].body) == pulley)
+    if not first:
+        return replace(free, law=ConstantTension(0.0))
+    kept = through[: first + 1]
+    return replace(free, through=kept if forth else kept[::-1])
+
+
+@simplification
+class PulleyRotationLeftOut(ChangedMechanism):
+    """The rotational inertia of a pulley is left out; its mass is still lifted and accelerated."""
+
+    name = "pulley rotation left out"
+    reason = "the rotational inertia of {subject} is left out"
+    common = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Each pulley whose mass alone matters too, and each of several.
+
+        A single one with a fixed axle is covered by taking all pulleys as light.
+        """
+        del query
+        mechanism = study.mechanism
+        turning = [name for name in wheels(mechanism) if any(mechanism.body[name].inertia)]
+        return [name for name in turning if len(turning) > 1 or carried(mechanism, name) is not None]
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With next to no moment of inertia."""
+        return with_bodies(mechanism, [subject], without_rotation)
+
+
+def without_rotation(body: RigidBody) -> RigidBody:
+    """A body of the same mass with next to no moment of inertia, so that no equation becomes singular."""
+    xx, yy, zz, xy, xz, yz = (NEARLY_NOTHING * part for part in body.inertia)
+    return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
+
+
+@simplification
+class PulleyRotationsLeftOut(ChangedMechanism):
+    """The rotational inertia of all pulleys is left out; the mass of those that move along is kept."""
+
+    name = "pulley rotations left out"
+    reason = "the rotational inertia of all pulleys is left out"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """All of several at once, if one of them moves along; else taking them as light is the same."""
+        del query
+        turning = wheels(study.mechanism)
+        several = len(turning) > 1 and any(carried(study.mechanism, name) is not None for name in turning)
+        return [""] if several else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With next to no moments of inertia."""
+        del subject
+        return with_bodies(mechanism, wheels(mechanism), without_rotation)
+
+
+@simplification
+class StringsLeftOut(ChangedMechanism):
+    """Each body is taken to move as if it were alone, without the strings between them."""
+
+    name = "strings left out"
+    reason = "each body is taken to move as if no string held it"
+    sound_if_same = True
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where there are strings."""
+        del query
+        return [""] if study.mechanism.strings else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With strings that pull at nothing; what has no mass has next to none, so that it can fall."""
+        del subject
+        light = [body.name for body in mechanism.bodies if not body.mass and body.coordinates]
+        mass = NEARLY_NOTHING * sum(body.mass for body in mechanism.bodies)
+        movable = with_bodies(mechanism, light, lambda body: replace(body, mass=mass))
+        strings = (line.name for line in mechanism.strings if line.circle is None)
+        return with_lines(movable, strings, lambda line: replace(line, law=ConstantTension(0.0)))
+
+
+@simplification
+class TautStrings(ChangedMechanism):
+    """Strings are taken to stay taut, and would push where they should go slack."""
+
+    name = "taut strings"
+    reason = "a string that goes slack is taken as taut"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where one is slack before the moment."""
+        state = study.trace.state
+        before = state.times <= asked_until(query, study)
+        slack = any((state.tension[line.name][before] <= 0.0).any() for line in _plain(study.mechanism))
+        return [""] if slack else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With rods in their place."""
+        del subject
+        names = [line.name for line in _plain(mechanism)]
+        return with_lines(mechanism, names, lambda line: replace(line, law=Rigid()))
+
+
+def _plain(mechanism: Mechanism) -> list[Line]:
+    """The strings that are taut from the start and not drawn in."""
+    law = Inextensible()
+    return [line for line in mechanism.strings if line.law == law]

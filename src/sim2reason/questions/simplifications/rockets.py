@@ -1,0 +1,127 @@
+"""Mistakes about rockets."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import log
+
+from sim2reason.dsl.ablation import with_bodies
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.dsl.mobility import weighs
+from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import Vector, scale
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.burning import BurningSlip, without_loss
+from sim2reason.questions.study import Study
+
+
+@simplification
+class CommonLogarithm(BurningSlip):
+    """The velocity is the exhaust speed times the logarithm to base ten of the ratio of the masses."""
+
+    name = "common logarithm"
+    reason = "the logarithm to base ten is taken for the natural one"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Return the bodies that burn fuel if their thrust is the only force; else none."""
+        mechanism = study.mechanism
+        return [] if weighs(mechanism) or mechanism.attractions else super().subjects(query, study)
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return a burn whose exhaust is slower by ln 10, which has the same effect on the velocity."""
+        del mechanism
+        return replace(burn, exhaust=burn.exhaust / log(10.0))
+
+
+@simplification
+class ConstantMass(BurningSlip):
+    """A rocket is taken to keep its mass as it burns fuel."""
+
+    name = "constant mass"
+    reason = "the mass of {subject} is taken as constant"
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return a burn of the same thrust that ejects almost no mass."""
+        del mechanism
+        return without_loss(burn)
+
+
+@simplification
+class FuelAsRest(BurningSlip):
+    """The empty mass of a rocket is mistaken for the mass of its fuel."""
+
+    name = "fuel mass for empty mass"
+    reason = "the mass of {subject} without fuel is taken for the mass of its fuel"
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return a burn that ejects the empty mass instead of the fuel."""
+        left = mechanism.body[burn.body].mass - burn.rate * burn.until
+        return replace(burn, until=left / burn.rate)
+
+
+@simplification
+class FuelLeftOut(BurningSlip):
+    """A rocket is taken to have its empty mass from the start."""
+
+    name = "fuel left out"
+    reason = "the mass of the fuel of {subject} is left out"
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Return the mechanism in which one rocket has the same thrust but carries no fuel."""
+        spent = {burn.body: burn.rate * burn.until for burn in mechanism.burns}
+        lighter = with_bodies(mechanism, [subject], lambda body: replace(body, mass=body.mass - spent[subject]))
+        return super().changed(lighter, subject)
+
+    def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
+        """Return a burn of the same thrust that ejects almost no mass."""
+        del mechanism
+        return without_loss(burn)
+
+
+@simplification
+class UniformGravity(ChangedMechanism):
+    """What leaves a planet is taken to weigh as much everywhere as where it starts."""
+
+    name = "uniform gravity"
+    reason = "gravity is taken to be everywhere what it is at the start"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where one body burns and another attracts it."""
+        del query
+        return [""] if len(study.mechanism.attractions) == 1 and study.mechanism.burns else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """With uniform gravity instead."""
+        del subject
+        (pull,) = mechanism.attractions
+        return replace(mechanism, attractions=(), gravity=_free_fall(mechanism, pull))
+
+
+def _free_fall(mechanism: Mechanism, pull: Attraction) -> Vector:
+    """The acceleration, m/s², that the attraction gives at the start to the one of both that burns."""
+    falling = mechanism.burns[0].body
+    other = pull.b if falling == pull.a else pull.a
+    frames = start(mechanism)
+    x, y, z = (float(part) for part in minus(frames.center(other).place, frames.center(falling).place))
+    distance = (x * x + y * y + z * z) ** 0.5
+    return scale(pull.constant * mechanism.body[other].mass / distance ** (pull.power + 1.0), (x, y, z))
+
+
+@simplification
+class WeightAlongThrust(ChangedMechanism):
+    """The weight of a rocket is added to its thrust, not subtracted from it."""
+
+    name = "weight along the thrust"
+    reason = "the weight of {subject} is added to the thrust instead of being subtracted"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """Return the bodies that burn fuel if there is gravity; else none."""
+        del query
+        mechanism = study.mechanism
+        return [burn.body for burn in mechanism.burns] if weighs(mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Return the mechanism with gravity reversed."""
+        del subject
+        return replace(mechanism, gravity=scale(-1.0, mechanism.gravity))
