@@ -25,7 +25,7 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.constancy import ENDINGS
 from sim2reason.questions.dependence import Dependence
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES, difficulty_named
 

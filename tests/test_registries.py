@@ -32,8 +32,7 @@ from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.moments.all_along import AllAlong
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AllAlong, AtTime
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of

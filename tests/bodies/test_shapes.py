@@ -6,17 +6,10 @@ import numpy as np
 import pytest
 
 from quadrature import CLOUDS, moments
-from sim2reason.bodies.ball import FixedBall
-from sim2reason.bodies.bar import Bar
-from sim2reason.bodies.bowl import SphericalCap
-from sim2reason.bodies.cylinder import Cylinder
-from sim2reason.bodies.disc import Disc
-from sim2reason.bodies.hemisphere import Hemisphere
-from sim2reason.bodies.hollow_sphere import HollowSphere, SphericalShell
-from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.caps import Hemisphere, SphericalCap
+from sim2reason.bodies.pendulums import Bar, FixedBall, UniformRod
 from sim2reason.bodies.polygonal_prism import PolygonalPrism
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.shape import Shape

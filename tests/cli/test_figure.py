@@ -4,14 +4,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.hanger import LightRod
+from sim2reason.bodies.pendulums import Ball, LightRod
 from sim2reason.cli import main
 from sim2reason.datasets.items import item
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum
 from sim2reason.prose.description import describe
 from sim2reason.recipes import Difficulty
 from sim2reason.scene_files import dump

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.bodies.carriage import Carriage
+from sim2reason.bodies.sliders import Carriage
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.entities.pendulums import SliderMass
+from sim2reason.entities.string_ends import ConstantForcePuller
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
 from sim2reason.prose.description import describe

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from joined_entities import Followed, close, scene
-from sim2reason.bodies.carriage import Carriage
+from sim2reason.bodies.sliders import Carriage
 from sim2reason.connections.spring import SpringConnection
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Wordings
-from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.entities.pendulums import SliderMass
 from sim2reason.prose.description import describe
 from told import certified, check_told, check_whole
 

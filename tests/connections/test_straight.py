@@ -5,8 +5,8 @@ from math import cos, sqrt
 import pytest
 
 from sim2reason import certify, describe, parse_scene
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Slab
 from sim2reason.connections.parts.straight import Straight
 from sim2reason.connections.parts.two_ended import TwoEnded
 from sim2reason.connections.rod import Rod
@@ -17,8 +17,8 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.ports import SitePort
 from sim2reason.dsl.scene import Scene, World
 from sim2reason.dsl.template import Wordings
-from sim2reason.entities.fixed_support import FixedSupport
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.entities.string_ends import FixedSupport
 from sim2reason.recipes.parts.open_ports import OpenPort
 from sim2reason.simulation.scenes import simulate
 

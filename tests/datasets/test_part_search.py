@@ -22,7 +22,7 @@ from sim2reason.datasets.variants import variant
 from sim2reason.filters import FILTERS
 from sim2reason.grading import Outcome
 from sim2reason.questions import Query, Question
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.part_prompts import PartPrompt, parse_parts
 from sim2reason.questions.targets import Target
 

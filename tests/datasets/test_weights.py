@@ -11,7 +11,7 @@ from sim2reason.datasets.make import make
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import check, in_drawn_order, weight
 from sim2reason.errors import DatasetError
-from sim2reason.filters.few_laws import FEW_LAWS
+from sim2reason.filters.well_known import FEW_LAWS
 from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES
 

@@ -3,20 +3,19 @@
 import pytest
 
 from plain_scenes import atwood, ramp
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.rocket import AirlessPlanet, Rocket
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.round_bodies import Sphere
+from sim2reason.bodies.sliders import Block
+from sim2reason.bodies.space import AirlessPlanet, HeavyPlanet, Rocket, Star
 from sim2reason.bodies.spring import Spring
-from sim2reason.bodies.star import HeavyPlanet, Star
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.magnitudes import STATED, implausible_numbers
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.anchored_spring import AnchoredSpring
 from sim2reason.entities.parts.pieces import RoundPiece
+from sim2reason.entities.pendulums import RotationEntity
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.solar_system import SolarSystem
+from sim2reason.entities.springs_on_planes import AnchoredSpring
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 
 DRAWS = 45  # of each recipe and difficulty: 2025 in all

@@ -2,9 +2,9 @@
 
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Connection, Link
 from sim2reason.dsl.entity import Entity, Named
@@ -12,12 +12,10 @@ from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import Port
 from sim2reason.dsl.scene import Scene, World
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.fixed_support import FixedSupport
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
-from sim2reason.entities.mass_with_reverse_movable_pulley import MassWithReverseMovablePulley
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pulleys import MassWithFixedPulley, MassWithReverseMovablePulley
+from sim2reason.entities.slopes import TwoSideMassPlane
+from sim2reason.entities.string_ends import ConstantForcePuller, FixedSupport
 from sim2reason.errors import SceneError
 from sim2reason.simulation.scenes import simulate
 

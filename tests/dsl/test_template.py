@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Friction, Mass

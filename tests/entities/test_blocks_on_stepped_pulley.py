@@ -2,10 +2,10 @@
 
 import pytest
 
-from sim2reason.bodies.stepped_pulley import SteppedPulley
+from sim2reason.bodies.pulleys import SteppedPulley
 from sim2reason.datasets.solve import solve
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.blocks_on_stepped_pulley import BlocksOnSteppedPulley
+from sim2reason.entities.pulleys import BlocksOnSteppedPulley
 from sim2reason.errors import SceneError
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, LineShape

@@ -5,8 +5,8 @@ from math import pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.bodies.glider import Glider, SlidingBall
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.planes import Track
+from sim2reason.bodies.sliders import Glider, SlidingBall
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.figures.drawing import drawing

@@ -5,16 +5,14 @@ from math import cos, radians, sin
 import numpy as np
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.constant_velocity_puller import ConstantVelocityPuller
-from sim2reason.entities.directed_mass import DirectedMass
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller, DirectedMass
 
 G, MASS = 9.8, 2.2
 BLOCK = DirectedMass(

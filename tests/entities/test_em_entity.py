@@ -7,20 +7,15 @@ import pytest
 from pydantic import ValidationError
 
 from lone_entities import alone, close, drawn, followed, happened, planar
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
-from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
+from sim2reason.bodies.charges import ChargedBead, CircularRegion, HalfPlane, Launched, Rectangle, Released, Strip
 from sim2reason.dsl.template import Wordings
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields import ElectricField, ForceField
 from sim2reason.entities.parts.fields.dipole_magnetic import DipoleMagnetic
-from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
-from sim2reason.entities.parts.fields.linear_drag import LinearDrag
-from sim2reason.entities.parts.fields.linear_electric import LinearElectric
-from sim2reason.entities.parts.fields.linear_magnetic import LinearMagnetic
-from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
-from sim2reason.entities.parts.fields.quadratic_drag import QuadraticDrag
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.drag import LinearDrag, QuadraticDrag
+from sim2reason.entities.parts.fields.linear import LinearElectric, LinearMagnetic
+from sim2reason.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.parsing.scene_parser import parse_scene
 from sim2reason.prose.description import describe
 from sim2reason.questions.prompt import words_of

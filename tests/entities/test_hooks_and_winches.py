@@ -5,18 +5,14 @@ from math import cos, radians, sin
 import pytest
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.constant_velocity_puller import ConstantVelocityPuller
-from sim2reason.entities.fixed_support import FixedSupport
-from sim2reason.entities.hanging_mass import HangingMass
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.three_point_movable_pulley import ThreePointMovablePulley
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pulleys import MassWithFixedPulley, ThreePointMovablePulley
+from sim2reason.entities.slopes import TwoSideMassPlane
+from sim2reason.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller, FixedSupport, HangingMass
 from sim2reason.errors import SceneError
 
 G = 9.8

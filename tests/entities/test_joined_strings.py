@@ -5,7 +5,7 @@ from contextlib import suppress
 import pytest
 
 from joined_entities import at_random
-from sim2reason.entities.constant_velocity_puller import ConstantVelocityPuller
+from sim2reason.entities.string_ends import ConstantVelocityPuller
 from sim2reason.errors import SimulationError
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.equivalence import signature

@@ -3,10 +3,10 @@
 import pytest
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.box import Box
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.mass_box_plane import MassBoxPlane
+from sim2reason.bodies.planes import Box
+from sim2reason.bodies.sliders import Block
+from sim2reason.entities.slopes import MassBoxPlane
+from sim2reason.entities.string_ends import ConstantForcePuller
 
 G, BOX, TOP, SIDE = 9.8, 1.6, 0.7, 0.3
 

@@ -7,7 +7,7 @@ import pytest
 from pydantic import ValidationError
 
 from lone_entities import alone, close, followed, happened
-from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.mechanism import GRAVITY
 from sim2reason.entities.rocket_entity import RocketEntity
 

@@ -11,25 +11,20 @@ from numpy.typing import NDArray
 import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.cylinder import Roller
-from sim2reason.bodies.disc import Disc
-from sim2reason.bodies.hollow_sphere import HollowSphere, SphericalShell
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.pipe import Pipe, ThickPipe
-from sim2reason.bodies.pulley import FixedPulley
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.holed_bodies import BoredCylinder
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.round_bodies import Disc, HollowSphere, Hoop, Pipe, Roller, Sphere, SphericalShell, ThickPipe
+from sim2reason.bodies.sliders import Block
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.shape import Shape
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.rolling import Hole, NoSlipping, Rolling, Rough, Sliding, Spinning
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.engines.exact import simulate
 

@@ -11,16 +11,11 @@ import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
 from quadrature import CLOUDS
-from sim2reason.bodies.ball import FixedBall
-from sim2reason.bodies.bar import Bar
-from sim2reason.bodies.bowl import Bowl
-from sim2reason.bodies.cylinder import Cylinder
-from sim2reason.bodies.disc import Disc
-from sim2reason.bodies.hemisphere import Hemisphere
-from sim2reason.bodies.holed_sphere import HollowSphereWithHole, SphereWithHole
+from sim2reason.bodies.caps import Bowl, Hemisphere
+from sim2reason.bodies.holed_bodies import HollowSphereWithHole, SphereWithHole
+from sim2reason.bodies.pendulums import Bar, FixedBall, UniformRod
 from sim2reason.bodies.polygonal_prism import PolygonalPrism
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.round_bodies import Cylinder, Disc, Sphere
 from sim2reason.connections.pivot import Pivot
 from sim2reason.connections.weld import Weld
 from sim2reason.datasets.question_search import QuestionSearch
@@ -45,12 +40,11 @@ from sim2reason.entities.parts.pieces import (
     Side,
     TiltedPiece,
 )
-from sim2reason.entities.rigid_pendulum import RigidPendulum
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import RigidPendulum, RotationEntity
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

@@ -9,7 +9,7 @@ import pytest
 from pydantic import ValidationError
 
 from lone_entities import alone, close, followed, planar
-from sim2reason.bodies.star import HeavyPlanet, Planet, Star
+from sim2reason.bodies.space import HeavyPlanet, Planet, Star
 from sim2reason.entities.solar_system import FULL, G, SolarSystem
 from sim2reason.errors import SimulationError
 from sim2reason.prose import describe

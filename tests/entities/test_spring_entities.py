@@ -9,7 +9,7 @@ from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import State
 from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.spring_chains import SpringMassChain
 from sim2reason.simulation.engines.exact import simulate
 from told import certified, check_told, check_whole, drawn, scene_of
 

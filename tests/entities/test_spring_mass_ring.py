@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import State
-from sim2reason.entities.spring_mass_ring import SpringMassRing
+from sim2reason.entities.spring_chains import SpringMassRing
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc
 from sim2reason.prose.description import describe

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sim2reason.datasets.solve import solve
-from sim2reason.entities.spring_on_wedge import SpringOnWedge
+from sim2reason.entities.springs_on_planes import SpringOnWedge
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Area, LineShape
 from sim2reason.parsing import parse_scene

@@ -7,23 +7,18 @@ import numpy as np
 import pytest
 
 from joined_entities import Followed, close, pivot, scene, string
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.carriage import Carriage
-from sim2reason.bodies.hanger import LightRod
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.pendulums import Ball, LightRod
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block, Carriage
 from sim2reason.bodies.spring import Spring
 from sim2reason.connections.weld import Weld
 from sim2reason.dsl.connection import Link
-from sim2reason.entities.anchored_spring import AnchoredSpring
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.constant_velocity_puller import ConstantVelocityPuller
-from sim2reason.entities.light_rod_pendulum import LightRodPendulum
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.slider_mass import SliderMass
-from sim2reason.entities.spring_mass_incline import SpringMassIncline
+from sim2reason.entities.pendulums import LightRodPendulum, SliderMass
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.springs_on_planes import AnchoredSpring, SpringMassIncline
+from sim2reason.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller
 from sim2reason.errors import SceneError
 
 G, K = 9.8, 80.0

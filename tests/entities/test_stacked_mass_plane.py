@@ -5,15 +5,14 @@ from math import cos, radians, sin
 import pytest
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block, Slab
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.pulleys import MassWithFixedPulley
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.entities.string_ends import ConstantForcePuller
 from sim2reason.errors import SceneError
 
 G = 9.8

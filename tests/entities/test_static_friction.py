@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sim2reason.authoring import Entity, Frame, X, Z, either
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block
 from sim2reason.datasets.solve import solve
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.scene import Scene

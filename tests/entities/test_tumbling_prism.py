@@ -8,10 +8,10 @@ import pytest
 import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
-from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.planes import Incline
 from sim2reason.bodies.polygonal_prism import SIDES, LongPrism
 from sim2reason.dsl.measures import Range
-from sim2reason.entities.tumbling_prism import TumblingPrism
+from sim2reason.entities.rolling import TumblingPrism
 from sim2reason.simulation.trace import Trace
 
 G = 9.8

@@ -6,20 +6,18 @@ from typing import NamedTuple
 
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley
-from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.bodies.planes import Plane, Prism, Wedge
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.mechanism import ConstantTension, X, Z
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_prism_plane import MassPrismPlane
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.slopes import MassPrismPlane, TwoSideMassPlane
 from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw

@@ -4,16 +4,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.puck import Puck, Table
+from sim2reason.bodies.pendulums import Ball
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block, Puck, Table
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.curves import motion_curves, told
 from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.prose.description import describe

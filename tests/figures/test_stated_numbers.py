@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.planes import Track
+from sim2reason.bodies.sliders import Glider
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene

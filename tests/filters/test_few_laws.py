@@ -5,16 +5,16 @@ from dataclasses import replace
 import pytest
 
 from plain_scenes import half_atwood, ramp, row, swing
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.pipe import Pipe
+from sim2reason.bodies.pendulums import Ball
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.round_bodies import Pipe
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.filters.parts.turning import TURNS
+from sim2reason.filters.parts.effects import TURNS
 from sim2reason.questions import KINDS, Question, StatedResult
 from sim2reason.recipes import DIFFICULTIES
 from worked import asked

@@ -7,7 +7,7 @@ from plain_scenes import atwood, ramp
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import Formula, Query, Question, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.recipes import Difficulty
 
 

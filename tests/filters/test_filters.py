@@ -8,15 +8,11 @@ import pytest
 
 from motions import rod_pendulum, spring_block
 from plain_scenes import G, arm, atwood, bight, half_atwood, massive, ramp, row, squeezed, table, three
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.cart import Cart
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.holed_bodies import BoredCylinder
+from sim2reason.bodies.planes import Incline, Plane, RoughTrack, Track
+from sim2reason.bodies.round_bodies import Sphere
+from sim2reason.bodies.sliders import Block, Cart, Glider
 from sim2reason.bodies.spring import Coil
-from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -24,20 +20,19 @@ from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.neighbours import OwnRestitution
 from sim2reason.entities.parts.rolling import Hole, NoSlipping, Rolling
 from sim2reason.entities.parts.springs import Strained
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.slopes import TwoSideMassPlane
+from sim2reason.entities.spring_chains import SpringMassChain
 from sim2reason.entities.two_d_collision_plane import PairRestitution
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects, effects_of
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, Study, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import TurnedThrough
+from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import witnessed

@@ -5,7 +5,7 @@ import pytest
 
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import KINDS, Query, Question, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.scene_files import load
 
 BLOCK = "spring.block"

@@ -2,14 +2,13 @@
 
 import pytest
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.hanger import Cord
+from sim2reason.bodies.pendulums import Ball, Cord
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import Query, Question, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.scene_files import loads
 from sim2reason.simulation.scenes import simulate
 

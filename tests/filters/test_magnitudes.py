@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.bodies.spring import Spring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.anchored_spring import AnchoredSpring
+from sim2reason.entities.springs_on_planes import AnchoredSpring
 from sim2reason.filters import FILTERS, Candidate, SceneFilter, sift
 from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 
 BLOCK = "one.system.blocks.0"
 

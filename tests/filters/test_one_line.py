@@ -6,23 +6,20 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, row, swing
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.pipe import Pipe
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.round_bodies import Pipe, Sphere
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.filters.parts.products import product_of
 from sim2reason.filters.parts.sums import sum_of
 from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 
 BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"

@@ -3,16 +3,16 @@
 import pytest
 
 from plain_scenes import atwood, half_atwood, ramp
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Slab
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import Query, Question, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.scene_files import load
 from sim2reason.simulation.scenes import simulate
 

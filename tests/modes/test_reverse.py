@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, row, table
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.pendulums import Ball
 from sim2reason.datasets.make import make
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.request import Request
@@ -23,9 +23,9 @@ from sim2reason.prose.voices import hiding
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import Dependence, roots
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.landed import Landed
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.bounces import Landed
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.need import NEEDS
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.parse_prompt import parse_prompt

@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.hanger import LightRod
+from sim2reason.bodies.pendulums import Ball, LightRod
 from sim2reason.datasets.make import make
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum
 from sim2reason.errors import TextError
 from sim2reason.modes.parts.likely_answers import likely_answers
 from sim2reason.modes.reverse import unfixed

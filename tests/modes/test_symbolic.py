@@ -8,14 +8,11 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, half_atwood, ramp, swing
-from sim2reason.bodies.ball import Ball, FixedBall
-from sim2reason.bodies.cart import Cart
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.hanger import Cord
-from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.bodies.pendulums import Ball, Cord, FixedBall
+from sim2reason.bodies.planes import RoughTrack, Track
+from sim2reason.bodies.sliders import Cart, Glider
+from sim2reason.bodies.space import HeavyPlanet, LevelGround, Rocket, Star
 from sim2reason.bodies.spring import Coil
-from sim2reason.bodies.star import HeavyPlanet, Star
-from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets import item_search
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.make import make
@@ -27,35 +24,32 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.entities.parts.springs import Blow, Strained
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.spring_chains import SpringMassChain
 from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
-from sim2reason.filters.degenerate import Degenerate
-from sim2reason.filters.few_symbols import FewSymbols
+from sim2reason.filters.answers import Degenerate
+from sim2reason.filters.well_known import FewSymbols
 from sim2reason.grading import formula
 from sim2reason.modes.parts import formula_validity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variation import Variation
 from sim2reason.modes.parts.variations import EACH, Variations
 from sim2reason.prose.formula_numbers import counted_in, said_in
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.angles import Deflected
+from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
-from sim2reason.questions.regimes.direction import MovesOneWay
+from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.scene_files import loads
 from sim2reason.solutions.algebra.expressions import Symbol
 

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.bodies.ball import Ball, FixedBall
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.pendulums import Ball, Cord, FixedBall, LightRod
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block
 from sim2reason.datasets.make import make
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
@@ -17,9 +16,8 @@ from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import FIRST, OTHER, BallPiece
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rotation_entity import RotationEntity
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.grading import formula
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.questions import MODES, Question, Study
@@ -27,7 +25,7 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
-from sim2reason.questions.regimes.side_of_center_of_mass import SideOfCenterOfMass
+from sim2reason.questions.regimes.directions import SideOfCenterOfMass
 from sim2reason.questions.trial import Trial
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import Setting, solve

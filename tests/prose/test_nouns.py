@@ -3,8 +3,8 @@
 import pytest
 
 from lone_entities import alone
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.star import Planet, Star
+from sim2reason.bodies.pendulums import Ball
+from sim2reason.bodies.space import Planet, Star
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.solar_system import SolarSystem

@@ -10,8 +10,7 @@ from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 from sim2reason.parsing.scene_parser import parse_scene
 from sim2reason.prose.closings import CLOSINGS
 from sim2reason.prose.description import describe
-from sim2reason.questions.moments.closest import Closest
-from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.distances import Closest, Farthest
 from sim2reason.questions.prompt import words_of
 from sim2reason.scene_files import load
 

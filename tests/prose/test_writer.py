@@ -5,17 +5,17 @@ from typing import get_args
 
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.connections.string import String
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.errors import SceneError
 from sim2reason.prose import describe
 from sim2reason.prose.closings import closings

@@ -5,15 +5,12 @@ from math import cos, hypot, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.ball import Ball, FixedBall
-from sim2reason.bodies.hanger import LightRod
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.pendulums import Ball, FixedBall, LightRod, UniformRod
+from sim2reason.bodies.round_bodies import Sphere
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import AxialPiece, BallPiece, RoundPiece, WeldedPiece
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.following import motion_of

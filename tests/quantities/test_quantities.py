@@ -10,8 +10,7 @@ from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.state import State
 from sim2reason.dsl.units import parse_unit
 from sim2reason.quantities import QUANTITIES, Quantity
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

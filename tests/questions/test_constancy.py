@@ -8,10 +8,8 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Moment, Study, Target
 from sim2reason.questions.constancy import hangs_on, lasts
-from sim2reason.questions.moments.all_along import AllAlong
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.times import AllAlong, AtStart, AtTime
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
 

@@ -12,7 +12,7 @@ import pytest
 
 import motions
 from plain_scenes import atwood, ramp, squeezed, swing, table
-from sim2reason.bodies.star import HeavyPlanet, Star
+from sim2reason.bodies.space import HeavyPlanet, Star
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.entity import Named
@@ -22,24 +22,21 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
+from sim2reason.quantities.subjects.bodies import ALL
 from sim2reason.quantities.subjects.pairs import Pairs, members
-from sim2reason.quantities.subjects.whole import ALL
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.paths import AreaSwept
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.bounced import Bounced
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.halted import Halted
-from sim2reason.questions.moments.last_collision import LastCollision
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.orbited import Orbited
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
-from sim2reason.questions.moments.went_taut import WentTaut
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.angles import Orbited
+from sim2reason.questions.moments.bounces import Bounced
+from sim2reason.questions.moments.collisions import Collided, LastCollision
+from sim2reason.questions.moments.contacts import StoppedSlipping
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.strings import WentTaut
+from sim2reason.questions.moments.times import AtTime, WholeMotion
+from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence

@@ -17,42 +17,17 @@ from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
 from sim2reason.questions.following import motion_of
-from sim2reason.questions.moments.across_field import AcrossField
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.began_to_slip import BeganToSlip
-from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough
+from sim2reason.questions.moments.bounces import Bounced, Landed, StayedBelow, TopAfterBounce
 from sim2reason.questions.moments.burned_out import BurnedOut
-from sim2reason.questions.moments.closest import Closest
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.edge_landed import EdgeLanded
-from sim2reason.questions.moments.entered_region import EnteredRegion
-from sim2reason.questions.moments.farthest import Farthest
-from sim2reason.questions.moments.fastest import Fastest
-from sim2reason.questions.moments.halted import Halted
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.landed import Landed
-from sim2reason.questions.moments.last_collision import LastCollision
-from sim2reason.questions.moments.left_face import LeftFace
-from sim2reason.questions.moments.left_region import LeftRegion
-from sim2reason.questions.moments.lifted_off import LiftedOff
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.orbited import Orbited
-from sim2reason.questions.moments.returned import Returned
-from sim2reason.questions.moments.stayed_below import StayedBelow
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
-from sim2reason.questions.moments.top_after_bounce import TopAfterBounce
-from sim2reason.questions.moments.turned_through import TurnedThrough
-from sim2reason.questions.moments.velocity_returned import VelocityReturned
-from sim2reason.questions.moments.velocity_turned import VelocityTurned
-from sim2reason.questions.moments.went_slack import WentSlack
-from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.questions.moments.collisions import Collided, LastCollision
+from sim2reason.questions.moments.contacts import BeganToSlip, EdgeLanded, LeftFace, LiftedOff, StoppedSlipping
+from sim2reason.questions.moments.distances import Away, Closest, Farthest, Moved, Returned
+from sim2reason.questions.moments.fields import AcrossField, EnteredRegion, LeftRegion, VelocityReturned, VelocityTurned
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.strings import WentSlack, WentTaut
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Fastest, Halted, HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
 from sim2reason.scene_files import load

@@ -9,28 +9,25 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.round_bodies import Hoop
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.mechanism import ZERO, X
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.questions import KINDS, Moment, Study
 from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing, jumps
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.parts.spring_turn import SpringTurn
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.parts.turning_points import SpringTurn
+from sim2reason.questions.moments.springs import MostStretched, NaturalLength
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import round_number, said, say, spoken, two_digits

@@ -4,19 +4,19 @@ import pytest
 
 from lone_entities import alone
 from plain_scenes import ramp, row
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.puck import Puck, Table
-from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.pendulums import Ball
+from sim2reason.bodies.sliders import Puck, Table
+from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.prose.description import describe
 from sim2reason.questions.functionals.parts.encounter import encounter
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import MostStretched
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
 from sim2reason.questions.words import Words

@@ -100,7 +100,7 @@ import numpy as np
 
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import Kind, kind
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Query
 
 

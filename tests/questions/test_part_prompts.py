@@ -10,7 +10,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.errors import TextError
 from sim2reason.questions import KINDS, MODES, Question
 from sim2reason.questions.moments import Happening
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.part_prompts import AS_PURE, AS_WHOLE, FORMS, PartPrompt, parse_parts, together
 from sim2reason.questions.references import THAT, referring, spelled_out
 from sim2reason.questions.targets import targets

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.sliders import Block
+from sim2reason.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -14,8 +14,8 @@ from sim2reason.questions import Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import nouns
 from sim2reason.questions.moments.burned_out import BurnedOut
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.springs import MostCompressed
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets

@@ -14,7 +14,7 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MOMENTS, Words
 from sim2reason.questions.following import Followed, motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import PosedQuestion, findable, posed
 from sim2reason.questions.prompt import words_of

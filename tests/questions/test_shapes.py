@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
@@ -22,7 +22,7 @@ from sim2reason.questions import MODES, Question
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
-from sim2reason.questions.shapes.numbers_listed import FEWEST
+from sim2reason.questions.shapes.numbers import FEWEST
 from sim2reason.questions.shapes.parts.units import is_table, text_of, units
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 

@@ -8,25 +8,23 @@ import pytest
 
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
-from sim2reason.bodies.ball import FixedBall
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.box import Box
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.pendulums import FixedBall
+from sim2reason.bodies.planes import Box, Incline
+from sim2reason.bodies.round_bodies import Sphere
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_box_plane import MassBoxPlane
 from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
 from sim2reason.entities.parts.rolling import Rolling, Rough, Sliding, Spinning
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import RotationEntity
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.slopes import MassBoxPlane
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets

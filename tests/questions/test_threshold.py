@@ -7,22 +7,20 @@ import numpy as np
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.bodies.planes import Incline, Plane
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.round_bodies import Hoop
+from sim2reason.bodies.sliders import Block
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
 from sim2reason.entities.parts.rolling import Rough
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.pendulums import Pendulum
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.errors import SimulationError
 from sim2reason.prose.description import describe
 from sim2reason.prose.voices import hiding

@@ -7,24 +7,21 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from sim2reason.bodies.ball import Ball, FixedBall
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.cart import Cart
-from sim2reason.bodies.hanger import Cord
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.pendulums import Ball, Cord, FixedBall
+from sim2reason.bodies.planes import RoughTrack
+from sim2reason.bodies.round_bodies import Sphere
+from sim2reason.bodies.sliders import Block, Cart
 from sim2reason.bodies.spring import Coil, NailedSpring
-from sim2reason.bodies.track import RoughTrack
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
 from sim2reason.entities.parts.springs import Blow, Strained
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.spring_chains import SpringMassChain
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.prose.description import describe
@@ -32,13 +29,12 @@ from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.questions.moments.strings import WentSlack
+from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.regimes.taut import StaysTaut
+from sim2reason.questions.regimes.strings import StaysTaut
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.simulation.scenes import simulate

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.planes import Plane
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame

@@ -4,8 +4,7 @@ from itertools import combinations
 
 import pytest
 
-from sim2reason.bodies.ball import FixedBall
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.pendulums import FixedBall, UniformRod
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.entities.parts.assembly import WeldedArm
 from sim2reason.entities.parts.pieces import OTHER, AxialPiece, BallPiece, Side

@@ -10,7 +10,7 @@ import yaml
 from numpy.random import default_rng
 
 from scene_files import composed, drawn
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.measures import Mass
 from sim2reason.dsl.model import Model

@@ -6,27 +6,25 @@ from math import acos, asin, cos, cosh, degrees, exp, hypot, pi, radians, sin, s
 import numpy as np
 import pytest
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
-from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.bodies.holed_bodies import BoredCylinder
+from sim2reason.bodies.pendulums import UniformRod
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.sliders import Block
+from sim2reason.bodies.space import Planet, Star
 from sim2reason.bodies.spring import NailedSpring
-from sim2reason.bodies.star import Planet, Star
-from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields import ElectricField, Medium, Trend
-from sim2reason.entities.parts.fields.linear_drag import LinearDrag
-from sim2reason.entities.parts.fields.linear_electric import LinearElectric
-from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
-from sim2reason.entities.parts.fields.quadratic_drag import QuadraticDrag
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.drag import LinearDrag, QuadraticDrag
+from sim2reason.entities.parts.fields.linear import LinearElectric
+from sim2reason.entities.parts.fields.time_dependent import OscillatingElectric
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.entities.parts.pieces import AxialPiece
 from sim2reason.entities.parts.rolling import Hole, NoSlipping
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import RotationEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.entities.spring_block import Launch, SpringBlock
 from sim2reason.quantities.subjects import Sense
@@ -34,19 +32,11 @@ from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.closest import Closest
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.farthest import Farthest
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.orbited import Orbited
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.angles import Deflected, Orbited
+from sim2reason.questions.moments.distances import Away, Closest, Farthest
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.times import AtStart, AtTime, WholeMotion
+from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults

@@ -8,7 +8,7 @@ from math import atan, cos, degrees, radians, sin, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.pendulums import Ball
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.entity import Named
@@ -18,9 +18,9 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.outcomes.slides import Slides
+from sim2reason.questions.moments.distances import Away
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.outcomes.sliding import Slides
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.checking import recompute

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, row
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.question_search import QuestionSearch
@@ -21,8 +21,8 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query, Study, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
-from sim2reason.questions.moments.all_along import AllAlong
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.times import AllAlong
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol

@@ -7,27 +7,24 @@ import pytest
 
 from joined_entities import pivot, scene
 from plain_scenes import row
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.carriage import Carriage
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.star import Planet, Star
+from sim2reason.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.round_bodies import Hoop
+from sim2reason.bodies.sliders import Carriage
+from sim2reason.bodies.space import Planet, Star
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.light_rod_pendulum import LightRodPendulum
 from sim2reason.entities.parts.rolling import Rough, Spinning
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.entities.pendulums import LightRodPendulum, Pendulum, SliderMass
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.orbited import Orbited
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.questions.moments.angles import Orbited
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.strings import WentTaut
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions import Setting, Solution, solve, solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived

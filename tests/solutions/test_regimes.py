@@ -6,10 +6,10 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.rocket import LevelGround, Rocket
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.pendulums import Ball
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Slab
+from sim2reason.bodies.space import LevelGround, Rocket
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
@@ -17,7 +17,7 @@ from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power

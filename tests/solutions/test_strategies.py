@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.pipe import Pipe
-from sim2reason.bodies.star import HeavyPlanet, Star
+from sim2reason.bodies.planes import Incline
+from sim2reason.bodies.round_bodies import Pipe
+from sim2reason.bodies.space import HeavyPlanet, Star
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import Rough
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.prose.description import describe
 from sim2reason.questions import MODES, Study

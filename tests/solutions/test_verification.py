@@ -7,7 +7,7 @@ from importlib import import_module
 import pytest
 
 from plain_scenes import atwood
-from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.bodies.space import LevelGround, Rocket
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity

@@ -2,9 +2,8 @@
 
 from math import cos, radians, sin
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.hanger import LightRod
+from sim2reason.bodies.pendulums import Ball, LightRod
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Entity, Named

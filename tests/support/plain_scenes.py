@@ -2,38 +2,28 @@
 
 from collections.abc import Sequence
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.cart import Cart
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.hanger import Cord
-from sim2reason.bodies.hollow_sphere import SphericalShell
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.puck import Puck, Table
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.pendulums import Ball, Cord
+from sim2reason.bodies.planes import Incline, Plane, RoughTrack, Track
+from sim2reason.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.bodies.round_bodies import Sphere, SphericalShell
+from sim2reason.bodies.sliders import Block, Cart, Glider, Puck, Table
 from sim2reason.bodies.spring import Coil
-from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import FREE, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.fixed_support import FixedSupport
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
-from sim2reason.entities.mass_with_movable_pulley import MassWithMovablePulley
-from sim2reason.entities.mass_with_reverse_movable_pulley import MassWithReverseMovablePulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import RoundPiece
 from sim2reason.entities.parts.rolling import NoSlipping
 from sim2reason.entities.parts.springs import Blow, Strained
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.rotation_entity import RotationEntity
-from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley, MassWithReverseMovablePulley
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.slopes import TwoSideMassPlane
+from sim2reason.entities.spring_chains import SpringMassChain
+from sim2reason.entities.string_ends import FixedSupport
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 
 G = 9.8
 

@@ -6,19 +6,21 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.bodies.bar import Bar
-from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.bowl import Bowl, SphericalCap
-from sim2reason.bodies.cylinder import Cylinder, Roller
-from sim2reason.bodies.disc import Disc
-from sim2reason.bodies.hemisphere import Hemisphere
-from sim2reason.bodies.holed_sphere import HollowSphereWithHole, SphereWithHole
-from sim2reason.bodies.hollow_sphere import HollowSphere, SphericalShell
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.pipe import Pipe, ThickPipe
+from sim2reason.bodies.caps import Bowl, Hemisphere, SphericalCap
+from sim2reason.bodies.holed_bodies import BoredCylinder, HollowSphereWithHole, SphereWithHole
+from sim2reason.bodies.pendulums import Bar, UniformRod
 from sim2reason.bodies.polygonal_prism import LongPrism, PolygonalPrism
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.round_bodies import (
+    Cylinder,
+    Disc,
+    HollowSphere,
+    Hoop,
+    Pipe,
+    Roller,
+    Sphere,
+    SphericalShell,
+    ThickPipe,
+)
 
 Array = NDArray[np.float64]
 Cloud = tuple[Array, Array]

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from annotated_types import Len
 
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import ENTITIES, Entity

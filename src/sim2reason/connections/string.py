@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import ClassVar, Generic, Self
 
-from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.pulleys import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import (

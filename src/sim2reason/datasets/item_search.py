@@ -13,8 +13,8 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.filters.difficulty import COUNTED
-from sim2reason.filters.few_laws import FEW_LAWS
+from sim2reason.filters.well_known import FEW_LAWS
+from sim2reason.filters.worked_solutions import COUNTED
 from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES, Difficulty, difficulty_named
 

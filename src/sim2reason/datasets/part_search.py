@@ -21,8 +21,7 @@ from sim2reason.questions.change import changed, is_something
 from sim2reason.questions.constancy import lasts
 from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 from sim2reason.questions.moments import Happening
-from sim2reason.questions.moments.all_along import AllAlong
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AllAlong, AtStart
 from sim2reason.questions.part_prompts import together
 from sim2reason.questions.targets import Targets, targets
 from sim2reason.questions.tolerance import TOLERANCE

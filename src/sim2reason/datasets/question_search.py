@@ -12,7 +12,7 @@ from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import Candidate, Verdict, sift, sift_scene
-from sim2reason.filters.length import followed
+from sim2reason.filters.texts import followed
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words

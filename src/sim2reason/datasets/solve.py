@@ -16,7 +16,7 @@ from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import MODES, StatedResult, Words
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question

@@ -22,8 +22,8 @@ from sim2reason.authoring import (
     entity,
     scale,
 )
-from sim2reason.bodies.glider import Glider, SlidingBall
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.planes import Track
+from sim2reason.bodies.sliders import Glider, SlidingBall
 from sim2reason.entities.parts.neighbours import (
     BUFFERS,
     JOINED,

@@ -8,8 +8,7 @@ import numpy as np
 from pydantic import model_validator
 
 from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, assuming, either, entity
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
-from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
+from sim2reason.bodies.charges import ChargedBead, CircularRegion, HalfPlane, Launched, Rectangle, Released, Strip
 from sim2reason.dsl.measures import FASTEST
 from sim2reason.dsl.model import rebuilt
 from sim2reason.dsl.units import MINUTE, UnitSystem

@@ -23,7 +23,7 @@ from sim2reason.authoring import (
     either,
     entity,
 )
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.pendulums import Ball
 
 LaunchHeight = Annotated[float, Ge(0), Le(1e6), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(0.0, 90.0)]

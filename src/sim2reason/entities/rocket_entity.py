@@ -8,7 +8,7 @@ import numpy as np
 from annotated_types import Le
 
 from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity, starting
-from sim2reason.bodies.rocket import GRAVITATION, KILO, AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.space import GRAVITATION, KILO, AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.model import as_said
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u", sought=2.0), Range(0.4, 3.0)]

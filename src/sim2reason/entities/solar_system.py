@@ -10,7 +10,7 @@ from annotated_types import Len
 from pydantic import model_validator
 
 from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, assuming, each, either, entity
-from sim2reason.bodies.star import G, HeavyPlanet, Planet, Star
+from sim2reason.bodies.space import G, HeavyPlanet, Planet, Star
 from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
 

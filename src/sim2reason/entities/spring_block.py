@@ -26,7 +26,7 @@ from sim2reason.authoring import (
     placing,
     starting,
 )
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.entities.parts.springs import DASHPOTS

@@ -18,8 +18,8 @@ from sim2reason.authoring import (
     scale,
     starting,
 )
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Slab
 from sim2reason.entities.parts.friction import two_coefficients
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 

@@ -28,7 +28,7 @@ from sim2reason.authoring import (
     entity,
     scale,
 )
-from sim2reason.bodies.puck import Puck, Table
+from sim2reason.bodies.sliders import Puck, Table
 from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.template import Wordings, rarely
 

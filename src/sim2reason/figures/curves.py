@@ -13,7 +13,7 @@ from sim2reason.figures.trajectories import Trajectories, trajectories
 from sim2reason.prose.description import Description
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects.bodies import AXES
-from sim2reason.quantities.subjects.strings import strings
+from sim2reason.quantities.subjects.lines import strings
 from sim2reason.simulation.trace import Event, Trace
 
 SAMPLES = 400

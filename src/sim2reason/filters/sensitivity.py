@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
-from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters, shifted
-from sim2reason.filters.parts.reach import EVER, of_question, shortfall
+from sim2reason.filters.parts.numbers import EVER, Given, elasticities, givens, matters, of_question, shifted, shortfall
 
 COUNTED = 2  # numbers with which a count must change
 IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked

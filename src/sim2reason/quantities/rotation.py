@@ -9,8 +9,8 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import plus, times
 from sim2reason.dsl.vectors import inner
 from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects.bodies import TurningBodies
 from sim2reason.quantities.subjects.paths import parallel, turning_axes
-from sim2reason.quantities.subjects.turners import TurningBodies
 
 
 @quantity

@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.subjects.springs import Springs
+from sim2reason.quantities.subjects.lines import Springs
 
 
 def _law(state: State, subject: str) -> tuple[Line, Elastic]:

@@ -12,7 +12,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.never import why_never
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new

@@ -4,10 +4,9 @@ from dataclasses import dataclass
 
 from sim2reason.dsl.fields import Magnetic
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.query import Query
 from sim2reason.questions.words import Words
 

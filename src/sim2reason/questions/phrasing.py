@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounced import GROUND
+from sim2reason.questions.moments.bounces import GROUND
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words

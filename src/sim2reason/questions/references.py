@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.questions.moments import Happening, Moment
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.words import Words
 

@@ -12,11 +12,9 @@ from sim2reason.dsl.model import rebuilt
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import UnsupportedError
 from sim2reason.lazy import cached_property
-from sim2reason.quantities.subjects.hands import Hands
-from sim2reason.quantities.subjects.rods import Rods
-from sim2reason.quantities.subjects.springs import Springs
-from sim2reason.quantities.subjects.strings import Strings
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.contacts import Hands
+from sim2reason.quantities.subjects.lines import Springs, Strings
+from sim2reason.quantities.subjects.rods import Rods, SwingingLines
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES

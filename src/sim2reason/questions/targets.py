@@ -15,9 +15,8 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.quantities.subjects.paths import center_path, turning_axes
-from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
 

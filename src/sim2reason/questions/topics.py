@@ -9,8 +9,7 @@ from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.query import Query
-from sim2reason.questions.regimes.all_taut import AllStayTaut
-from sim2reason.questions.regimes.taut import StaysTaut
+from sim2reason.questions.regimes.strings import AllStayTaut, StaysTaut
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.unknown import range_of
 from sim2reason.simulation.trace import happened

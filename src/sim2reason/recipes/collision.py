@@ -6,7 +6,7 @@ from math import hypot, sqrt
 
 import numpy as np
 
-from sim2reason.bodies.puck import Puck, Table
+from sim2reason.bodies.sliders import Puck, Table
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choices, as_said, field_types

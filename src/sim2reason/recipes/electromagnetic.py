@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from sim2reason.bodies.charge import Launched
+from sim2reason.bodies.charges import Launched
 from sim2reason.dsl.model import Choices
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.linear_electric import LinearElectric
+from sim2reason.entities.parts.fields.linear import LinearElectric
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.bodies.star import Planet
+from sim2reason.bodies.space import Planet
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import draw, rebuilt

@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.authoring import GRAVITY
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ideas import Idea, one_of

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.measures import Range
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 

@@ -27,7 +27,7 @@ from sim2reason.entities.parts.pieces import (
     TiltedPiece,
     WeldedPiece,
 )
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import RotationEntity
 from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.bearing import idle

@@ -9,7 +9,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.mechanism import GRAVITY
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.entities.spring_mass_incline import SpringMassIncline
+from sim2reason.entities.springs_on_planes import SpringMassIncline
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 from sim2reason.questions import Query
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, loses_digits, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added

@@ -10,8 +10,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description
 from sim2reason.prose.voices import numeric
-from sim2reason.quantities.subjects.lines import line_phrases, pulleys
-from sim2reason.quantities.subjects.springs import springs
+from sim2reason.quantities.subjects.lines import line_phrases, pulleys, springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.need import Need

@@ -9,9 +9,8 @@ import pytest
 from pydantic import ValidationError
 
 from figure_parts import RodPendulum, Slider, scene_of
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.hanger import LightRod
+from sim2reason.bodies.pendulums import Ball, LightRod
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.choices import choices
 from sim2reason.dsl.closing import closed
@@ -20,7 +19,7 @@ from sim2reason.dsl.entity import ENTITIES, Named, outer_ports
 from sim2reason.dsl.looks import BodyLook
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.fixed_support import FixedSupport
+from sim2reason.entities.string_ends import FixedSupport
 from sim2reason.errors import SceneError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing

@@ -6,8 +6,8 @@ from typing import Annotated
 import pytest
 
 from sim2reason.authoring import Angle, Entity, Force, Frame, Profile, Push, Range, add, either, scale
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block
 from sim2reason.datasets.ask import ask
 from sim2reason.datasets.solve import solve
 from sim2reason.dsl.entity import Named

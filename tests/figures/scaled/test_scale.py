@@ -5,17 +5,11 @@ from math import acos, asin, hypot, pi, sin, sqrt
 import pytest
 
 from figure_parts import LEANING, RodPendulum, Slider, scene_of
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.glider import SlidingBall
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.bodies.planes import Incline, Plane, Track
 from sim2reason.bodies.polygonal_prism import LongPrism
-from sim2reason.bodies.puck import Puck, Table
-from sim2reason.bodies.pulley import FixedPulley
-from sim2reason.bodies.slab import Slab
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.pulleys import FixedPulley
+from sim2reason.bodies.sliders import Block, Puck, Slab, SlidingBall, Table
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Axes, Frame
 from sim2reason.dsl.connection import CONNECTIONS, Link
@@ -24,15 +18,15 @@ from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouett
 from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.fixed_support import FixedSupport
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum
 from sim2reason.entities.projectile import Projectile
+from sim2reason.entities.pulleys import MassWithFixedPulley
+from sim2reason.entities.rolling import TumblingPrism
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.entities.tumbling_prism import TumblingPrism
+from sim2reason.entities.string_ends import FixedSupport
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape
 from sim2reason.figures.vectors import Polygon, cross, degrees

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.bodies.space import LevelGround, Rocket
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity
@@ -15,9 +15,8 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import Study, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import Regime, possible, regimes
-from sim2reason.questions.regimes.burnt_out import BurntOut
-from sim2reason.questions.regimes.delayed_liftoff import DelayedLiftoff
-from sim2reason.questions.regimes.direction import MovesOneWay
+from sim2reason.questions.regimes.directions import MovesOneWay
+from sim2reason.questions.regimes.rockets import BurntOut, DelayedLiftoff
 
 LIFTS = "lifts off as soon as its engine starts"
 

@@ -9,7 +9,7 @@ from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variation import Variation
 from sim2reason.modes.parts.variations import Variations
 from sim2reason.questions import Query
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
 
 WIDTH = 1.1
 

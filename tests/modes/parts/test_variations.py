@@ -9,7 +9,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variations
 from sim2reason.questions import Query
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.targets import Target
 
 

@@ -16,9 +16,8 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
-from sim2reason.questions.moments.all_along import AllAlong
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.times import AllAlong, AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of

@@ -15,7 +15,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.kinds.limit import LimitQuery
-from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of

@@ -9,7 +9,7 @@ import pytest
 
 from motions import orbit
 from plain_scenes import arm
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.pendulums import Ball
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -18,7 +18,7 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.kinds.optimum import OptimumQuery
-from sim2reason.questions.moments.landed import Landed
+from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.period_words import PeriodQuery

@@ -5,7 +5,7 @@ from math import atan, degrees, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp, row
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.pendulums import Ball
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile

@@ -6,20 +6,17 @@ from math import pi, radians, sin, tan
 import numpy as np
 import pytest
 
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.linear_drag import LinearDrag
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.drag import LinearDrag
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.prose.description import describe
 from sim2reason.questions import Moment
 from sim2reason.questions.following import motion_of
-from sim2reason.questions.moments.across_field import AcrossField
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.velocity_returned import VelocityReturned
-from sim2reason.questions.moments.velocity_turned import VelocityTurned
+from sim2reason.questions.moments.distances import Away
+from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.questions.prompt import words_of
 
 BEAD = "fields.particle"

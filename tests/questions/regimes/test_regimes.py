@@ -7,32 +7,27 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, massive, ramp, squeezed
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.planes import Incline, Plane, Track
+from sim2reason.bodies.round_bodies import Hoop
+from sim2reason.bodies.sliders import Block, Glider
+from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.bodies.spring import Spring
-from sim2reason.bodies.track import Track
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.rolling import Rough, Sliding, Spinning
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.spring_mass_incline import SpringMassIncline
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.springs_on_planes import SpringMassIncline
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, Study, Target
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
-from sim2reason.questions.regimes.acute import StartsAcute
-from sim2reason.questions.regimes.burnt_out import BurntOut
-from sim2reason.questions.regimes.collisions import CollideInTurn
-from sim2reason.questions.regimes.sliding import SlidesThroughout
+from sim2reason.questions.regimes.contacts import CollideInTurn, SlidesThroughout
+from sim2reason.questions.regimes.directions import StartsAcute
+from sim2reason.questions.regimes.rockets import BurntOut
 from sim2reason.questions.spoken import OwnSymbol
 from sim2reason.recipes import RECIPES
 from sim2reason.scene_files import loads

@@ -6,25 +6,20 @@ import numpy as np
 import pytest
 
 from plain_scenes import G, arm, massive, ramp
-from sim2reason.bodies.bar import Bar
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.cylinder import Cylinder
-from sim2reason.bodies.hemisphere import Hemisphere
-from sim2reason.bodies.holed_sphere import SphereWithHole
-from sim2reason.bodies.hollow_sphere import HollowSphere
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.pipe import ThickPipe
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.caps import Hemisphere
+from sim2reason.bodies.holed_bodies import BoredCylinder, SphereWithHole
+from sim2reason.bodies.pendulums import Bar
+from sim2reason.bodies.planes import Incline, Plane
+from sim2reason.bodies.round_bodies import Cylinder, HollowSphere, Sphere, ThickPipe
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.shape import Shape
 from sim2reason.entities.parts.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
 from sim2reason.entities.parts.rolling import Hole, NoSlipping
-from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.entities.rotation_entity import RotationEntity
-from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.entities.pendulums import RotationEntity
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 

@@ -7,15 +7,14 @@ import pytest
 
 from motions import Motion, orbit
 from plain_scenes import G, atwood, bight, half_atwood, ramp
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+from sim2reason.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.bodies.sliders import Block
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
-from sim2reason.entities.mass_with_movable_pulley import MassWithMovablePulley
 from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.simulation.trace import Trace

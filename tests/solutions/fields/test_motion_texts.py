@@ -2,22 +2,20 @@
 
 import pytest
 
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
-from sim2reason.entities.parts.fields.linear_drag import LinearDrag
-from sim2reason.entities.parts.fields.linear_electric import LinearElectric
-from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.drag import LinearDrag
+from sim2reason.entities.parts.fields.linear import LinearElectric
+from sim2reason.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.distances import Away
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read

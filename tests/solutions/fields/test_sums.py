@@ -5,23 +5,22 @@ from math import acos, cos, exp, pi, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.charge import ChargedBead, Launched
-from sim2reason.bodies.star import Planet, Star
+from sim2reason.bodies.charges import ChargedBead, Launched
+from sim2reason.bodies.space import Planet, Star
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.growing_electric import GrowingElectric
-from sim2reason.entities.parts.fields.linear_drag import LinearDrag
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.drag import LinearDrag
+from sim2reason.entities.parts.fields.time_dependent import GrowingElectric
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.reverse import forward
 from sim2reason.testing.solutions.faults import faults

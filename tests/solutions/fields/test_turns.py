@@ -4,20 +4,17 @@ from math import cos, hypot, pi, radians, sin, sqrt, tan
 
 import pytest
 
-from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.linear_electric import LinearElectric
-from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
-from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.fields.linear import LinearElectric
+from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.across_field import AcrossField
-from sim2reason.questions.moments.velocity_returned import VelocityReturned
-from sim2reason.questions.moments.velocity_turned import VelocityTurned
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
+from sim2reason.questions.moments.times import WholeMotion
 from worked import answer, derived
 
 BEAD = "fields.particle"

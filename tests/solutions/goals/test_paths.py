@@ -2,13 +2,13 @@
 
 import pytest
 
-from sim2reason.bodies.glider import Glider
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.planes import Track
+from sim2reason.bodies.sliders import Glider
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from worked import derived, solution_text
 
 

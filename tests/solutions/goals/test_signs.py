@@ -7,9 +7,8 @@ import pytest
 from plain_scenes import ramp, row, squeezed
 from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions import Formula, Query, Target
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Absolute

@@ -9,10 +9,10 @@ PULLED = '''
 from math import cos, radians, sin
 
 from sim2reason.authoring import Angle, Entity, Force, Frame, Friction, Profile, Push, X, Z, entity
-from sim2reason.bodies.block import Block
+from sim2reason.bodies.sliders import Block
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.times import AtStart
+from sim2reason.questions.moments.distances import Moved
 from worked import answer
 
 

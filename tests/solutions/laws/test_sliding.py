@@ -6,20 +6,17 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.hoop import Hoop
-from sim2reason.bodies.incline import Incline
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.slab import Slab
-from sim2reason.bodies.wedge import Prism
+from sim2reason.bodies.planes import Incline, Plane, Prism
+from sim2reason.bodies.round_bodies import Hoop
+from sim2reason.bodies.sliders import Block, Slab
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_prism_plane import MassPrismPlane
 from sim2reason.entities.parts.rolling import Rough
-from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rolling import RollingEntity
+from sim2reason.entities.slopes import MassPrismPlane
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

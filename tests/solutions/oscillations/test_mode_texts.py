@@ -8,7 +8,7 @@ import pytest
 from plain_scenes import row
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by
 from sim2reason.testing.solutions.reading import read
 from worked import asked

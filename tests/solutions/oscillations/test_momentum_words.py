@@ -6,15 +6,15 @@ from math import cos, radians
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.wedge import Prism
+from sim2reason.bodies.planes import Prism
+from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.mass_prism_plane import MassPrismPlane
-from sim2reason.entities.spring_mass_ring import SpringMassRing
+from sim2reason.entities.slopes import MassPrismPlane
+from sim2reason.entities.spring_chains import SpringMassRing
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions import STRATEGIES, Solution, by
 from worked import asked, solution_text
 

@@ -7,27 +7,23 @@ import pytest
 from joined_entities import scene as joined
 from joined_entities import string
 from plain_scenes import row
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.planes import Plane
+from sim2reason.bodies.sliders import Block, Slab
 from sim2reason.bodies.spring import Spring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.hanging_mass import HangingMass
 from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.spring_mass_incline import SpringMassIncline
+from sim2reason.entities.springs_on_planes import SpringMassIncline
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.entities.string_ends import HangingMass
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.moments.contacts import StoppedSlipping
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.reverse import forward

@@ -9,10 +9,9 @@ from plain_scenes import row
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.halted import Halted
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.reading import read
 from worked import asked, derived, solution_text

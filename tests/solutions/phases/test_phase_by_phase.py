@@ -7,9 +7,9 @@ import pytest
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.moments.contacts import StoppedSlipping
+from sim2reason.questions.moments.distances import Away
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.scene_files import loads
 from sim2reason.solutions import STRATEGIES, Solution, by

@@ -13,31 +13,21 @@ import numpy as np
 import pytest
 
 from joined_entities import pivot, scene, string
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.carriage import Carriage
-from sim2reason.bodies.hanger import LightRod
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.pendulums import Ball, LightRod, UniformRod
+from sim2reason.bodies.round_bodies import Sphere
+from sim2reason.bodies.sliders import Block, Carriage
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.constant_force_puller import ConstantForcePuller
-from sim2reason.entities.hanging_mass import HangingMass
-from sim2reason.entities.light_rod_pendulum import LightRodPendulum
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import AxialPiece, RoundPiece
-from sim2reason.entities.rigid_pendulum import RigidPendulum
-from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.entities.pendulums import LightRodPendulum, RigidPendulum, SliderMass
+from sim2reason.entities.string_ends import ConstantForcePuller, HangingMass
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart, WholeMotion
+from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Target

@@ -5,19 +5,16 @@ from math import acos, cos, degrees, radians, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.bowl import SphericalCap
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.caps import SphericalCap
+from sim2reason.bodies.pendulums import Ball, Cord, LightRod, UniformRod
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import AxialPiece, CappedPiece
-from sim2reason.entities.pendulum import Pendulum
-from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import PossibleOutcome
-from sim2reason.questions.outcomes.goes_round import GoesRound
-from sim2reason.questions.outcomes.goes_slack import GoesSlack
+from sim2reason.questions.outcomes.strings import GoesSlack
+from sim2reason.questions.outcomes.swings import GoesRound
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read

@@ -3,9 +3,6 @@
 import numpy as np
 import pytest
 
-import sim2reason.entities.parts.pieces
-import sim2reason.entities.rolling_entity
-import sim2reason.entities.tumbling_prism  # noqa: F401
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.shape import Shape
@@ -37,7 +34,7 @@ def test_the_table_has_what_the_body_is_built_of(cls: type[Shape]) -> None:
 
 def test_a_hemisphere() -> None:
     """Centroid 3R/8; about a diameter of the flat face 2/5 m R² (Halliday, Resnick, table 10-2, by halves)."""
-    from sim2reason.bodies.hemisphere import Hemisphere
+    from sim2reason.bodies.caps import Hemisphere
 
     spread = mass_spread(Hemisphere(mass=2.0, radius=0.3), Symbol)
     assert spread is not None

@@ -4,25 +4,19 @@ from math import acos, asin, cos, degrees, gamma, log, pi, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.ball import Ball
-from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.pendulums import Ball, Cord, LightRod, UniformRod
+from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import AxialPiece
-from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import solve
 from worked import answer, asked

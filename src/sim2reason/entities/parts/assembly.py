@@ -25,8 +25,7 @@ from sim2reason.authoring import (
     scale,
     starting,
 )
-from sim2reason.bodies.arm import Arm
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.pendulums import Arm, UniformRod
 from sim2reason.dsl.solids import Axes, composed
 from sim2reason.dsl.template import Saying
 from sim2reason.entities.parts.pieces import AnyPiece, TiltedPiece, WeldedPiece

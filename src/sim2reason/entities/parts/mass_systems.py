@@ -7,9 +7,8 @@ from typing import Annotated
 from annotated_types import Len
 
 from sim2reason.authoring import Count, End, Frame, FreeLength, Part, StringEnd, X, Z, among, either, scale
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.wedge import Wedge
+from sim2reason.bodies.planes import Plane, Wedge
+from sim2reason.bodies.sliders import Block
 from sim2reason.entities.parts.friction import two_coefficients
 
 MAX_BLOCKS = 5

@@ -8,7 +8,7 @@ from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.authoring import Measure, Member, Part, Restitution, each, either
-from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.sliders import Glider
 from sim2reason.bodies.spring import Bumper, Coil
 from sim2reason.dsl.model import field_types, rebuilt
 

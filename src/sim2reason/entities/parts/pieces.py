@@ -11,18 +11,11 @@ from annotated_types import Gt, Le, Lt
 from pydantic import model_validator
 
 from sim2reason.authoring import LEAST, Chance, Measure, Part, Range, Word, X, Y, Z, either, outer, scale
-from sim2reason.bodies.ball import FixedBall
-from sim2reason.bodies.bar import Bar
-from sim2reason.bodies.bowl import Bowl, SphericalCap
-from sim2reason.bodies.cylinder import Cylinder
-from sim2reason.bodies.disc import Disc
-from sim2reason.bodies.hemisphere import Hemisphere
-from sim2reason.bodies.holed_sphere import HollowSphereWithHole, SphereWithHole
-from sim2reason.bodies.hollow_sphere import HollowSphere, SphericalShell
-from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.caps import Bowl, Hemisphere, SphericalCap
+from sim2reason.bodies.holed_bodies import HollowSphereWithHole, SphereWithHole
+from sim2reason.bodies.pendulums import Bar, FixedBall, UniformRod
 from sim2reason.bodies.polygonal_prism import PolygonalPrism
-from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 

@@ -1,11 +1,15 @@
 """What simplifications do to an answer."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from sim2reason.dsl.ablation import with_bodies
+from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
 from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification, in_order
+from sim2reason.questions.simplifications.omissions import GravityLeftOut
+from sim2reason.questions.simplifications.parts.which import solid
 from sim2reason.questions.tolerance import NEARLY
 
 SAME = 0.02  # of the tolerance: an answer that changes by less is the same
@@ -122,3 +126,32 @@ def _is_beside(simplification: Simplification, candidate: Candidate) -> bool:
 def _is_of_no_motion(candidate: Candidate) -> bool:
     """Whether the answer follows from the scene alone, as a threshold does, whatever motion is recorded."""
     return candidate.question.query.moment is None and candidate.time == 0.0
+
+
+TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
+MORE = 1.1  # times the inertia
+BEARS = 5e-3  # relative: an answer that changes by more hangs on the inertia
+
+
+def turns_by_weight(candidate: Candidate) -> bool:
+    """Whether weight bears on the answer, and so does the inertia with which something turns about its own centre.
+
+    Without weight, as in L = m v R of a hoop that rolls, it may be by definition that inertia bears. And with none at
+    all, what slips would roll: so a little more of it tells more than nothing.
+    """
+    if not solid(candidate.study.mechanism):
+        return False
+    other = candidate.study.changed("more inertia", _harder_to_turn, candidate.until)
+    if candidate.change(other) <= BEARS:
+        return False
+    without = effects_of(SIMPLIFICATIONS[GravityLeftOut.name], candidate)
+    return any(not effect.close for effect in without)
+
+
+def _harder_to_turn(mechanism: Mechanism) -> Mechanism:
+    return with_bodies(mechanism, solid(mechanism), _with_more)
+
+
+def _with_more(body: RigidBody) -> RigidBody:
+    xx, yy, zz, xy, xz, yz = (MORE * part for part in body.inertia)
+    return replace(body, inertia=(xx, yy, zz, xy, xz, yz))

@@ -1,12 +1,21 @@
-"""Bodies, by where they can move."""
+"""Single bodies, and the whole system."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.constancy import turns_one_way
+from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.dsl.vectors import Vector, scale
-from sim2reason.quantities.subjects import Sense, Subject, is_said
-from sim2reason.quantities.subjects.paths import EVEN, CenterPath, center_path, is_pulley_wheel, rides
+from sim2reason.quantities.subjects import Sense, Subject, all_said, is_said
+from sim2reason.quantities.subjects.paths import (
+    EVEN,
+    CenterPath,
+    carried_by,
+    center_path,
+    is_pulley_wheel,
+    rides,
+    turning_axes,
+)
 
 UP, RIGHT = "up", "right"
 OPPOSITE = {UP: "down", RIGHT: "left"}
@@ -87,3 +96,99 @@ def _of_path(path: CenterPath) -> list[Sense]:
         return [Sense(UP, (0.0, 0.0, 1.0), VERTICAL, share=SELDOM)]
     way = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
     return [Sense(UP if way[2] > 1.0 - EVEN else "up the slope", way)]
+
+
+ROD = "rod"  # the last part of its address
+
+
+@dataclass(frozen=True)
+class HungBodies(Subject):
+    """Every small body at the end of a light rod on a hinge, on which nothing but the rod and weight acts."""
+
+    name, slot = "hung body", "rod"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies."""
+        return tuple(body.name for body in mechanism.bodies if _hangs(mechanism, body))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return what the text calls the rod of each body."""
+        rods = {name: f"{name.rpartition('.')[0]}.{ROD}" for name in self.names(mechanism)}
+        return {name: mentions[rod] for name, rod in rods.items() if rod in mentions}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives everything, on all of which the force in a rod depends."""
+        del name
+        return all_said(need, mechanism, said)
+
+
+def _hangs(mechanism: Mechanism, body: RigidBody) -> bool:
+    hinged = [coordinate.kind for coordinate in body.coordinates] == ["hinge"] and body.parent is not None
+    small = body.mass > 0.0 and not any(body.inertia) and len(list(carried_by(mechanism, body.name))) == 1
+    pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
+    acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
+    drawn = {name for pull in mechanism.attractions for name in (pull.a, pull.b)}
+    return hinged and small and body.name not in pulled | acted | drawn | mechanism.contacts.keys()
+
+
+@dataclass(frozen=True)
+class TurningBodies(Subject):
+    """Every body that a hinge turns, its own or one of what carries it."""
+
+    name, slot = "turning body", "body"
+    extras = frozenset({"net"})
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """All that turn, wheels of pulleys among them."""
+        return tuple(name for name in mechanism.body if turning_axes(mechanism, name))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Those whose turning can be seen: not pulleys, nor bodies so small that they have no size."""
+        seen = [name for name in self.names(mechanism) if name in mentions and not is_pulley_wheel(mechanism, name)]
+        return {name: mentions[name] for name in seen if _has_size(mechanism, name)}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Whether the body has it and the text says it at the body's address."""
+        return Bodies().gives(need, mechanism, name, said)
+
+    def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return *net* for the angle of a body that may reverse its rotation."""
+        del mentions
+        return {"net": "" if turns_one_way(mechanism, name) else "net "}
+
+
+def _has_size(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body is no point: it has a moment of inertia, or it is light and its own hinge turns it."""
+    body = mechanism.body[name]
+    return any(body.inertia) or (body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates))
+
+
+ALL = ""  # its only name
+
+
+@dataclass(frozen=True)
+class Whole(Subject):
+    """Everything; a question about it names nothing."""
+
+    name, slot = "whole", "all"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """There is one."""
+        del mechanism
+        return (ALL,)
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """It goes without saying."""
+        del mechanism, mentions
+        return {ALL: ""}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Whether the text says it of everything that has it."""
+        del name
+        return all_said(need, mechanism, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return the directions of the text if they are the same for all bodies with a mass; else none."""
+        del name
+        each = [Bodies().senses(mechanism, body.name) for body in mechanism.bodies if body.mass > 0.0]
+        return each[0] if each and all(senses == each[0] for senses in each) else []

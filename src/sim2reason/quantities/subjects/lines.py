@@ -1,8 +1,10 @@
-"""How a text speaks of lines: of strings, springs and rods, by their own names or by their ends."""
+"""Strings and springs."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Line, Mechanism
+from sim2reason.dsl.mechanism import ZERO, ConstantTension, Elastic, Inextensible, Line, Mechanism
+from sim2reason.quantities.subjects import Sense, Subject, all_said, is_said
 
 
 def line_phrases(
@@ -54,3 +56,69 @@ def ends_label(phrase: str) -> str:
     ends = phrase.partition(" between ")[2] or phrase
     said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
     return f"{said} (part)" if phrase.startswith("the part") else said
+
+
+STRETCHED = "stretched"
+
+
+@dataclass(frozen=True)
+class Springs(Subject):
+    """Every spring."""
+
+    name = slot = "spring"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """All of them."""
+        return tuple(line.name for line in mechanism.lines if isinstance(line.law, Elastic))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Those with a name of their own, or that can be told by their ends."""
+        return springs(mechanism, mentions)
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Whether the text says a number of the spring, its ``stiffness`` or its natural ``length``."""
+        return is_said(need, mechanism.line[name].whole, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return *stretched*, the direction in which extensions, their rates and forces count as positive."""
+        del mechanism, name
+        return [Sense(STRETCHED, ZERO)]
+
+    def label(self, phrase: str) -> str:
+        """Its name, or its ends."""
+        return ends_label(phrase)
+
+
+def springs(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+    """A phrase for every spring that can be told from the others, by name."""
+    elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
+    return line_phrases(mechanism, mentions, elastic, "spring", alone=True)
+
+
+@dataclass(frozen=True)
+class Strings(Subject):
+    """Every string part, pulls among them."""
+
+    name = slot = "string"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """All parts, those among them that a constant force draws in."""
+        return tuple(line.name for line in mechanism.lines if isinstance(line.law, Inextensible | ConstantTension))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Those that can be told by their ends."""
+        return strings(mechanism, mentions)
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """What a string carries comes from everything that is there."""
+        del name
+        return all_said(need, mechanism, said)
+
+    def label(self, phrase: str) -> str:
+        """Its ends: *block A – pulley P*."""
+        return ends_label(phrase)
+
+
+def strings(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+    """A phrase for every string part that may go slack and can be told from the others, by name."""
+    return line_phrases(mechanism, mentions, mechanism.strings, "string", alone=not mechanism.pulls)

@@ -7,16 +7,15 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.momentum import Momentum
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.bodies import Bodies, Whole
 from sim2reason.quantities.subjects.pairs import Pairs, members
-from sim2reason.quantities.subjects.whole import Whole
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.encounter import encounter
 from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.functionals.parts.jump import BALANCE, energies, energy_lost, hits, is_loose, jumps, massive
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounced import WALLS, struck
-from sim2reason.questions.moments.last_collision import LastCollision
+from sim2reason.questions.moments.bounces import WALLS, struck
+from sim2reason.questions.moments.collisions import LastCollision
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel

@@ -9,17 +9,14 @@ from sim2reason.dsl.fields import Push, Resistance
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, product
-from sim2reason.quantities.contact import FrictionForce
 from sim2reason.quantities.energy import KineticEnergy
+from sim2reason.quantities.forces import FrictionForce, StringLength, Tension
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.springs import ExtensionRate, SpringEnergy
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.contacts import Contacts
-from sim2reason.quantities.subjects.hands import Hands
+from sim2reason.quantities.subjects.contacts import Contacts, Hands
+from sim2reason.quantities.subjects.lines import Springs, strings
 from sim2reason.quantities.subjects.paths import rides
-from sim2reason.quantities.subjects.springs import Springs
-from sim2reason.quantities.subjects.strings import strings
-from sim2reason.quantities.tension import StringLength, Tension
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.functionals.parts.integral import Integral

@@ -1,11 +1,8 @@
 """Extreme values of forces and of the extension of springs."""
 
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.axle_force import AxleForce
-from sim2reason.quantities.contact import NormalForce
-from sim2reason.quantities.rods import RodForce, RodPull
+from sim2reason.quantities.forces import AxleForce, NormalForce, RodForce, RodPull, Tension
 from sim2reason.quantities.springs import Extension, SpringForce
-from sim2reason.quantities.tension import Tension
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 

@@ -6,10 +6,9 @@ import numpy as np
 
 from sim2reason.dsl.fields import Push
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.coordinates import OriginDistance, XCoordinate, YCoordinate
-from sim2reason.quantities.inclination import Deflection
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.pairs import DistanceBetween
+from sim2reason.quantities.positions import Deflection, OriginDistance, XCoordinate, YCoordinate
+from sim2reason.quantities.relative import DistanceBetween
 from sim2reason.quantities.rotation import AngularAcceleration, AngularVelocity
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import AXES
@@ -18,9 +17,9 @@ from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.circles import circles
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.parts.charged import acting_on
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 

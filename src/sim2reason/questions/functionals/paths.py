@@ -8,12 +8,11 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Displacement, Velocity
-from sim2reason.quantities.pairs import DistanceBetween
+from sim2reason.quantities.relative import DistanceBetween
 from sim2reason.quantities.rotation import AngleTurned, AngularVelocity
-from sim2reason.quantities.subjects.bodies import Bodies, moves
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies, moves
 from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.quantities.subjects.paths import center_path, rides
-from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.choices import still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
@@ -21,8 +20,8 @@ from sim2reason.questions.functionals.parts.circles import circles, is_told_by_a
 from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.functionals.parts.integral import Integral
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.orbited import Orbited
-from sim2reason.questions.moments.parts.apsis import Apsis
+from sim2reason.questions.moments.angles import Orbited
+from sim2reason.questions.moments.parts.turning_points import Apsis
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel

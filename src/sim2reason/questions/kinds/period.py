@@ -8,9 +8,9 @@ from math import inf, pi
 import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.quantities.subjects.bodies import TurningBodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import is_pulley_wheel
-from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Query

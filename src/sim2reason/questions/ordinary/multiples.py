@@ -9,7 +9,7 @@ from sim2reason.questions.following import Followed, FollowedMotion
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import START, StructuredQuestion

@@ -6,11 +6,9 @@ from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import ConstantTension
 from sim2reason.dsl.vectors import inner
-from sim2reason.quantities.subjects.lines import pulleys
+from sim2reason.quantities.subjects.lines import Springs, Strings, pulleys
 from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.quantities.subjects.springs import Springs
-from sim2reason.quantities.subjects.strings import Strings
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines, load_center, welded_to
+from sim2reason.quantities.subjects.rods import SwingingLines, load_center, welded_to
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS
 from sim2reason.questions.words import Words
 

@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.questions.following import FollowedMotion, eventful
 from sim2reason.questions.kinds import KINDS, by_cause
 from sim2reason.questions.moments import Happening, Moment
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.ordinary.absent import absent
 from sim2reason.questions.ordinary.beyond import reason
 from sim2reason.questions.posing import PosedQuestion

@@ -8,11 +8,10 @@ from itertools import product
 from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import RIGHT, Bodies
+from sim2reason.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies
 from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.quantities.subjects.paths import center_path, turning_axes
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
-from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.force_readers import ON_AXLE

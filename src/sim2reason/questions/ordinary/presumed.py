@@ -6,8 +6,8 @@ import numpy as np
 
 from sim2reason.dsl.state import State
 from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.height import Height
 from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.positions import Height
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.following import Followed

@@ -8,11 +8,11 @@ import numpy as np
 from sim2reason.dsl.mechanism import ZERO, ConstantTension
 from sim2reason.quantities import QUANTITIES
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.quantities.subjects.axles import Pulleys
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.lines import Springs
 from sim2reason.quantities.subjects.paths import center_path, chain
-from sim2reason.quantities.subjects.pulleys import Pulleys
-from sim2reason.quantities.subjects.springs import Springs
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
 from sim2reason.questions.ordinary.unsaid import fixed_end

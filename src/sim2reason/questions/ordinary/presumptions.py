@@ -12,8 +12,8 @@ from sim2reason.errors import TextError
 from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.quantities.springs import Extension
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.lines import Springs
 from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.quantities.subjects.springs import Springs
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery

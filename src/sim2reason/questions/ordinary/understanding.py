@@ -7,8 +7,8 @@ from math import isclose
 from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.halted import Halted
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.questions.moments.turning_points import Halted
 from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import Heard, hear
 from sim2reason.questions.ordinary.meaning import Reader, Understood

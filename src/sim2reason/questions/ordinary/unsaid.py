@@ -4,12 +4,12 @@ import re
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic
+from sim2reason.quantities.subjects.axles import Pulleys
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.lines import STRETCHED, Springs
 from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.quantities.subjects.paths import EVEN
-from sim2reason.quantities.subjects.pulleys import Pulleys
-from sim2reason.quantities.subjects.springs import STRETCHED, Springs
-from sim2reason.quantities.subjects.swinging_lines import SwingingLines
+from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.ordinary.addresses import all_of
 from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.words import Words

@@ -6,7 +6,7 @@ from sim2reason.questions import KINDS, Query
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.targets import Target
 from sim2reason.solutions.algebra.expressions import ZERO, Number, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sim2reason.bodies.charge import ChargedBead
+from sim2reason.bodies.charges import ChargedBead
 from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.lazy import cached_property

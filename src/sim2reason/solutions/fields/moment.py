@@ -4,9 +4,9 @@ import numpy as np
 
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.distances import Away
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares

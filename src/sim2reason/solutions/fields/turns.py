@@ -4,9 +4,7 @@ from math import radians
 
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.across_field import AcrossField
-from sim2reason.questions.moments.velocity_returned import VelocityReturned
-from sim2reason.questions.moments.velocity_turned import VelocityTurned
+from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields

@@ -1,7 +1,7 @@
 """The place of greatest speed in motion with one degree of freedom: where the net force is zero."""
 
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import NaturalLength
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Self
 
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.planes import Track
 from sim2reason.solutions.setting import LEVEL, Setting
 
 

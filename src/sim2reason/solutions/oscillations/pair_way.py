@@ -2,7 +2,7 @@
 
 from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -5,8 +5,8 @@ from abc import abstractmethod
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -8,19 +8,11 @@ from sim2reason.dsl.frames import start
 from sim2reason.dsl.triples import Number as Quantity
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Moment
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.closest import Closest
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.farthest import Farthest
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.distances import Away, Closest, Farthest, Moved
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Symbol

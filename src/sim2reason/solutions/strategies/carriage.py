@@ -7,13 +7,10 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart
+from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares

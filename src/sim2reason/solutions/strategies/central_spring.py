@@ -12,9 +12,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS, Stretch

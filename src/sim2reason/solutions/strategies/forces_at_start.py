@@ -5,7 +5,7 @@ from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

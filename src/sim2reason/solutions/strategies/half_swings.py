@@ -8,10 +8,10 @@ from math import pi
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.halted import Halted
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Halted
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

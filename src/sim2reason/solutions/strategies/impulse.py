@@ -7,16 +7,11 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.bounced import Bounced
-from sim2reason.questions.moments.collided import Collided
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.landed import Landed
-from sim2reason.questions.moments.last_collision import LastCollision
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.bounces import Bounced, Landed
+from sim2reason.questions.moments.collisions import Collided, LastCollision
+from sim2reason.questions.moments.distances import Away, Moved
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
 from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root

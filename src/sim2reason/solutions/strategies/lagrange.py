@@ -9,9 +9,8 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.solutions.algebra.cramer import cramer
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root

@@ -7,12 +7,10 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects.pairs import members
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.most_compressed import MostCompressed
-from sim2reason.questions.moments.most_stretched import MostStretched
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

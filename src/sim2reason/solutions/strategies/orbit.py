@@ -4,11 +4,9 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.away import Away
-from sim2reason.questions.moments.closest import Closest
-from sim2reason.questions.moments.farthest import Farthest
-from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.angles import Orbited
+from sim2reason.questions.moments.distances import Away, Closest, Farthest
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI

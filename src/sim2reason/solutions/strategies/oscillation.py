@@ -12,9 +12,9 @@ from sim2reason.lazy import cached_property
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power

@@ -7,7 +7,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, product
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, squares

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.cramer import cramer, determinant
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

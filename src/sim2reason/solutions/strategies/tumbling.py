@@ -6,10 +6,9 @@ from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import TurnedThrough
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.simulation.trace import Event, happened
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares

@@ -13,7 +13,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
-from sim2reason.questions.regimes.side_of_center_of_mass import SideOfCenterOfMass
+from sim2reason.questions.regimes.directions import SideOfCenterOfMass
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import Setting, capital

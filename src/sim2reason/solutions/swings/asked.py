@@ -3,14 +3,10 @@
 from collections.abc import Collection
 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.at_time import AtTime
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
-from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.strings import WentSlack
+from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.setting import Setting, capital
 

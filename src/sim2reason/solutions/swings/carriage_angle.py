@@ -4,8 +4,8 @@ from math import pi
 
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, squares
 from sim2reason.solutions.oscillations.greatest_value import time_of_greatest

@@ -6,7 +6,7 @@ a uniform acceleration to all: in the frame that has it, momentum is kept, and i
 """
 
 from sim2reason.lazy import cached_property
-from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.angles import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.swings.carriage_angle import TWO, CarriageAngle

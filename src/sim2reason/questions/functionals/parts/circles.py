@@ -3,10 +3,8 @@
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.quantities.subjects.paths import chain
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 

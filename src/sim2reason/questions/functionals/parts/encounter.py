@@ -1,8 +1,8 @@
 """How questions speak of one collision, of two bodies that they name or of one with what is fixed."""
 
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounced import Bounced
-from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.bounces import Bounced
+from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.spoken import ordinal
 from sim2reason.questions.words import Words
 

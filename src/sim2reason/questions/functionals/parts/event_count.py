@@ -6,8 +6,8 @@ from typing import ClassVar
 
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounced import Bounced
-from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.bounces import Bounced
+from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace

@@ -12,7 +12,7 @@ from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import IMPACTS, Trace

@@ -12,7 +12,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import BEYOND, SHORTEST, Study
 from sim2reason.questions.targets import Noun, Targets

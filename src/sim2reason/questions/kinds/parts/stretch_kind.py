@@ -17,9 +17,8 @@ from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.functionals.parts.extreme import PLACELESS
 from sim2reason.questions.kinds import Kind, Measured, by_cause
 from sim2reason.questions.moments import Happening, Moment
-from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import moment_of
-from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import StructuredQuestion, resolved

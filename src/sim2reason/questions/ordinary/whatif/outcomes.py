@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.quantities.subjects.pairs import AND
-from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.addresses import addresses
@@ -41,7 +40,7 @@ from sim2reason.questions.ordinary.whatif.condition_rows import (
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.special_outcomes import friction_needed, special_outcome
-from sim2reason.questions.outcomes.rises import Rises
+from sim2reason.questions.outcomes.strings import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from math import inf, isclose
 
 from sim2reason.errors import TextError
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.moments.parts.slip_change import rolls

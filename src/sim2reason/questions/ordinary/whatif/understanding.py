@@ -8,8 +8,7 @@ from math import isclose
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.addresses import addresses

@@ -1,0 +1,218 @@
+"""Stated angles of what swings, turns or orbits."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.positions import Deflection, deflection_at_start
+from sim2reason.quantities.rotation import AngleTurned
+from sim2reason.quantities.subjects.bodies import TurningBodies
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.rods import SwingingLines
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.passage import Passage, Threshold
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
+from sim2reason.questions.spoken import spoken
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+STRAIGHT_UP = 180.0  # degrees
+FEWEST = 10.0  # degrees of a swing, and from its ends
+
+
+@MOMENTS.register("deflected")
+@dataclass(frozen=True, slots=True)
+class Deflected(Threshold):
+    """The first time that a line that swings makes a stated angle with the downward vertical."""
+
+    label = "deflection"
+    of = SwingingLines()
+    verb = Verb("makes", "make")
+    hangs_on = "deflection"
+    unit = "deg"
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """An angle between the least and the greatest, in fives of degrees, or in tens if it has three digits."""
+        angles = Deflection.evaluate(trace.scan, name)
+        low, high = float(np.nanmin(angles)), float(np.nanmax(angles))
+        if high - low < FEWEST:
+            return None
+        angle = spoken(5.0 * max(1, round((low + rng.uniform(0.15, 0.85) * (high - low)) / 5.0)))
+        return angle if low < angle < high else None
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """The angle, and so by how much the line has turned."""
+        return (*self.channels, Channel(self.name, "angle turned"))
+
+    def excess(self, state: State) -> Array:
+        """How far it is beyond the angle, seen from where it starts."""
+        beyond = Deflection.evaluate(state, self.name) - self.value
+        return beyond if deflection_at_start(state, self.name) < self.value else -beyond
+
+    def across(self, trace: Trace) -> Sequence[float] | None:
+        """As much larger than the angle at the start as it is smaller than that, or the other way round."""
+        start = deflection_at_start(trace.state, self.name)
+        other = start * start / self.value
+        return (other,) if 0.0 < other < STRAIGHT_UP else None
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the string first makes an angle of 20° with the downward vertical."""
+        line, angle = self.subject(words), f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
+        return (
+            f"when {line} first makes {angle}",
+            f"at the moment when {line} first makes {angle}",
+            f"when {line} makes {angle} for the first time",
+        )
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the string first makes an angle of 20° with the downward vertical."""
+        angle = f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
+        return Clause(self.subject(words), "does", f"first make {angle}", f"first makes {angle}")
+
+
+ALL_ROUND = 360
+PARTS = (90, 180, ALL_ROUND)  # degrees
+
+
+@MOMENTS.register("orbited")
+@dataclass(frozen=True, slots=True)
+class Orbited(Passage):
+    """When the line from a fixed body to one that it attracts has turned through 90°, 180° or all the way round."""
+
+    label = "orbit"
+    of = Pairs()
+    hangs_on = "distance"
+    pronoun = ""
+    verb = Verb("has completed one orbit", "completed one orbit", "has")
+
+    degrees: int = ALL_ROUND
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Pairs of which one attracts the other and is fixed."""
+        mechanism = words.mechanism
+        drawn = {frozenset((pull.a, pull.b)) for pull in mechanism.attractions}
+        found: dict[str, str] = {}
+        for name, said in words.called(cls.of).items():
+            still = [body for body in members(name) if not center_path(mechanism, body).ways]
+            if len(still) == 1 and frozenset(members(name)) in drawn:
+                found[name] = said
+        return found
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Every part of each orbit."""
+        del rng
+        return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Every part of an orbit of every body that is named."""
+        del trace
+        for name in cls.candidates(words):
+            if cls(name).ends(words)[1] in text:
+                yield from (cls(name, part) for part in PARTS)
+
+    @property
+    def comes_round(self) -> bool:
+        """A hyperbola turns less than all the way round."""
+        return self.degrees == ALL_ROUND
+
+    def ends(self, words: Words) -> tuple[str, str]:
+        """What is fixed, and what goes round."""
+        a, b = members(self.name)
+        center, planet = (b, a) if center_path(words.mechanism, a).ways else (a, b)
+        return words.mentions[center], words.mentions[planet]
+
+    def _arm(self, state: State) -> tuple[Array, Array, Array]:
+        """From the one to the other: now, (n, 3), and at the start, with its rate then."""
+        a, b = members(self.name)
+        now = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
+        began = np.subtract(state.began.center(b).place, state.began.center(a).place)
+        rates = {body: np.zeros(3) for body in (a, b)}
+        for body in (a, b):
+            for coordinate in state.mechanism.body[body].coordinates:
+                rates[body] += coordinate.speed * np.array(coordinate.axis)
+        return now, began, rates[b] - rates[a]
+
+    def excess(self, state: State) -> Array:
+        """What changes its sign at the angle, and is below zero before; of a whole orbit only in its second half."""
+        now, began, rate = self._arm(state)
+        spin = np.cross(began, rate)
+        sine = np.cross(began, now) @ spin
+        return {90: -(now @ began), 180: -sine, ALL_ROUND: sine}[self.degrees]
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when planet A has completed one orbit."""
+        center, planet = self.ends(words)
+        done = f"{planet} {self.verb.told}" if self.degrees == ALL_ROUND else self._swept(center, planet, "has ")
+        return when_phrases(done)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: planet A has completed one orbit."""
+        center, planet = self.ends(words)
+        if self.degrees == ALL_ROUND:
+            return Clause(planet, "has", self.verb.asked, self.verb.told, "to complete one orbit")
+        asked = f"turned through {self.degrees}°"
+        return Clause(
+            f"the line from {center} to {planet}", "has", asked, f"has {asked}", f"to turn through {self.degrees}°"
+        )
+
+    def _swept(self, center: str, planet: str, auxiliary: str) -> str:
+        return f"the line from {center} to {planet} {auxiliary}turned through {self.degrees}°"
+
+
+MOST = 330.0  # degrees
+
+
+@MOMENTS.register("turned_through")
+@dataclass(frozen=True, slots=True)
+class TurnedThrough(Threshold):
+    """The first time that a body on an axle is a stated angle from its starting position."""
+
+    label = "turned"
+    of = TurningBodies()
+    verb = Verb("has turned", "turned", "has")
+    hangs_on = "angle turned"
+    unit = "deg"
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Bodies on one axle that do not roll."""
+        turning = AngleTurned().subjects(words.mechanism)
+        return {name: said for name, said in words.called(cls.of).items() if name in turning}
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """A part of how far it turns, in fives of degrees, or in tens if it has three digits."""
+        reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
+        angle = spoken(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MOST) / 5.0)))
+        return angle if angle < reached else None
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """The angle, and so that with the vertical."""
+        return (*self.channels, Channel(self.name, "deflection"))
+
+    def excess(self, state: State) -> Array:
+        """How much farther it is turned than the angle, either way."""
+        return np.abs(AngleTurned.evaluate(state, self.name)) - self.value
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the rod has turned through 30° from its starting position."""
+        turned = f"{self.subject(words)} has first turned through {self.said(words)} from its starting position"
+        return when_phrases(turned)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the rod has first turned through 30° from its starting position."""
+        turned = f"first turned through {self.said(words)} from its starting position"
+        takes = f"to turn through {self.said(words)} from its starting position for the first time"
+        return Clause(self.subject(words), "has", turned, f"has {turned}", takes)

@@ -1,0 +1,226 @@
+"""Impacts on the ground, and what follows them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Meeting
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.positions import Height
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import EVEN
+from sim2reason.questions.crossing import crossings
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
+from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.spoken import ordinal, round_number
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Event, Trace
+
+GROUND, WALL, WALLS = "the ground", "the wall", "a wall"
+
+
+@MOMENTS.register("bounced")
+@dataclass(frozen=True, slots=True)
+class Bounced(VelocityJump):
+    """The first impact of a body on what is fixed, or a later one, just before or just after it."""
+
+    label = "bounce"
+    kinds = ("collision",)
+    of = Bodies()
+    most = 3
+    verb = Verb("hits {what}", "hit {what}")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Bodies that meet the ground alone, or walls alone."""
+        called = words.called(cls.of).items()
+        return {name: said for name, said in called if struck(words, name)}
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Whether the body alone is struck."""
+        del trace
+        return event.kind == "collision" and event.subjects == (self.name,)
+
+    def does(self, words: Words) -> Verb:
+        """As in: hits the ground."""
+        what = struck(words, self.name)
+        return Verb(self.verb.told.format(what=what), self.verb.asked.format(what=what))
+
+
+def struck(words: Words, name: str) -> str:
+    """What a body bounces from: the ground, the wall, a wall; empty for nothing, or for several kinds."""
+    met = [meeting for meeting in words.mechanism.meetings if meeting.names == (name,)]
+    if met and all(_is_upright(meeting) for meeting in met):
+        return GROUND
+    if met and not any(_is_upright(meeting) for meeting in met):
+        return WALL if len(met) == 1 else WALLS
+    return ""
+
+
+def _is_upright(meeting: Meeting) -> bool:
+    """Whether a body falls on what it meets."""
+    return meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
+
+
+@MOMENTS.register("landed")
+@dataclass(frozen=True, slots=True)
+class Landed(Occurrence):
+    """The instant at which a body that flies reaches the ground."""
+
+    label = "landing"
+    own = True
+    kinds = ("limit",)
+    of = Bodies()
+    most = 0
+    verb = Verb("reaches the ground", "reach the ground")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """What flies, and can't go below the ground."""
+        found: dict[str, str] = {}
+        for name, said in words.called(cls.of).items():
+            body = words.mechanism.body[name]
+            down = any(c.axis[2] > 1.0 - EVEN and c.lower > -inf for c in body.coordinates)
+            if down and len(body.coordinates) > 1 and body.parent is None and name not in words.mechanism.contacts:
+                found[name] = said
+        return found
+
+    @classmethod
+    def seen_as(cls, name: str, words: Words) -> set[str]:
+        """Its coordinates."""
+        return {c.name for c in words.mechanism.body[name].coordinates}
+
+    @property
+    def sided(self) -> bool | None:
+        """Just before it."""
+        return False
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Whether it is the end of the way down."""
+        return event.kind == "limit" and any(
+            c.name == event.subjects[0] for c in trace.mechanism.body[self.name].coordinates
+        )
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: just before the ball reaches the ground."""
+        lands = f"{self.subject(words)} {self.verb.told}"
+        return (f"just before {lands}", f"immediately before {lands}", f"at the moment just before {lands}")
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the ball reaches the ground."""
+        return self.verb.clause(self.subject(words), None)
+
+
+HIGHEST = "the highest point after its {count} bounce"
+
+
+@MOMENTS.register("top_after_bounce")
+@dataclass(frozen=True, slots=True)
+class TopAfterBounce(Occurrence):
+    """The highest point that a body reaches after its first bounce from the ground, or a later one."""
+
+    label = "highest point after a bounce"
+    event = False
+    drawn_by_recipes = False
+    kinds = ("collision",)
+    of = Bounced.of
+    most = 3
+    verb = Verb(
+        "reaches the highest point after its {count} bounce", "reach the highest point after its {count} bounce"
+    )
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the phrases of the bodies that bounce off the ground."""
+        return {name: said for name, said in Bounced.candidates(words).items() if struck(words, name) == GROUND}
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """Return the one channel on which the moment depends: the body's velocity."""
+        return (Channel(self.name, Velocity.name),)
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when the body first stops rising after that bounce and before the next one, s; None if it does not."""
+        bounce = Bounced(self.name, self.number).time(trace)
+        following = Bounced(self.name, self.number + 1).time(trace)
+        if bounce is None:
+            return None
+
+        def sinks(state: State) -> Array:
+            return -Velocity.evaluate(state, self.name)[:, 2]
+
+        found = next((time for time in crossings(trace, sinks) if time > bounce), None)
+        return found if found is not None and (following is None or found < following) else None
+
+    def does(self, words: Words) -> Verb:
+        """Return the verb with the ordinal, as in *reaches the highest point after its second bounce*."""
+        del words
+        count = ordinal(self.number)
+        return Verb(self.verb.told.format(count=count), self.verb.asked.format(count=count))
+
+    @property
+    def _count(self) -> int | None:
+        return None
+
+
+LOW, HIGH = 1.1, 1.6  # times the height of the top after the first bounce
+MOST = 200  # bounces that are looked at
+
+
+@MOMENTS.register("stayed_below")
+@dataclass(frozen=True, slots=True)
+class StayedBelow(DistanceThreshold):
+    """The first bounce after which a body does not rise as high above the ground as a stated height."""
+
+    label = "bounce to less than a height"
+    event = True
+    drawn_by_recipes = False
+    verb = Verb("no longer rises as high as", "no longer rise as high as")
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Return one for each body, with a height that it no longer reaches after one of its bounces."""
+        drawn = ((name, cls.drawn(name, study.trace, rng)) for name in cls.candidates(words))
+        moments = [cls(name, height) for name, height in drawn if height is not None]
+        return [moment for moment in moments if study.time(moment) is not None]
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """Return more than the height of the top after the first bounce; None if there is no such top."""
+        top = TopAfterBounce(name).time(trace)
+        if not top:
+            return None
+        height = float(Height.evaluate(trace.at(top), name)[0])
+        return round_number(rng.uniform(LOW, HIGH) * height, LOW * height, HIGH * height)
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the phrases of the bodies that bounce off the ground."""
+        return {name: said for name, said in words.called(cls.of).items() if struck(words, name) == GROUND}
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """Return the one channel on which the moment depends: the height above the ground."""
+        return (Channel(self.name, Height.name),)
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when the body bounces for the first time without rising to the height afterwards, s."""
+        for number in range(1, MOST):
+            top = TopAfterBounce(self.name, number).time(trace)
+            if top is None:
+                return None
+            if float(Height.evaluate(trace.at(top), self.name)[0]) < self.value:
+                return Bounced(self.name, number).time(trace)
+        return None
+
+    def does(self, words: Words) -> Verb:
+        """Return the verb with the height, as in *no longer rises as high as 1.0 m*."""
+        return Verb(f"{self.verb.told} {self.said(words)}", f"{self.verb.asked} {self.said(words)}")

@@ -1,0 +1,166 @@
+"""Changes of a contact: slipping begins or ends, a body leaves a surface, a prism lands on an edge."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism, Prop
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.questions.choices import still
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
+from sim2reason.questions.moments.parts.slip_change import SlipChange, rolls, slip
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Event, Trace
+
+
+@MOMENTS.register("began_to_slip")
+@dataclass(frozen=True, slots=True)
+class BeganToSlip(SlipChange):
+    """The first time that a body which stuck to its face, or rolled on it, begins to slip."""
+
+    label = "slip"
+    kinds = ("slip",)
+    verb = Verb("begins to slip", "begin to slip")
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Whether it stuck before."""
+        return event.kind == "slip" and event.subjects[0] == self.name and not self.slipped(event, trace)
+
+
+@MOMENTS.register("edge_landed")
+@dataclass(frozen=True, slots=True)
+class EdgeLanded(VelocityJump):
+    """The first landing of the next edge of a body that tumbles over its edges, or a later one, before or after it."""
+
+    label = "landing of an edge"
+    drawn_by_recipes = False
+    kinds = ("land",)
+    of = Bodies()
+    most = 3
+    verb = Verb("lands on its next edge", "land on its next edge")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the phrases of the bodies that stand on edges."""
+        return {name: said for name, said in words.called(cls.of).items() if _edges(words.mechanism, name)}
+
+    @classmethod
+    def seen_as(cls, name: str, words: Words) -> set[str]:
+        """Return the names of the edges of a body."""
+        return _edges(words.mechanism, name)
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Return whether an edge of the body lands."""
+        return event.kind == "land" and event.subjects[0] in _edges(trace.mechanism, self.name)
+
+
+def _edges(mechanism: Mechanism, name: str) -> set[str]:
+    return {foot.name for foot in mechanism.feet if mechanism.site[foot.site].body == name}
+
+
+@MOMENTS.register("left_face")
+@dataclass(frozen=True, slots=True)
+class LeftFace(Occurrence):
+    """The instant at which a body loses contact with its face; the description ends there."""
+
+    label = "lift-off"
+    own = True
+    kinds = ("lift",)
+    of = Contacts()
+    most = 0
+    verb = Verb("loses contact with {surface}", "lose contact with {surface}")
+
+    def does(self, words: Words) -> Verb:
+        """As in: loses contact with the dome."""
+        surface = words.fills(self.of, self.name)["surface"]
+        return Verb(self.verb.told.format(surface=surface), self.verb.asked.format(surface=surface))
+
+
+@MOMENTS.register("lifted_off")
+@dataclass(frozen=True, slots=True)
+class LiftedOff(Occurrence):
+    """The instant at which what burns fuel leaves the ground, if its thrust is less than its weight at first."""
+
+    label = "lift-off of a rocket"
+    own = True
+    drawn_by_recipes = False
+    kinds = ("leave",)
+    of = Bodies()
+    most = 0
+    verb = Verb("leaves the ground", "leave the ground")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the phrases of the bodies that burn fuel and stand on props."""
+        burns = {burn.body for burn in words.mechanism.burns}
+        called = words.called(cls.of).items()
+        return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
+
+    @classmethod
+    def seen_as(cls, name: str, words: Words) -> set[str]:
+        """Return the names of the props on which a body stands: its lift-off is recorded as an event of these."""
+        return _props(words.mechanism, name)
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Return whether at this event a prop of the body stops carrying load."""
+        return event.kind in self.kinds and not _props(trace.mechanism, self.name).isdisjoint(event.subjects)
+
+
+def _props(mechanism: Mechanism, name: str) -> set[str]:
+    """Return the names of the props on which a body stands."""
+    props = (line for line in mechanism.lines if isinstance(line.law, Prop))
+    return {line.name for line in props if name in {mechanism.site[site].body for site in line.through}}
+
+
+VERBS: Mapping[bool, Verb] = {
+    True: Verb("begins to roll without slipping", "begin to roll without slipping"),
+    False: Verb("stops sliding on {surface}", "stop sliding on {surface}"),
+}
+
+
+@MOMENTS.register("stopped_slipping")
+@dataclass(frozen=True, slots=True)
+class StoppedSlipping(SlipChange):
+    """The first time that a body begins to roll without slipping, or stops sliding on a body that moves."""
+
+    label = "stick"
+    kinds = ("stick",)
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """What rolls, and what lies on something that moves; on what is fixed it would just come to rest."""
+        mechanism = words.mechanism
+        called = words.called(cls.of).items()
+        return {n: said for n, said in called if rolls(words, n) or mechanism.body[n].parent is not None}
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Leave out what turned back before: it stopped for an instant then, and a reader may take that instant."""
+        found = super(StoppedSlipping, cls).found(study, words, rng)
+        return [moment for moment in found if not moment.turned_back(study.trace)]
+
+    def turned_back(self, trace: Trace) -> bool:
+        """Return whether the body slips in both senses before it stops slipping."""
+        time = self.time(trace)
+        slips = slip(trace.scan, self.name)
+        before = slips[trace.scan.times < (time or 0.0)]
+        slight = still(trace, slips)
+        return bool((before > slight).any() and (before < -slight).any())
+
+    def _verb(self, words: Words) -> Verb:
+        surface, verb = words.fills(self.of, self.name)["surface"], VERBS[rolls(words, self.name)]
+        return Verb(verb.told.format(surface=surface), verb.asked.format(surface=surface))
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the ball first begins to roll without slipping."""
+        return self._verb(words).phrases(self.subject(words), 1)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the ball first begins to roll without slipping."""
+        return self._verb(words).clause(self.subject(words), 1)

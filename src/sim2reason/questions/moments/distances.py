@@ -1,0 +1,276 @@
+"""Stated distances, and the shortest and the longest distance."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.constancy import may_turn_back
+from sim2reason.dsl.mechanism import ZERO, Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.quantities.relative import DistanceBetween
+from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies
+from sim2reason.quantities.subjects.paths import center_path, rides
+from sim2reason.questions.choices import only_falls
+from sim2reason.questions.crossing import crossings, first_crossing
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.charged import acting_on
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
+from sim2reason.questions.moments.parts.free_motion import goes_straight_up
+from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.questions.moments.parts.turning_points import Apsis
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+SELDOM = 0.05
+
+
+@MOMENTS.register("away")
+@dataclass(frozen=True, slots=True)
+class Away(DistanceThreshold):
+    """The first time that a body that moves freely in a plane is a stated distance from its starting point."""
+
+    label = "away"
+    verb = Verb("is", "", "is")
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Return a random distance; none for a projectile, whose range and height are asked for instead.
+
+        Seldom one in fields that turn the velocity, where how far that has turned tells more.
+        """
+        mechanism = study.mechanism
+        thrown = only_falls(mechanism) and mechanism.gravity != ZERO
+        acting = [acts for name in cls.candidates(words) if (acts := acting_on(mechanism, name)) is not None]
+        if thrown or (any(acts.turning for acts in acting) and rng.random() > SELDOM):
+            return []
+        return super(Away, cls).found(study, words, rng)
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Bodies whose text gives their plane axes."""
+        mechanism = words.mechanism
+        called = words.called(cls.of).items()
+        return {n: s for n, s in called if _has_axes(words, n) and not center_path(mechanism, n).straight}
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the puck is first 0.50 m from its starting point."""
+        first = f"{self.subject(words)} is first {self.said(words)} from its starting point"
+        return when_phrases(first)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the puck is first 0.50 m from its starting point."""
+        there = f"first {self.said(words)} from its starting point"
+        return Clause(self.subject(words), "is", there, f"is {there}")
+
+
+def _has_axes(words: Words, name: str) -> bool:
+    own = words.mechanism.body[name].coordinates
+    return len(own) > 1 and all(c.label in AXES for c in own)
+
+
+@MOMENTS.register("closest")
+@dataclass(frozen=True, slots=True)
+class Closest(Apsis):
+    """The first time that two bodies are closest to each other."""
+
+    label = "closest approach"
+    most = "least"
+    verb = Verb("reach a minimum distance from each other", "reach a minimum distance from each other", "do")
+
+    def extent(self, state: State) -> Array:
+        """Their distance, with a minus sign."""
+        return -DistanceBetween.evaluate(state, self.name)
+
+    def excess(self, state: State) -> Array:
+        """How fast they part."""
+        return self.receding(state)
+
+
+@MOMENTS.register("farthest")
+@dataclass(frozen=True, slots=True)
+class Farthest(Apsis):
+    """The first time that two bodies are farthest from each other."""
+
+    label = "farthest apart"
+    most = "greatest"
+    verb = Verb("reach a maximum distance from each other", "reach a maximum distance from each other", "do")
+
+    def extent(self, state: State) -> Array:
+        """Their distance."""
+        return DistanceBetween.evaluate(state, self.name)
+
+    def excess(self, state: State) -> Array:
+        """How fast they approach."""
+        return -self.receding(state)
+
+
+ABOVE = {UP: "above", OPPOSITE[UP]: "below"}
+
+
+@MOMENTS.register("moved")
+@dataclass(frozen=True, slots=True)
+class Moved(DistanceThreshold):
+    """When a body has moved a stated distance along a straight line, without turning back.
+
+    What collides may have turned back in a collision: it is spoken of by its distance from where it started. Symbols do
+    not say either whether what may turn back does so before, nor on which side of its starting point it is then.
+    """
+
+    towards: int = 0  # 1 or −1: on which side of its starting point it is, along the sense of its line; 0: on either
+
+    label = "moved"
+    verb = Verb("has moved", "moved", "has")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Bodies that move along one line and ride on nothing."""
+        mechanism = words.mechanism
+        called = words.called(cls.of).items()
+        return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """On either side where symbols leave that open."""
+        for moment in super(Moved, cls).parsed(text, trace, words):  # slots make another class of this one
+            sides = (1, -1) if words.symbolic and moment.sense(words.mechanism) is not None else ()
+            yield from (moment, *(replace(moment, towards=side) for side in sides))
+
+    def excess(self, state: State) -> Array:
+        """How much farther it is than the distance, on its side."""
+        sense = self.sense(state.mechanism) if self.towards else None
+        if sense is None:
+            return super(Moved, self).excess(state)
+        return self.towards * (Displacement.evaluate(state, self.name) @ np.array(sense.vector)) - self.value
+
+    def time(self, trace: Trace) -> float | None:
+        """When it is first so far away; if it has not turned back before, unless it may, or collides."""
+        found = first_crossing(trace, self.excess)
+        if found is None or self.towards or _collides(trace.mechanism, self.name):
+            return found
+        return None if _turns_back(trace, self.name, found) else found
+
+    def in_symbols(self, trace: Trace) -> Self:
+        """On the side on which it is in a motion, if it may turn back."""
+        sense, time = self.sense(trace.mechanism), self.time(trace)
+        if sense is None or time is None or not may_turn_back(trace.mechanism):
+            return self
+        ahead = float((Displacement.evaluate(trace.at(time), self.name) @ np.array(sense.vector))[0]) > 0.0
+        return replace(self, towards=1 if ahead else -1)
+
+    def sense(self, mechanism: Mechanism) -> Sense | None:
+        """That of its line, if a side of it has a name."""
+        senses = Bodies().senses(mechanism, self.name)
+        return next(
+            (s for s in senses if len(senses) == 1 and (s.axis or s.positive.partition(" ")[0] in OPPOSITE)), None
+        )
+
+    def told(self, words: Words, said: str) -> str:
+        """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
+        there = self._there(words, f"the distance {said}")
+        return (
+            f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._moved(words)} {said}'}"
+        )
+
+    def _moved(self, words: Words) -> str:
+        """Return how it has gone: *risen* where it can only go up before it turns back, else *moved*."""
+        return "risen" if goes_straight_up(words.mechanism, self.name) else "moved"
+
+    def _there(self, words: Words, said: str) -> str:
+        """Return where the body is: *0.50 m from its starting point*, *0.50 m to the left of its starting point*."""
+        sense, start = self.sense(words.mechanism) if self.towards else None, "its starting point"
+        if sense is None:
+            return f"{said} from {start}"
+        if sense.axis:
+            return f"{said} from {start} in the {'positive' if self.towards > 0 else 'negative'} {sense.axis} direction"
+        first, _, rest = sense.positive.partition(" ")
+        way = first if self.towards > 0 else OPPOSITE[first]
+        if first == RIGHT:
+            return f"{said} to the {way} of {start}"
+        return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
+
+    def _may_return(self, words: Words) -> bool:
+        """Whether the way that it has gone may be longer than the distance, as far as a text tells."""
+        return bool(self.towards) or _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
+        if self._may_return(words):
+            there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
+            return when_phrases(there)
+        moved = f"{self.subject(words)} has {self._moved(words)} {self.said(words)}"
+        return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the block has moved 0.50 m."""
+        said = self.said(words)
+        if self._may_return(words):
+            there = self._there(words, f"first {said}")
+            return Clause(self.subject(words), "is", there, f"is {there}")
+        moved = self._moved(words)
+        takes = "rise" if moved == "risen" else "move"
+        return Clause(self.subject(words), "has", f"{moved} {said}", f"has {moved} {said}", f"to {takes} {said}")
+
+
+def _collides(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body may meet another one, or what is fixed."""
+    return any(name in meeting.names for meeting in mechanism.meetings)
+
+
+def _turns_back(trace: Trace, name: str, until: float) -> bool:
+    """Whether a body that moves along a line reverses before a time."""
+    way = np.array(center_path(trace.mechanism, name).ways[0])
+    speeds = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
+    return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
+
+
+BACK = 1e-5  # of its greatest distance from there: what comes no nearer passes by
+SLOW = 1e-3  # of its greatest speed: what is slower there turns back at that point
+
+
+@MOMENTS.register("returned")
+@dataclass(frozen=True, slots=True)
+class Returned(Passage):
+    """The first time that a body is back at its starting point."""
+
+    label = "return"
+    drawn_by_recipes = False
+    of = Bodies()
+    hangs_on = "displacement"
+    verb = Verb("returns to its starting point", "return to its starting point")
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the phrases of the bodies that ride on no other body, so that the point is fixed in the room."""
+        called = words.called(cls.of).items()
+        return {
+            name: cls.of.point(words.mechanism, name, said) for name, said in called if not rides(words.mechanism, name)
+        }
+
+    def excess(self, state: State) -> Array:
+        """Return r·v, half the rate of the squared distance from the start, in m²/s, (n,)."""
+        return np.einsum("ij,ij->i", Displacement.evaluate(state, self.name), Velocity.evaluate(state, self.name))
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when the distance is first least and zero, s; None if the body does not come back."""
+        farthest = float(np.linalg.norm(Displacement.evaluate(trace.scan, self.name), axis=1).max())
+        fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
+        for time in crossings(trace, self.excess):
+            there = trace.at(time)
+            if float(np.linalg.norm(Displacement.evaluate(there, self.name))) <= BACK * farthest:
+                slow = float(np.linalg.norm(Velocity.evaluate(there, self.name))) <= SLOW * fastest
+                return self._turn(trace, time) if slow else time
+        return None
+
+    def _turn(self, trace: Trace, near: float) -> float:
+        """Return the time, s, near another one at which the speed is least: it tells more exactly when that is."""
+
+        def gains(state: State) -> Array:
+            return np.einsum("ij,ij->i", Velocity.evaluate(state, self.name), Acceleration.evaluate(state, self.name))
+
+        return min(crossings(trace, gains), key=lambda time: abs(time - near), default=near)

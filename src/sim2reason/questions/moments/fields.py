@@ -1,0 +1,194 @@
+"""Moments of charged particles in fields, and crossings of the borders of fields."""
+
+import math
+from dataclasses import dataclass
+from math import cos, hypot, radians, sin
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.dsl.fields import Push
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.vectors import Vector, inner
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
+from sim2reason.questions.moments.parts.occurrence import Occurrence
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+
+@MOMENTS.register("across_field")
+@dataclass(frozen=True, slots=True)
+class AcrossField(FieldPassage):
+    """The first time that a body has turned back along the electric field, while it still moves across it."""
+
+    label = "turning point along the field"
+    hangs_on = "velocity"
+    verb = Verb("moves perpendicular to the electric field", "move perpendicular to the electric field")
+    again: ClassVar[Verb] = Verb(f"{verb.told} again", f"{verb.asked} again")
+
+    @classmethod
+    def suits(cls, acts: ActingFields) -> bool:
+        """Return whether there is one electric field, which does not change with time, and no medium."""
+        return len(acts.electric) == 1 and acts.electric[0].profile.steady and not acts.medium
+
+    def does(self, words: Words) -> Verb:
+        """Return *moves … again* for a body that is launched perpendicular to the field."""
+        mechanism = words.mechanism
+        way = _field_direction(mechanism, self.name)
+        own = mechanism.body[self.name].coordinates
+        along = sum(inner(way, one.axis) * one.speed for one in own)
+        speed = math.hypot(*(one.speed for one in own))
+        return self.again if abs(along) <= SLIGHT * speed and speed else self.verb
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """Return what follows at once from the velocity or the displacement, as forces are along the field then."""
+        told = ("acceleration", "net force", "electric potential energy")
+        return tuple(Channel(self.name, quantity) for quantity in told)
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when the component along the field is first zero, s; None where the body is at rest then."""
+        time = FieldPassage.time(self, trace)
+        if time is None:
+            return None
+        fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
+        here = float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name)))
+        return time if here > SLIGHT * fastest else None
+
+    def excess(self, state: State) -> Array:
+        """Return the component along the field with the sign that is negative at first, m/s, (n,)."""
+        way = np.array(_field_direction(state.mechanism, self.name))
+        velocity, acceleration = begins(state, self.name)
+        along = float(velocity @ way)
+        first = along if abs(along) > SLIGHT * float(np.linalg.norm(velocity)) else float(acceleration @ way)
+        return -np.sign(first) * (Velocity.evaluate(state, self.name) @ way)
+
+
+def _field_direction(mechanism: Mechanism, name: str) -> Vector:
+    """Return the direction of the electric force on a body."""
+    laws = (force.law for force in mechanism.forces if force.body == name)
+    return next(law.direction for law in laws if isinstance(law, Push))
+
+
+@MOMENTS.register("entered_region")
+@dataclass(frozen=True, slots=True)
+class EnteredRegion(Occurrence):
+    """The first time that a body enters the region of a field."""
+
+    label = "entry"
+    own = True
+    kinds = ("enter",)
+    of = Bodies()
+    verb = Verb("enters the field", "enter the field")
+
+
+@MOMENTS.register("left_region")
+@dataclass(frozen=True, slots=True)
+class LeftRegion(Occurrence):
+    """The first time that a body leaves the region of a field."""
+
+    label = "exit"
+    own = True
+    kinds = ("exit",)
+    of = Bodies()
+    verb = Verb("leaves the field", "leave the field")
+
+
+@MOMENTS.register("velocity_returned")
+@dataclass(frozen=True, slots=True)
+class VelocityReturned(FieldPassage):
+    """The first time that a velocity in crossed fields has its initial value again: the end of a cyclotron period."""
+
+    label = "velocity again"
+    hangs_on = "velocity"
+    verb = Verb("has its initial velocity again", "have its initial velocity again")
+
+    @classmethod
+    def suits(cls, acts: ActingFields) -> bool:
+        """Return whether the fields are crossed and uniform, so that the velocity has a period."""
+        return acts.uniform and bool(acts.electric) and bool(acts.magnetic)
+
+    def time(self, trace: Trace) -> float | None:
+        """Return the period of the velocity, s; None of what starts from rest, which comes to rest again."""
+        velocity, acceleration = begins(trace.state, self.name)
+        return FieldPassage.time(self, trace) if velocity.any() and acceleration.any() else None
+
+    def excess(self, state: State) -> Array:
+        """Return how far the velocity has changed in the direction of the initial acceleration, m²/s³, (n,)."""
+        velocity, acceleration = begins(state, self.name)
+        return (Velocity.evaluate(state, self.name) - velocity) @ acceleration
+
+
+ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
+MOST = 180.0  # degrees, which a turn is not told from one the other way round beyond
+
+
+@MOMENTS.register("velocity_turned")
+@dataclass(frozen=True, slots=True)
+class VelocityTurned(FieldPassage, Threshold):
+    """The first time that the direction of a velocity differs by a stated angle from that at the start."""
+
+    label = "velocity turned"
+    part = True
+    hangs_on = "velocity"
+    unit = "deg"
+
+    @classmethod
+    def suits(cls, acts: ActingFields) -> bool:
+        """Return whether one field alone turns it, uniformly or as the ratio of two components of the velocity."""
+        alone = not (acts.electric and acts.magnetic)
+        return (
+            alone
+            and not (acts.electric and acts.medium)
+            and all(law.profile.uniform for law in (*acts.electric, *acts.magnetic))
+        )
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """An angle that is reached."""
+        met = [angle for angle in ANGLES if cls(name, angle).time(trace) is not None]
+        return met[int(rng.integers(len(met)))] if met else None
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """Return how the force has turned, too; but the speed may have changed."""
+        return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
+
+    def time(self, trace: Trace) -> float | None:
+        """Return when the velocity first has that direction, s; None if it never has, or does not turn."""
+        velocity, acceleration = begins(trace.state, self.name)
+        size = hypot(*velocity.tolist()) * hypot(*acceleration.tolist())
+        square = abs(float(velocity @ acceleration)) <= SLIGHT * size or bool(trace.state.mechanism.forces[1:])
+        turns = 0.0 < self.value < MOST and size > 0.0 and square
+        return FieldPassage.time(self, trace) if turns else None
+
+    def excess(self, state: State) -> Array:
+        """Return the component of the velocity across the direction that it has then, m/s, (n,)."""
+        (vx, vy, _), acceleration = begins(state, self.name)
+        sign = 1.0 if vx * acceleration[1] >= vy * acceleration[0] else -1.0
+        turn = sign * radians(self.value)
+        x, y = vx * cos(turn) - vy * sin(turn), vx * sin(turn) + vy * cos(turn)
+        now = Velocity.evaluate(state, self.name)
+        return sign * (x * now[:, 1] - y * now[:, 0]) / hypot(vx, vy)
+
+    def subject(self, words: Words) -> str:
+        """Return how a question calls the velocity."""
+        return f"the velocity of {self.candidates(words)[self.name]}"
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """Return phrases such as *when the velocity of the bead has turned through 60°*."""
+        done = f"{self.subject(words)} has turned through {words.say(self.value, self.unit)}"
+        return when_phrases(done)
+
+    def clause(self, words: Words) -> Clause | None:
+        """Return the clause *the velocity of the bead has turned through 60°*."""
+        turned = f"turned through {words.say(self.value, self.unit)}"
+        takes = f"to turn through {words.say(self.value, self.unit)}"
+        return Clause(self.subject(words), "has", turned, f"has {turned}", takes)

@@ -1,0 +1,195 @@
+"""Moments at which a quantity is greatest or least, on the engine's own steps."""
+
+from abc import abstractmethod
+from dataclasses import dataclass, replace
+from math import inf
+from typing import ClassVar, Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Elastic
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities import QUANTITIES
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.relative import DistanceBetween
+from sim2reason.quantities.springs import Extension, ExtensionRate
+from sim2reason.quantities.subjects.bodies import Bodies, moves
+from sim2reason.quantities.subjects.lines import Springs
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.questions.crossing import begins_beyond, crossings, jumps
+from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+SAME = 1e-6  # of the way between its least and its greatest value
+
+
+@dataclass(frozen=True, slots=True)
+class Peak(Passage):
+    """The first time that something is the greatest that it gets while the motion is followed.
+
+    A motion that begins there has none that anybody would call the first.
+
+    Class data:
+        above: what it must exceed there, as an extension must zero.
+    """
+
+    above: ClassVar[float] = -inf
+
+    exceeded: bool = False  # whether it may be, later
+
+    def first(self) -> Self:
+        """The first time that it turns back, even if it gets beyond that later, and if the motion begins so."""
+        return replace(self, exceeded=True)
+
+    @abstractmethod
+    def extent(self, state: State) -> Array:
+        """What is greatest then, (n,); `excess` is the rate at which it sinks."""
+
+    def time(self, trace: Trace) -> float | None:
+        """When it first turns back, if it never gets beyond, and nothing has struck it back at once before."""
+        if begins_beyond(trace, self.excess) and not self.exceeded:
+            return None
+        reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
+        first = next(((time, value) for time, value in reached if value > self.above), None)
+        turned = first[0] if first is not None else inf
+        struck = (at for at in jumps(trace, self.excess) if float(self.extent(trace.at(at))[0]) > self.above)
+        earliest = min(turned, next(struck, inf))
+        if first is None or self.exceeded or earliest < turned:
+            return earliest if self.exceeded and earliest < inf else None
+        everywhere = self.extent(trace.scan)
+        greatest, least = float(everywhere.max()), float(everywhere.min())
+        return first[0] if first[1] >= greatest - SAME * (greatest - least) else None
+
+
+CIRCLE = 1e-2  # of their distance: what varies by less has neither a closest nor a farthest point
+
+
+@dataclass(frozen=True, slots=True)
+class Apsis(Peak):
+    """Where the distance of two bodies that attract each other is least or greatest.
+
+    Class data:
+        most: which of the two it is, as the text says it of one that moves about another.
+    """
+
+    most: ClassVar[str]
+
+    of = Pairs()
+    hangs_on = "distance"
+    pronoun = ""  # of several bodies it does not tell which
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Those that attract each other."""
+        drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
+        pairs = {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
+        rounds = {name: _one_round(words, name) for name in pairs}
+        return {name: said if (one := rounds[name]) is None else words.mentions[one[0]] for name, said in pairs.items()}
+
+    def does(self, words: Words) -> Verb:
+        """What both do; or one of them, where the other is fixed."""
+        one = _one_round(words, self.name)
+        if one is None:
+            return self.verb
+        distance = f"its {self.most} distance from {words.mentions[one[1]]}"
+        return Verb(f"reaches {distance}", f"reach {distance}")
+
+    @property
+    def comes_round(self) -> bool:
+        """What recedes for ever turns neither back nor towards."""
+        return True
+
+    def receding(self, state: State) -> Array:
+        """How fast they part, m/s, (n,): r·v/r."""
+        a, b = members(self.name)
+        frames = state.frames
+        apart = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
+        parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
+        return np.einsum("ij,ij->i", apart, parting) / np.linalg.norm(apart, axis=1)
+
+    def time(self, trace: Trace) -> float | None:
+        """When it turns; None of what goes round in a circle."""
+        far = DistanceBetween.evaluate(trace.scan, self.name)
+        round_it_goes = float(far.max() - far.min()) <= CIRCLE * float(far.max())
+        return None if round_it_goes else Peak.time(self, trace)
+
+
+def _one_round(words: Words, name: str) -> tuple[str, str] | None:
+    """The body of a pair that moves, and the other, which is fixed; None where both move."""
+    a, b = members(name)
+    if moves(words.mechanism, a) and moves(words.mechanism, b):
+        return None
+    return (a, b) if moves(words.mechanism, a) else (b, a)
+
+
+@dataclass(frozen=True, slots=True)
+class SpringTurn(Peak):
+    """Where a spring is stretched the most, or compressed the most.
+
+    Class data:
+        local_verb: what it does there if it may be stretched, or compressed, more at a later time.
+    """
+
+    own = True
+    of = Springs()
+    hangs_on = "extension rate"
+    above = 0.0
+    local_verb: ClassVar[Verb]
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """All of the spring: its own extremes are asked for as such, not at the moment when they are reached."""
+        return tuple(Channel(self.name, found.name) for found in QUANTITIES.values() if found.of.name == self.of.name)
+
+    def does(self, words: Words) -> Verb:
+        """As in: reaches its maximum extension, and where more than one oscillation may take part, a maximum of it."""
+        mechanism = words.mechanism
+        alone = sum(isinstance(line.law, Elastic) for line in mechanism.lines) == 1
+        swings = any(center_path(mechanism, body.name).bends for body in mechanism.bodies)
+        return self.local_verb if swings or mechanism.meetings or not alone else self.verb
+
+    @abstractmethod
+    def sign(self) -> float:
+        """1 for stretched, −1 for compressed."""
+
+    def extent(self, state: State) -> Array:
+        """How far it is stretched, or compressed."""
+        return self.sign() * Extension.evaluate(state, self.name)
+
+    def excess(self, state: State) -> Array:
+        """How fast it comes back."""
+        return -self.sign() * ExtensionRate.evaluate(state, self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class TurningPoint(Peak):
+    """Where the height of a body is greatest or least.
+
+    Class data:
+        local_verb: what it does there if collisions with other bodies may take it higher, or deeper, later.
+    """
+
+    of = Bodies()
+    hangs_on = "velocity"
+    local_verb: ClassVar[Verb]
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """What flies or swings: on a slope, or on a string straight up, no text speaks of a highest point."""
+        mechanism, found = words.mechanism, dict[str, str]()
+        tied = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
+        for name, said in words.called(cls.of).items():
+            path = center_path(mechanism, name)
+            led = name in mechanism.contacts or (path.straight and name in tied)
+            if any(mechanism.gravity) and path.rises and not led:
+                found[name] = cls.of.point(mechanism, name, said)
+        return found
+
+    def does(self, words: Words) -> Verb:
+        """As in: reaches the highest point of its path, and as in: stops rising."""
+        met = [meeting.names for meeting in words.mechanism.meetings if self.name in meeting.names]
+        return self.local_verb if any(len(names) > 1 for names in met) else self.verb

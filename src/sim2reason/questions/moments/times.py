@@ -1,0 +1,200 @@
+"""Stated times, the start, and stretches without an end of their own."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import Self
+
+import numpy as np
+
+from sim2reason.questions.choices import apart, bears_from
+from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
+from sim2reason.questions.spoken import round_number, spoken
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace, ending
+
+
+@MOMENTS.register("at_start")
+@dataclass(frozen=True, slots=True)
+class AtStart(Moment):
+    """Just after the start."""
+
+    kind = "start"
+    label = "start"
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Every motion has one."""
+        del study, words, rng
+        return [cls()]
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """It has no number or name of its own."""
+        del text, trace, words
+        yield cls()
+
+    def time(self, trace: Trace) -> float | None:
+        """Zero."""
+        del trace
+        return 0.0
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: just after release."""
+        if words.released:
+            return ("just after release", "immediately after release", "at the instant of release")
+        return ("just after t = 0", "immediately after t = 0", "at t = 0")
+
+
+@MOMENTS.register("all_along")
+@dataclass(frozen=True, slots=True)
+class AllAlong(AtStart):
+    """Any time after the start, of what never changes: it is read at the start."""
+
+    label = "all along"
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: after release."""
+        if words.released:
+            return ("after release", "after the release", "in the motion after release")
+        return ("during the motion", "throughout the motion", "while the motion lasts")
+
+
+EARLIEST, LATEST = 0.15, 0.95  # of the stretch that can be asked about
+
+
+@MOMENTS.register("at_time")
+@dataclass(frozen=True, slots=True)
+class AtTime(Moment):
+    """A stated time after the start."""
+
+    kind = "state"
+    label = None
+
+    after: float  # s, as spoken
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """A time away from events and not before all that the text gives can bear: a round number if there is one."""
+        del words
+        earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
+        earliest = min(max(earliest, bears_from(study.trace)), latest)
+        drawn = float(rng.uniform(earliest, latest))
+        moments = (cls(after) for after in (round_number(drawn, earliest, latest), spoken(drawn)))
+        fitting = (m for m in moments if m.time(study.trace) is not None and apart(m.after, study.trace))
+        return [*islice(fitting, 1)]
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Every number of seconds."""
+        del trace
+        return (cls(number) for number in words.heard(text, "s"))
+
+    @property
+    def stated(self) -> tuple[tuple[float, str], ...]:
+        """The time."""
+        return ((self.after, "s"),)
+
+    def having(self, numbers: Sequence[float]) -> Self:
+        """At another time."""
+        return type(self)(*numbers)
+
+    def time(self, trace: Trace) -> float | None:
+        """The time itself, while the motion is described."""
+        return self.after if self.after <= trace.stable_until else None
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: 0.80 s after release."""
+        if words.released:
+            time = words.amount(self.after, "s")
+            return (f"{time} after release", f"{time} after the release", f"{time} after the start")
+        time = words.say(self.after, "s")
+        return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")
+
+    def stretches(self, words: Words) -> tuple[str, ...]:
+        """As in: in the first 0.80 s after release."""
+        time, later = words.say(self.after, "s"), words.amount(self.after, "s")
+        if words.released and later != time:
+            return (f"between release and {later} later", f"from release until {later} later")
+        if words.released:
+            return (
+                f"in the first {time} after release",
+                f"during the first {time} after release",
+                f"during the first {time}",
+            )
+        return (
+            f"between t = 0 and t = {time}",
+            f"from t = 0 to t = {time}",
+            f"in the interval from t = 0 to t = {time}",
+        )
+
+
+@MOMENTS.register("whole_motion")
+@dataclass(frozen=True, slots=True)
+class WholeMotion(Moment):
+    """The end of the first period of a motion, or the instant from which all is at rest for good.
+
+    For quantities that do not depend on positions, it is also the instant from which all moves uniformly for ever.
+    A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
+    """
+
+    kind = "extremum"
+    label = "whole motion"
+
+    drifts: bool = False  # whether it may end elsewhere: for what does not depend on the place
+    ends: bool = True  # whether it may end at all, and not only repeat itself
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Return the whole motion if it repeats itself, in place or displaced; else nothing."""
+        del words, rng
+        if study.time(cls(ends=False)) is not None:
+            return [cls()]
+        return [cls(drifts=True)] if study.time(cls(drifts=True, ends=False)) is not None else []
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Yield the whole motion, which no word names; before it that with drift, if only that repeats itself."""
+        del text, words
+        if cls(ends=False).time(trace) is None and cls(drifts=True, ends=False).time(trace) is not None:
+            yield cls(drifts=True)
+        yield cls()
+
+    @property
+    def comes_round(self) -> bool:
+        """All must be as it was."""
+        return True
+
+    def time(self, trace: Trace) -> float | None:
+        """Return the end of the first period, s, or else of the motion; None if neither is known."""
+        time = self._return(trace)
+        if time is not None or not self.ends:
+            return time
+        if trace.cut:
+            return trace.stable_until
+        rest = rest_for_good(trace)
+        return uniform_from(trace) if rest is None and self.drifts else rest
+
+    def _return(self, trace: Trace) -> float | None:
+        time = first_return(trace)
+        return drift_return(trace) if time is None and self.drifts else time
+
+    def told(self, trace: Trace) -> str:
+        """Say how long the motion is, as in: over the whole motion, to rest at 10.2041 s."""
+        until, unit = self.time(trace), trace.mechanism.units.time
+        if until is None:
+            return ""
+        if self._return(trace) is not None:
+            return f"over the whole motion, which repeats itself every {until:.6g} {unit}"
+        if trace.cut:
+            return f"over the whole motion, to {until:.6g} {unit}, where its description ends: {ending(trace)}"
+        if rest_for_good(trace) is None:
+            return f"over the whole motion, which is uniform from {until:.6g} {unit} on"
+        return f"over the whole motion, to rest at {until:.6g} {unit}"
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: in the motion that follows."""
+        del words
+        return ("in the motion that follows", "during the motion that follows", "in the course of the motion")

@@ -1,0 +1,152 @@
+"""Outcomes for what hangs on strings or rests on a surface."""
+
+from dataclasses import dataclass
+
+from sim2reason.dsl.mechanism import Inextensible
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.bodies import UP, Bodies
+from sim2reason.quantities.subjects.paths import center_path, rides
+from sim2reason.quantities.subjects.rods import SwingingLines
+from sim2reason.questions.outcomes import NOTHING, OUTCOMES, Onset, Swinging, is_steady_release, rest_speed_noise
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+BOTH = 2  # sides at which what swings is when it no longer moves to the left or right
+
+
+@OUTCOMES.register("goes_slack")
+@dataclass(frozen=True, slots=True)
+class GoesSlack(Swinging):
+    """The string of a pendulum goes slack, in its first swings or never."""
+
+    of = SwingingLines()
+    tells = False
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Strings that swing."""
+        lines = words.mechanism.line
+        called = words.called(cls.of).items()
+        return {n: said for n, said in called if n in lines and isinstance(lines[n].law, Inextensible)}
+
+    def happens(self, trace: Trace) -> bool | None:
+        """Whether there is such an event; no once it has swung to both sides, or gone round."""
+        if any(event.kind == "slack" and event.subjects[0] == self.name for event in trace.events):
+            return True
+        level = {c.name for c in trace.mechanism.coordinates if c.axis[2] == 0.0}
+        sides = sum(event.kind == "turn" and event.subjects[0] in level for event in trace.events)
+        return False if sides >= BOTH else None
+
+    def excess(self, trace: Trace) -> float:
+        """The least tension."""
+        return float(trace.scan.tension[self.name].min())
+
+    def does(self, words: Words) -> tuple[str, ...]:
+        """As in: the string goes slack."""
+        subject = self.subject(words)
+        return (f"{subject} goes slack at some time", f"{subject} goes slack on the way")
+
+    def does_not(self, words: Words) -> tuple[str, ...]:
+        """As in: the string stays taut."""
+        subject = self.subject(words)
+        return (f"{subject} stays taut throughout", f"{subject} never goes slack")
+
+
+@OUTCOMES.register("lifts_off")
+@dataclass(frozen=True, slots=True)
+class LiftsOff(Onset):
+    """The outcome that a body with an engine rises from the ground at once; only people ask about it."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the bodies that burn fuel, if gravity is uniform; else none."""
+        mechanism = words.mechanism
+        burning = {burn.body for burn in mechanism.burns} if any(mechanism.gravity) else set[str]()
+        return {name: said for name, said in words.called(cls.of).items() if name in burning}
+
+    def happens(self, trace: Trace) -> bool:
+        """Return whether the body is accelerated upwards at the start."""
+        return self.excess(trace) > NOTHING
+
+    def excess(self, trace: Trace) -> float:
+        """Return the upward acceleration at the start, m/s²."""
+        return float(Acceleration.evaluate(trace.at(0.0), self.name)[0, 2])
+
+    def does(self, words: Words) -> tuple[str, ...]:
+        """Return the clause *the probe rises at once*."""
+        return (f"{self.subject(words)} rises at once",)
+
+    def does_not(self, words: Words) -> tuple[str, ...]:
+        """Return the clause *the probe does not rise at once*."""
+        return (f"{self.subject(words)} does not rise at once",)
+
+
+@OUTCOMES.register("rises")
+@dataclass(frozen=True, slots=True)
+class Rises(Onset):
+    """A body that can move up and down along a line starts upwards."""
+
+    of = Bodies()
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """What has one line to move along that is not level, and rides on nothing, where something could lift it."""
+        mechanism = words.mechanism
+        if not is_steady_release(words) or not (mechanism.lines or mechanism.forces):
+            return {}
+        called = words.called(cls.of).items()
+        paths = {name: center_path(mechanism, name) for name, _ in called}
+        return {n: said for n, said in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
+
+    def happens(self, trace: Trace) -> bool:
+        """Whether it has an upward velocity."""
+        return self.excess(trace) > 0.0
+
+    def excess(self, trace: Trace) -> float:
+        """That velocity, but for what is none."""
+        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
+
+    def does(self, words: Words) -> tuple[str, ...]:
+        """As in: block A starts to move up the slope."""
+        return (f"{self.subject(words)} starts to move {self._way(words)}",)
+
+    def does_not(self, words: Words) -> tuple[str, ...]:
+        """As in: block A does not start to move up the slope."""
+        return (f"{self.subject(words)} does not start to move {self._way(words)}",)
+
+    def _way(self, words: Words) -> str:
+        senses = self.of.senses(words.mechanism, self.name)
+        return senses[0].positive if senses else UP
+
+
+@OUTCOMES.register("sinks")
+@dataclass(frozen=True, slots=True)
+class Sinks(Onset):
+    """A body that can move up and down along a line starts downwards; only people ask about it."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Return the bodies that may also rise, by name."""
+        return Rises.candidates(words)
+
+    def happens(self, trace: Trace) -> bool:
+        """Return whether the body has a downward velocity."""
+        return self.excess(trace) > 0.0
+
+    def excess(self, trace: Trace) -> float:
+        """Return the downward velocity, m/s, less what is none."""
+        return -float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
+
+    def does(self, words: Words) -> tuple[str, ...]:
+        """Return the clause *block A starts to move down*."""
+        return (f"{self.subject(words)} starts to move down",)
+
+    def does_not(self, words: Words) -> tuple[str, ...]:
+        """Return the clause *block A does not start to move down*."""
+        return (f"{self.subject(words)} does not start to move down",)

@@ -1,0 +1,188 @@
+"""Assumptions about sliding and collisions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby, product
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.template import COUNT_WORDS
+from sim2reason.prose.phrases import join
+from sim2reason.quantities.subjects.bodies import RIGHT
+from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.quantities.subjects.pairs import AND, Pairs
+from sim2reason.questions.moments.bounces import GROUND, WALL, struck
+from sim2reason.questions.moments.parts.slip_change import slip
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.regimes.directions import OPPOSITE
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+MOST = 3  # collisions that a clause lists
+ORDERS = 100  # of so many: where more are possible, shorter lists are looked at alone
+
+
+@REGIMES.register("collisions")
+@dataclass(frozen=True, slots=True)
+class CollideInTurn(Regime):
+    """Some collisions come before the moment that is asked about, in this order, and no other does."""
+
+    of = Pairs()
+    stage = 2
+
+    order: tuple[tuple[str, ...], ...]  # the bodies of each; one body alone meets what is fixed
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """All short lists of those for which the text has words."""
+        met = [names for names in _meetings(study.mechanism) if _said(names, words)]
+        lengths = [n for n in range(MOST + 1) if len(met) ** n <= ORDERS] if met else []
+        return [cls("", order) for n in lengths for order in product(met, repeat=n)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether just these come there."""
+        came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
+        return [*map(set, came)] == [*map(set, self.order)]
+
+    def always_told(self, study: Study) -> bool:
+        """Where more than two may meet, or two have met: symbols of places and velocities do not say who meets whom."""
+        return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
+
+    def clause(self, words: Words) -> str:
+        """As in: the only collision before then is between balls A and B; it follows the question."""
+        said = [_said(names, words) for names in self.order]
+        if not said:
+            return "there is no collision before then"
+        if len(said) == 1:
+            lone = words.called(Pairs()).get(AND.join(self.order[0])) if len(_meetings(words.mechanism)) == 1 else None
+            return f"{lone} have collided by then" if lone else f"the only collision before then is {said[0]}"
+        if len(set(said)) == 1:
+            return f"there are exactly {COUNT_WORDS[len(said)]} collisions before then, each {said[0]}"
+        return f"the only collisions before then are, in this order, {join(said)}"
+
+
+def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
+    """Who can meet whom, or what is fixed."""
+    return list(dict.fromkeys(meeting.names for meeting in mechanism.meetings))
+
+
+def _said(names: Sequence[str], words: Words) -> str:
+    """Between whom a collision is; empty where the text has none, or none that tells it from another one."""
+    if len(names) > 1:
+        found = words.called(Pairs()).get(AND.join(names), "")
+        return found and f"between {found}"
+    (name,) = names
+    what = struck(words, name)
+    return f"between {words.mentions[name]} and {what}" if what in (GROUND, WALL) else ""
+
+
+STILL = 1e-9  # m/s
+LEVEL = 1e-9  # of a way's steepness: less is rounding
+LASTING = 1e-9  # of that time
+Course = tuple[int, ...]
+"""1 and -1: a stretch of the one way and of the other, as the slip counts."""
+COURSES: tuple[Course, ...] = ((1,), (-1,), (1, -1), (-1, 1))
+SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
+
+
+@REGIMES.register("sliding")
+@dataclass(frozen=True, slots=True)
+class SlidesThroughout(Regime):
+    """A body slides on a rough face from the start on, or never does.
+
+    Where words tell its way, it turns back at most once.
+    """
+
+    of = Contacts()
+    unseen = True
+
+    slides: bool
+    course: Course = ()  # its ways one after the other, where words tell them
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either, of every body on a rough face, and if it slides, each course that there are words for."""
+        mechanism = study.mechanism
+        rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
+        slides = [
+            cls(name, slides=True, course=course)
+            for name in rough
+            for course in (COURSES if _ways(mechanism, name) else [()])
+        ]
+        return [*slides, *(cls(name, slides=False) for name in rough)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so there."""
+        found = _slides(study, self.name, until)
+        return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """The velocity with which what slides does so then, or soon, along its way, as a share of that of free fall."""
+        if not self.slides:
+            return None
+        end = max(_soon(study, until), until)
+        found = float(slip(study.trace.at(end), self.name)[0])
+        size = self.course[-1] * found if self.course else abs(found)
+        return size / ((float(np.linalg.norm(study.mechanism.gravity)) * end) or 1.0)
+
+    def clause(self, words: Words) -> str:
+        """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
+
+        What is not released at rest may slide for a while only: it keeps sliding. One that turns back has done so by
+        the end: block A first slides up the slope, turns back once and is sliding down it by then. Of what rolls, only
+        the slip reverses.
+        """
+        surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
+        rolls = len(words.mechanism.contacts[self.name].slip) > 1
+        if not self.slides:
+            return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
+        ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
+        where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
+        slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
+        if len(ways) > 1:
+            turned = "its slip reverses once, and it" if rolls else "turns back once and"
+            return f"{called} first {slides} {where}, {turned} is {sliding} {ways[-1]} it by then"
+        return f"{called} {slides if words.released else f'keeps {sliding}'} {where}"
+
+
+def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
+    """How a body may slide on its face, before the face's name, by the sign of its slip; empty if no words say it."""
+    slides = [
+        (held, factor)
+        for coordinate, factor in mechanism.contacts[name].slip
+        if (held := mechanism.coordinates[mechanism.number[coordinate]]).kind == "slide"
+    ]
+    if len(slides) != 1:
+        return {}
+    held, factor = slides[0]
+    steepness = factor * held.axis[2]
+    if abs(steepness) > LEVEL:
+        return {1: "up", -1: "down"} if steepness > 0.0 else {1: "down", -1: "up"}
+    if held.label != RIGHT:
+        return {}
+    ahead, back = (f"to the {side} on" for side in (RIGHT, OPPOSITE[RIGHT]))
+    return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
+
+
+def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
+    """Whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
+    soon = _soon(study, until)
+    scan = study.trace.scan
+    within = (scan.times > soon) & (scan.times < until)
+    end = max(soon, until)
+    times = np.concatenate([[soon], scan.times[within], [end]])
+    first, last = (slip(study.trace.at(time), name) for time in (soon, end))
+    slips = np.concatenate([first, slip(scan, name)[within], last])
+    still = np.abs(slips) <= STILL
+    if still.all():
+        return False, ()
+    course = tuple(sense for sense, _ in groupby(np.sign(slips[~still]).astype(int).tolist()))
+    stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
+    return (None if still[0] or stays.any() else True), course
+
+
+def _soon(study: Study, until: float) -> float:
+    """By when what is released has begun to slide, s."""
+    return min(SOON * (until or 1.0), float(study.trace.state.times[-1]))

@@ -1,0 +1,255 @@
+"""Assumptions about directions of motion, sides and angles."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isclose
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.dsl.vectors import Vector, inner
+from sim2reason.errors import SceneError
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.positions import Deflection, deflection_at_start
+from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.quantities.subjects.rods import (
+    SwingingLines,
+    carries_on_both_sides,
+    is_light_rod,
+    load_center,
+    welded_to,
+)
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+RIGHT_ANGLE = 90.0  # degrees
+
+
+@REGIMES.register("acute")
+@dataclass(frozen=True, slots=True)
+class StartsAcute(Regime):
+    """A line makes an acute angle with the downward vertical at the start, though another one could be stated."""
+
+    of = SwingingLines()
+    stage = 0
+    at_start = True
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Strings, springs and the rods of bobs: which way an arm with several pieces points, their masses say too."""
+        held = study.mechanism.body
+        extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
+        return [cls(name) for name in words.called(cls.of) if name not in extended]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so in another motion."""
+        del until
+        return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT_ANGLE
+
+    def clause(self, words: Words) -> str:
+        """As in: the rod makes an acute angle with the downward vertical at the start."""
+        return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at the start"
+
+
+APART = 1e-6  # degrees: less is no other angle
+
+
+@REGIMES.register("beyond_start")
+@dataclass(frozen=True, slots=True)
+class DeflectedBeyondStart(Regime):
+    """A line makes a larger angle with the vertical than at the start, or a smaller one, when something is asked."""
+
+    of = SwingingLines()
+    stage = 2
+
+    larger: bool
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either, of every line, where the question has a symbol for an angle: symbols do not say which is larger."""
+        del study
+        return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so then; not where a slack string points nowhere."""
+        state = study.trace.at(until)
+        more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
+        return more > APART if self.larger else more < -APART
+
+    def clause(self, words: Words) -> str:
+        """As in: the string then makes a larger angle with the downward vertical than at the start."""
+        size = "larger" if self.larger else "smaller"
+        line = words.called(self.of)[self.name]
+        return f"{line} then makes a {size} angle with the downward vertical than at the start"
+
+
+STILL = 1e-9  # of the greatest speed: less is none
+LASTING = 1e-9  # of the time that is asked about: what turns back stands still for less
+
+
+@REGIMES.register("direction")
+@dataclass(frozen=True, slots=True)
+class MovesOneWay(Regime):
+    """A body moves one way along a line, or is about to, where no force that changes may turn it back."""
+
+    of = Bodies()
+
+    positive: str  # the sense of the line, as the text has it
+    ahead: bool
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either way, of every body whose line has a sense in words."""
+        senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
+        return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it moves that way there."""
+        return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
+
+    def begins(self, study: Study, until: float = 0.0) -> bool:
+        """Whether it moves that way up to a time, s, whatever it does later."""
+        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
+        return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """The velocity that way then, or the acceleration at the start, as a share of what free fall has."""
+        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
+        if sense is None:
+            return None
+        rate = (Velocity if until else Acceleration).evaluate(study.trace.at(until), self.name)[0] @ np.array(
+            sense.vector
+        )
+        return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
+
+    def clause(self, words: Words) -> str:
+        """As in: block A moves down the slope; where it may turn or stop, it keeps moving that way.
+
+        What a collision may send off, too, moves only that way.
+        """
+        kept = "moves only" if words.mechanism.meetings else "keeps moving" if words.turns_back else "moves"
+        return f"{words.called(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"
+
+    @property
+    def motion(self) -> str:
+        """As in: moves down the slope."""
+        first, space, rest = self.positive.partition(" ")
+        way = first if self.ahead else OPPOSITE[first]
+        towards = f"to the {way}" if first == RIGHT else way
+        return f"moves {towards}{space}{rest}"
+
+
+def _of_free_fall(study: Study, until: float) -> float:
+    """The velocity of free fall at a time, s, its acceleration at the start, or 1 if there is no gravity."""
+    return float(np.linalg.norm(study.mechanism.gravity)) * (until or 1.0) or 1.0
+
+
+def _senses(study: Study, name: str) -> list[Sense]:
+    """That of the line along which a body moves, if the text has words for it."""
+    if not center_path(study.mechanism, name).straight:
+        return []
+    senses = Bodies().senses(study.mechanism, name)
+    return [sense for sense in senses if sense.positive.partition(" ")[0] in OPPOSITE and not sense.axis]
+
+
+def _side(study: Study, name: str, way: Vector, until: float) -> int:
+    """1 or -1 if the velocity is along or against a way once it moves, 0 if it is both, or none for a while later.
+
+    What starts from rest moves the way in which it is accelerated.
+    """
+    scan = study.trace.scan
+    within = scan.times < until
+    times = np.append(scan.times[within], until)
+    last = Velocity.evaluate(study.trace.at(until), name)
+    speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(way)
+    fastest = float(np.abs(speeds).max(initial=0.0))
+    if fastest <= STILL:
+        begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(way))[0])
+        return int(begins > STILL) - int(begins < -STILL)
+    idle = np.abs(speeds) <= STILL * fastest
+    rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)
+    if rests[int(np.argmin(idle)) :].any():
+        return 0
+    ahead, back = bool((speeds[~idle] > 0.0).any()), bool((speeds[~idle] < 0.0).any())
+    return int(ahead) - int(back)
+
+
+@REGIMES.register("direction_at_first")
+@dataclass(frozen=True, slots=True)
+class MovesFirst(Regime):
+    """A body that is released begins to move one way along a line, whatever it does later."""
+
+    of = Bodies()
+    stage = 0
+
+    way: MovesOneWay
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either way, where nothing moves at the start: else the text tells it."""
+        return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is about to move that way."""
+        del until
+        return self.way.begins(study)
+
+    def clause(self, words: Words) -> str:
+        """As in: block A first moves down the slope."""
+        return f"{words.called(self.of)[self.name]} first {self.way.motion}"
+
+
+SHIFTED, SAME = 1.01, 1e-9  # by what a number is multiplied to see what hangs on it; relative
+
+
+@REGIMES.register("side_of_center_of_mass")
+@dataclass(frozen=True, slots=True)
+class SideOfCenterOfMass(Regime):
+    """The first body on a light arm is on the side on which the centre of mass of all of them is, or on the other."""
+
+    of = Bodies()
+    at_start = True
+    stage = 0
+
+    same: bool
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Of arms that carry something on both sides of the axle."""
+        mechanism, named = study.mechanism, words.called(cls.of)
+        rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
+        firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]
+        return [cls(name, same) for name in firsts if name in named for same in (True, False)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so in another motion."""
+        del until
+        side = self._side(study.mechanism)
+        return side > 0.0 if self.same else side < 0.0
+
+    def _side(self, mechanism: Mechanism) -> float:
+        """How far on the side of the body the centre of mass is, times the distance of the body, m²."""
+        body = mechanism.body[self.name]
+        return inner(load_center(mechanism, mechanism.body[body.parent or ""]), body.at)
+
+    def regardless_of(self, study: Study, path: str) -> bool:
+        """Whether a number has nothing to do with where the centre of mass is, as an angle or a speed has not."""
+        value = study.scene.value(path)
+        if not value:
+            return False
+        try:
+            other = study.scene.having(path, value * SHIFTED).mechanism
+        except SceneError:
+            return False
+        return isclose(self._side(other), self._side(study.mechanism), rel_tol=SAME)
+
+    def clause(self, words: Words) -> str:
+        """As in: the centre of mass of the bodies on the arm is on the same side of the axle as disc A."""
+        where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
+        return f"the centre of mass of the bodies on the arm is {where} {words.called(self.of)[self.name]}"

@@ -1,0 +1,131 @@
+"""Assumptions about the fuel and the lift-off of rockets."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Prop
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.regimes.directions import MovesOneWay
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+THEN = 1e-9  # relative: a moment that is no farther from burn-out is that
+
+
+@REGIMES.register("burnt out")
+@dataclass(frozen=True, slots=True)
+class BurntOut(Regime):
+    """The fuel is used up before the moment that is asked about, or it is not.
+
+    What may come down again has not done so: its motion ends there, but not what a symbol for a time may stand for.
+    """
+
+    of = Bodies()
+    stage = 2
+
+    out: bool
+    falls: bool = False
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """What burns fuel."""
+        named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
+        body = study.mechanism.body
+        falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
+        return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
+        end = self._end(study)
+        return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """How much later than burn-out the moment is, or earlier, as a share of how long it burns."""
+        later = until / self._end(study) - 1.0
+        return later if self.out else -later
+
+    def _end(self, study: Study) -> float:
+        return max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
+
+    def always_told(self, study: Study) -> bool:
+        """Its symbols do not say how long it burns."""
+        del study
+        return True
+
+    def clause(self, words: Words) -> str:
+        """Return the assumption, as in: it has burned all its fuel by that moment but has not yet fallen back."""
+        return f"{self.short_clause(words)}{' but has not yet fallen back' * (self.out and self.falls)}"
+
+    def short_clause(self, words: Words) -> str:
+        """Return only the part about fuel, as in: the rocket has burned all its fuel by that moment."""
+        called = words.called(self.of)[self.name]
+        return (
+            f"{called} has burned all its fuel by that moment"
+            if self.out
+            else f"{called} still has fuel at that moment"
+        )
+
+    def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
+        """Return the clause without *but has not yet fallen back* if another one says that the rocket only rises."""
+        rises = any(isinstance(other, MovesOneWay) and other.name == self.name for other in others)
+        return self.short_clause(words) if rises else self.clause(words)
+
+
+STILL = 1e-9  # m/s², m/s
+
+
+@REGIMES.register("waits")
+@dataclass(frozen=True, slots=True)
+class DelayedLiftoff(Regime):
+    """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
+
+    of = Bodies()
+    stage = 0
+    unseen = True
+
+    waits: bool
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """What burns fuel and stands on something."""
+        if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
+            return []
+        named = words.called(cls.of)
+        found = [burn.body for burn in study.mechanism.burns if burn.body in named]
+        return [cls(body, waits) for body in found for waits in (True, False)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is accelerated as the engine starts; or it is not, but moves when that stops."""
+        del until
+        trace = study.trace
+        burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
+        pushed = Acceleration.evaluate(trace.at(0.0), self.name)
+        moves = Velocity.evaluate(trace.at(burnt), self.name)
+        lifted = float(np.linalg.norm(pushed)) > STILL
+        return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
+
+    def always_told(self, study: Study) -> bool:
+        """Symbols do not say whether the thrust is more than the weight."""
+        del study
+        return True
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """By how much the thrust at the start exceeds the weight, or falls short of it, as a share of the weight."""
+        del until
+        mechanism = study.mechanism
+        weight = float(mechanism.body[self.name].mass * np.linalg.norm(mechanism.gravity))
+        thrust = sum(burn.rate * burn.exhaust for burn in mechanism.burns if burn.body == self.name)
+        return (thrust / weight - 1.0) * (-1.0 if self.waits else 1.0) if weight else None
+
+    def clause(self, words: Words) -> str:
+        """As in: the rocket lifts off as soon as its engine starts."""
+        called = words.called(self.of)[self.name]
+        if not self.waits:
+            return f"{called} lifts off as soon as its engine starts"
+        return f"{called} lifts off only after its engine has burned part of its fuel"

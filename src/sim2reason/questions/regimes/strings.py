@@ -1,0 +1,101 @@
+"""Assumptions that strings stay taut."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Mechanism
+from sim2reason.quantities.subjects.lines import Strings
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+SLACK = 1e-9  # N
+
+
+def is_driven(mechanism: Mechanism) -> bool:
+    """Whether a spring or a hand acts in it."""
+    return any(isinstance(line.law, Elastic | ConstantTension) for line in mechanism.lines)
+
+
+@REGIMES.register("taut")
+@dataclass(frozen=True, slots=True)
+class StaysTaut(Regime):
+    """A string stays taut."""
+
+    of = Strings()
+    unseen = True
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Every string."""
+        del study
+        return [cls(name) for name in words.called(cls.of)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it pulls throughout; a tension that is not determined, between two at rest, is not gone."""
+        scan = study.trace.scan
+        return not bool((scan.tension[self.name][scan.times <= until] <= SLACK).any())
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """The least tension, by how fast it draws the bodies at its ends together, as a share of that of free fall."""
+        scan, mechanism = study.trace.scan, study.mechanism
+        through = mechanism.line[self.name].through
+        bodies = (mechanism.site[site].body for site in (through[0], through[-1]))
+        masses = [mechanism.body[name].mass for name in bodies if name is not None]
+        ease = sum(1.0 / mass for mass in masses if mass) or 1.0
+        tensions = scan.tension[self.name][scan.times <= until]
+        if np.isnan(tensions).any():
+            return None
+        return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
+
+    def always_told(self, study: Study) -> bool:
+        """Where the text says what happens if it goes slack, as if it did; and of one alone, beside a spring or a hand.
+
+        These may drive one end faster than the load at the other can follow, and no symbol says when.
+        """
+        owner = self.name.partition(".")[0]
+        slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)
+        return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
+
+    def is_lost(self, study: Study) -> bool:
+        """Where it goes slack."""
+        return not self.holds(study, inf)
+
+    def clause(self, words: Words) -> str:
+        """As in: the string stays taut."""
+        return f"{words.called(self.of)[self.name]} stays taut"
+
+
+@REGIMES.register("all_taut")
+@dataclass(frozen=True, slots=True)
+class AllStayTaut(Regime):
+    """All strings of several stay taut."""
+
+    of = Strings()
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Once, where there are several strings; a pulley with mass parts one into several lines."""
+        del words
+        return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether there is a tension in each throughout."""
+        return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
+
+    def always_told(self, study: Study) -> bool:
+        """Where there is a spring or a hand, too, which may drive one end faster than loads can follow."""
+        return is_driven(study.mechanism)
+
+    def is_lost(self, study: Study) -> bool:
+        """Where one of them goes slack."""
+        return not self.holds(study, inf)
+
+    def clause(self, words: Words) -> str:
+        """As in: all strings stay taut."""
+        del words
+        return "all strings stay taut"

@@ -1,0 +1,116 @@
+"""Texts with symbols whose values stand in a list or a table."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.dsl.model import Parameter
+from sim2reason.prose.description import Description
+from sim2reason.prose.phrases import join
+from sim2reason.prose.symbol_names import with_names, without_names
+from sim2reason.prose.voices import Voice, symbolic
+from sim2reason.questions.shapes import Draft, PromptShape, shape
+from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, splits, text_of, units
+
+LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
+FEWEST, MOST = 2, 12
+COMPONENTS = 6  # of vectors, at most: a list of more is a table badly set
+_FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
+_COMPONENT = re.compile(r"[xyz](?:_.+)?|.+_(?:[xyz]|\{[xyz],.+\})")
+_NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
+_LIST = re.compile(rf"(?:{'|'.join(LEADS)})((?:{_NUMBER}(?:, | and |\.$))+)")
+_ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
+
+
+@shape
+class NumbersListed(PromptShape):
+    """Like this: “Block A of mass $m_A$ lies on … How fast is it moving? Data: $m_A$ = 2.0 kg, …”."""
+
+    name = "numbers_listed"
+    share = 0.35
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of texts without a table in which some numbers, but not too many, are told besides g."""
+        lead, after = one_of(LEADS, rng), rng.random() < 0.5
+        marked = description.voiced(_symbols_for(description.voice))
+        told = _numbers(description, marked)
+        if told is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(told) <= MOST:
+            return None
+        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in told) > COMPONENTS:
+            return None
+        named = with_names(marked)
+        story = named.text
+        if _FORMULA.search(story):
+            return None
+        if not after and named.sentences[-1].startswith(lead):
+            lead = LEADS[0]  # no two sentences in a row begin alike: let g = 9.8 m/s²
+        listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
+        return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """The list is found before the question, which may have two sentences, or after it."""
+        said = units(text)
+        for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
+            given = _listed(said[place]) if place > 0 else {}
+            for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
+                yield Draft(without_names(text_of(story)), question, given)
+
+
+def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
+    """By symbol, the numbers that a text tells, in its order, but what stays; None if an unknown has another one."""
+    found: dict[str, str] = {}
+    parameters = {parameter.path: parameter for parameter in description.scene.parameters}
+    for path in description.told:
+        symbol, parameter = marked.symbols.get(path), parameters.get(path)
+        if symbol is None or parameter is None or _stays(parameter):
+            continue
+        spoken = description.voice(parameter, description.symbols.get(path, ""))
+        if spoken.startswith("$") and spoken != f"${symbol}$":
+            return None  # the question speaks of it, too
+        if not spoken.startswith("$"):
+            found[symbol] = spoken
+    return found
+
+
+def _stays(parameter: Parameter) -> bool:
+    """Whether it is said where it stands: g, and zero, which a problem in symbols would list as its only number."""
+    return parameter.path.startswith("world.") or parameter.value == 0.0
+
+
+def _symbols_for(voice: Voice) -> Voice:
+    """Symbols, but for what stays as a voice says it."""
+
+    def said(parameter: Parameter, symbol: str) -> str:
+        return voice(parameter, symbol) if _stays(parameter) else symbolic(parameter, symbol)
+
+    return said
+
+
+def _listed(sentence: str) -> dict[str, str]:
+    """The numbers of a list by symbol; none for any other sentence."""
+    match = _LIST.fullmatch(sentence)
+    return {item[1]: item[2] for item in _ITEM.finditer(match[1])} if match else {}
+
+
+@shape
+class TableLast(PromptShape):
+    """The story and the question as they are, and between them and the last line the table of which they speak."""
+
+    name = "table_last"
+    share = 1.2
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of texts with one table."""
+        del rng
+        tables = [unit for unit in description.sentences if is_table(unit)]
+        told = [unit for unit in description.sentences if not is_table(unit)]
+        return text_of([*told, question, *tables]) if len(tables) == 1 else None
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """The table goes back to any place in the story: reading shows which is right."""
+        *told, last = units(text)
+        if is_table(last):
+            for story, question in splits(told):
+                for place in range(1, len(story) + 1):
+                    yield Draft(text_of([*story[:place], last, *story[place:]]), question)
