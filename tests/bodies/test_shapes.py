@@ -12,8 +12,7 @@ from sim2reason.bodies.polygonal_prism import PolygonalPrism
 from sim2reason.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.model import draw
-from sim2reason.dsl.shape import Shape
-from sim2reason.dsl.solids import PAIRS
+from sim2reason.dsl.solids import PAIRS, Shape
 
 SHAPES = [cls for cls in BODIES.values() if issubclass(cls, Shape)]
 CLOSE = 1e-10

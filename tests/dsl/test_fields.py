@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sim2reason.dsl.fields import Central, Law, Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
-from sim2reason.dsl.vectors import Vector, unit
+from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Vector, unit
 
 NUMBER = st.floats(-3.0, 3.0)
 SIZE = st.floats(0.2, 3.0)

@@ -5,8 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.dsl.triples import applied, cross, minus, plus, product, times
-from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.dsl.vectors import Tensor, Vector, applied, cross, minus, plus, product, times
 
 NUMBER = st.floats(-1e3, 1e3)
 VECTOR = st.tuples(NUMBER, NUMBER, NUMBER)

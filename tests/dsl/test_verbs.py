@@ -20,7 +20,7 @@ from sim2reason.dsl.mechanism import (
     Y,
     Z,
 )
-from sim2reason.dsl.regions import HalfSpace
+from sim2reason.dsl.vectors import HalfSpace
 
 
 @pytest.fixture

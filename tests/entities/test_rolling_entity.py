@@ -20,7 +20,7 @@ from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Shape
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.rolling import Hole, NoSlipping, Rolling, Rough, Sliding, Spinning
 from sim2reason.entities.pulleys import MassWithFixedPulley

@@ -5,9 +5,9 @@ import pytest
 
 from cells import CELLS, drawn
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.ablation import is_weightless, stuck_bodies
 from sim2reason.dsl.entity import outer_ports
 from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.errors import SceneError, UnknownNameError
 from sim2reason.prose.description import describe
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, box, hybrid, incline, mixed, pulley

@@ -10,8 +10,8 @@ from plain_scenes import ramp
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.fields import Magnetic, Profile, Push
 from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.dsl.regions import HalfSpace
 from sim2reason.dsl.units import SI, UnitSystem
+from sim2reason.dsl.vectors import HalfSpace
 from sim2reason.questions import Study, Words
 from sim2reason.simulation.engines.exact import simulate
 

@@ -16,8 +16,7 @@ from sim2reason.dsl.fields import Profile, Push
 from sim2reason.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
 from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.template import Saying, either
-from sim2reason.dsl.triples import Maths, Number, Triple, times
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, times
 
 Thrust = Annotated[float, Measure("force", "N", "F"), Range(1.0, 9.0)]
 

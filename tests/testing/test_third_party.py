@@ -70,7 +70,7 @@ CONFORMS = """
 import sim2reason
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.testing import check_entity
-from sim2reason.dsl.closing import closers
+from sim2reason.dsl.choices import closers
 
 cls = ENTITIES["HorseAndSledge"]
 check_entity(cls, seeds=range(3))

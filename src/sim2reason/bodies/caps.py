@@ -5,11 +5,9 @@ from typing import Annotated, Self
 from annotated_types import Le
 from pydantic import model_validator
 
-from sim2reason.dsl.body import body
-from sim2reason.dsl.looks import Capped
+from sim2reason.dsl.body import Capped, body
 from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.shape import Radius, Shape, Thickness
-from sim2reason.dsl.solids import Solid, segment
+from sim2reason.dsl.solids import Radius, Shape, Solid, Thickness, segment
 from sim2reason.dsl.template import Word
 
 CutHeight = Annotated[float, LEAST, Le(2e2), Measure("height", "m", "h"), Range(0.04, 0.2)]

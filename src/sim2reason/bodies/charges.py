@@ -6,12 +6,11 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le, Lt
 from pydantic import model_validator
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import Small, Unseen
+from sim2reason.dsl.body import Body, Small, Unseen, body
 from sim2reason.dsl.measures import LEAST, Measure, Range, Speed
 from sim2reason.dsl.mechanism import X, Y
-from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 
 BeadMass = Annotated[float, Ge(1e-26), Le(1e6), Measure("mass", "mg", "m"), Range(1.0, 5.0)]
 Charge = Annotated[

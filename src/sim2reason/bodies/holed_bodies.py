@@ -6,12 +6,22 @@ from typing import Annotated, ClassVar, Self
 
 from pydantic import model_validator
 
-from sim2reason.dsl.body import body
-from sim2reason.dsl.looks import Axial, Spherical
+from sim2reason.dsl.body import Axial, Spherical, body
 from sim2reason.dsl.measures import Range
 from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.shape import HoleOffset, HoleRadius, Overlooked, Radius, Shape, Thickness
-from sim2reason.dsl.solids import Axes, Solid, ball, disc, lens
+from sim2reason.dsl.solids import (
+    Axes,
+    HoleOffset,
+    HoleRadius,
+    Overlooked,
+    Radius,
+    Shape,
+    Solid,
+    Thickness,
+    ball,
+    disc,
+    lens,
+)
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
 

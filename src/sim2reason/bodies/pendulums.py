@@ -3,11 +3,9 @@
 from collections.abc import Mapping
 from typing import Annotated
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import Axial, Rectangular, Slender, Small
+from sim2reason.dsl.body import Axial, Body, Rectangular, Slender, Small, body
 from sim2reason.dsl.measures import LEAST, Length, Mass, Measure, Range
-from sim2reason.dsl.shape import SMALL, Overlooked, Shape
-from sim2reason.dsl.solids import Solid, box, point, rod
+from sim2reason.dsl.solids import SMALL, Overlooked, Shape, Solid, box, point, rod
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
 

@@ -5,9 +5,8 @@ from typing import Annotated
 
 from annotated_types import Ge, Gt, Le
 
-from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.body import BigBox, Body, FixedPlane, MovingSlope, body
 from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.looks import BigBox, FixedPlane, MovingSlope
 from sim2reason.dsl.measures import Angle, Chance, Friction, Mass, Measure, Range, StaticFriction
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector

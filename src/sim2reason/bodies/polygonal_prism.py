@@ -4,10 +4,8 @@ from collections.abc import Mapping
 from math import cos, pi, sin
 from typing import Literal
 
-from sim2reason.dsl.body import body
-from sim2reason.dsl.looks import Axial
-from sim2reason.dsl.shape import Extent, Overlooked, Radius, Shape
-from sim2reason.dsl.solids import Solid, polygon, prism, rod
+from sim2reason.dsl.body import Axial, body
+from sim2reason.dsl.solids import Extent, Overlooked, Radius, Shape, Solid, polygon, prism, rod
 from sim2reason.dsl.vectors import Vector, add, scale
 
 Polygon = Literal[

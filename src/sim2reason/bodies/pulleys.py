@@ -4,8 +4,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import Axial, PulleyWheel
+from sim2reason.dsl.body import Axial, Body, PulleyWheel, body
 from sim2reason.dsl.measures import LEAST, Above, Measure, MomentOfInertia, Range
 from sim2reason.dsl.template import Word
 

@@ -5,11 +5,23 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
-from sim2reason.dsl.body import body
-from sim2reason.dsl.looks import THIN, Axial, Spherical
+from sim2reason.dsl.body import THIN, Axial, Spherical, body
 from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.shape import SMALL, Extent, Overlooked, Radius, Shape, Thickness
-from sim2reason.dsl.solids import Solid, ball, cylinder, disc, ring, rod, sphere_surface
+from sim2reason.dsl.solids import (
+    SMALL,
+    Extent,
+    Overlooked,
+    Radius,
+    Shape,
+    Solid,
+    Thickness,
+    ball,
+    cylinder,
+    disc,
+    ring,
+    rod,
+    sphere_surface,
+)
 from sim2reason.dsl.solids import disc as thin_disc
 
 

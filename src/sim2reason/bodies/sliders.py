@@ -4,8 +4,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import Small, Tabletop
+from sim2reason.dsl.body import Body, Small, Tabletop, body
 from sim2reason.dsl.measures import Coordinate, Mass, Measure, Range, Velocity
 from sim2reason.dsl.template import Word
 

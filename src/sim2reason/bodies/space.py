@@ -8,8 +8,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le
 from pydantic import model_validator
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import BodyLook, Globe, Small, Unseen
+from sim2reason.dsl.body import Body, BodyLook, Globe, Small, Unseen, body
 from sim2reason.dsl.measures import LEAST, Mass, Measure, Range
 from sim2reason.dsl.model import as_said
 from sim2reason.dsl.template import Word

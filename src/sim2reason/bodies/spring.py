@@ -4,8 +4,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.dsl.body import Body, body
-from sim2reason.dsl.looks import Slender
+from sim2reason.dsl.body import Body, Slender, body
 from sim2reason.dsl.measures import Measure, NaturalLength, Range, Stiffness
 
 

@@ -24,8 +24,7 @@ from sim2reason.dsl.mechanism import (
     Y,
     Z,
 )
-from sim2reason.dsl.regions import Region
-from sim2reason.dsl.vectors import Tensor, Vector, add, inner, outer, unit
+from sim2reason.dsl.vectors import Region, Tensor, Vector, add, inner, outer, unit
 
 __all__ = ["WHEEL_RADIUS", "Axes", "Builder", "Frame", "Rim"]
 

@@ -5,9 +5,7 @@ from math import hypot
 
 from sim2reason.dsl.frames import BodyFrame, Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Prop, RigidBody
-from sim2reason.dsl.points import Point
-from sim2reason.dsl.triples import Triple, cross, minus, times
-from sim2reason.dsl.vectors import Vector, inner
+from sim2reason.dsl.vectors import Point, Triple, Vector, cross, inner, minus, times
 
 ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel
 

@@ -18,8 +18,7 @@ from sim2reason.dsl.mechanism import (
     RigidBody,
     Site,
 )
-from sim2reason.dsl.triples import minus, product
-from sim2reason.dsl.vectors import Tensor
+from sim2reason.dsl.vectors import Tensor, minus, product
 from sim2reason.errors import UnsupportedError
 
 SAME = 1e-9  # m

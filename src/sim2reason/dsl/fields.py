@@ -7,8 +7,7 @@ and cosine of such numbers.
 from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
-from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, product, times
-from sim2reason.dsl.vectors import Vector, add, inner
+from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, add, cross, inner, minus, product, times
 
 
 @dataclass(frozen=True, slots=True)

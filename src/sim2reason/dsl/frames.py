@@ -13,9 +13,21 @@ from itertools import pairwise
 from types import MappingProxyType
 
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
-from sim2reason.dsl.points import Distance, Gradient, Point, distance
-from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, plus, product, times
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import (
+    Distance,
+    Gradient,
+    Maths,
+    Number,
+    Point,
+    Triple,
+    Vector,
+    cross,
+    distance,
+    minus,
+    plus,
+    product,
+    times,
+)
 
 Rotation = tuple[Triple, Triple, Triple]  # rows
 

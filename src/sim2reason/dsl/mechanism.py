@@ -8,9 +8,8 @@ from math import inf
 from typing import ClassVar, Literal
 
 from sim2reason.dsl.fields import Law
-from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
-from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.dsl.vectors import Region, Tensor, Vector
 from sim2reason.lazy import Memo, cached_property
 from sim2reason.record import record
 

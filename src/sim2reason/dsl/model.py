@@ -1,19 +1,34 @@
-"""Frozen values with declared parameters: how they are walked, changed and drawn."""
+"""Frozen values with declared parameters and bounds: how they are walked, changed and drawn at random."""
 
 import types
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
-from math import inf
-from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, get_args, get_origin
+from math import inf, nextafter
+from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, cast, get_args, get_origin
 
 import numpy as np
+from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
-from sim2reason.dsl.bounds import bounds
 from sim2reason.dsl.measures import Above, Chance, Count, Hidden, Measure, Member, Range, Sized, Usually
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
 from sim2reason.record import record
+
+
+def bounds(metadata: Iterable[object]) -> tuple[float, float]:
+    """The least and the greatest float that all of the bounds in an annotation's metadata allow."""
+    least, most = -inf, inf
+    for bound in metadata:
+        if isinstance(bound, Ge):
+            least = max(least, cast("float", bound.ge))
+        elif isinstance(bound, Gt):
+            least = max(least, nextafter(cast("float", bound.gt), inf))
+        elif isinstance(bound, Le):
+            most = min(most, cast("float", bound.le))
+        elif isinstance(bound, Lt):
+            most = min(most, nextafter(cast("float", bound.lt), -inf))
+    return float(least), float(most)
 
 
 class Model(BaseModel):

@@ -8,7 +8,7 @@ from math import inf
 
 from sim2reason.dsl.frames import Frames
 from sim2reason.dsl.mechanism import Mechanism, Rigid
-from sim2reason.dsl.triples import product
+from sim2reason.dsl.vectors import product
 from sim2reason.errors import SceneError
 
 ROUNDING = 1e-9  # of the largest speed, or of 1 m/s

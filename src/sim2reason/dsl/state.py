@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
-from sim2reason.dsl.triples import Triple, minus, product
+from sim2reason.dsl.vectors import Triple, minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.record import record
 

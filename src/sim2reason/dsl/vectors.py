@@ -1,6 +1,9 @@
-"""Arithmetic of vectors in space, for those who lay scenes out."""
+"""Vectors in space, points of bodies, and regions in which forces act."""
 
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from math import hypot
+from typing import Any, Protocol, Self, TypeAlias
 
 Vector = tuple[float, float, float]
 Tensor = tuple[float, float, float, float, float, float]
@@ -39,3 +42,192 @@ def inner(a: Vector, b: Vector) -> float:
 def outer(a: Vector, b: Vector) -> Vector:
     """The vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+Number: TypeAlias = Any  # a float, an array or a symbol; arithmetic is all that is asked of it
+Triple: TypeAlias = tuple[Number, Number, Number]
+
+
+class Maths(Protocol):
+    """The functions of one kind of number: the modules `math` and `numpy`, or a tape of symbols."""
+
+    def sqrt(self, x: Number, /) -> Number:
+        """The square root."""
+        ...
+
+    def sin(self, x: Number, /) -> Number:
+        """The sine of an angle, rad."""
+        ...
+
+    def cos(self, x: Number, /) -> Number:
+        """The cosine of an angle, rad."""
+        ...
+
+
+def product(a: Triple, b: Triple) -> Number:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Triple, b: Triple) -> Triple:
+    """The vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def plus(a: Triple, b: Triple) -> Triple:
+    """The sum of two vectors."""
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def minus(a: Triple, b: Triple) -> Triple:
+    """The first vector less the second."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def times(factor: Number, a: Triple) -> Triple:
+    """A vector times a number."""
+    return (factor * a[0], factor * a[1], factor * a[2])
+
+
+def applied(tensor: Tensor, vector: Triple) -> Triple:
+    """A symmetric tensor times a vector."""
+    xx, yy, zz, xy, xz, yz = tensor
+    return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
+
+
+Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
+NONE: Triple = (0.0, 0.0, 0.0)
+
+
+@dataclass(slots=True)
+class Point:
+    """A point of a body; `gradient` by coordinate and `lift` by face hold what is not zero."""
+
+    place: Triple  # m
+    velocity: Triple  # m/s
+    bias: Triple  # its acceleration at q̈ = 0, m/s²
+    gradient: Gradient
+    lift: Gradient
+
+
+@dataclass(slots=True)
+class Distance:
+    """How far apart two points are; what does not move one relative to the other has no entry."""
+
+    value: Number  # m
+    rate: Number  # m/s
+    bias: Number  # its second derivative at q̈ = 0, m/s²
+    way: Triple  # unit vector from the first to the second
+    moved: Gradient  # how the second moves relative to the first, by coordinate
+    along: Mapping[int, Number]  # the part of that along `way`
+    lift: Mapping[int, Number]  # the same for rises from faces
+
+
+def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = None) -> Distance:
+    """From one point to another; ZeroDivisionError where they coincide and can part.
+
+    `steady` is the unit vector from one to the other if that never turns: then it holds where they meet, too, and
+    beyond, where their distance counts as negative.
+    """
+    apart = x, y, z = minus(other.place, one.place)
+    value = maths.sqrt(x * x + y * y + z * z) if steady is None else product(steady, apart)
+    moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
+    if not moved and not risen:
+        return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
+    way = x, y, z = times(1.0 / value, apart) if steady is None else steady
+    along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
+    lift = {i: product(way, normal) for i, normal in risen.items()} if risen else {}
+    if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
+        return Distance(value, 0.0, 0.0, way, moved, along, lift)
+    parting = minus(other.velocity, one.velocity)
+    rate = product(way, parting)
+    bend = product(way, minus(other.bias, one.bias))
+    bias = bend if steady is not None else bend + (product(parting, parting) - rate * rate) / value
+    return Distance(value, rate, bias, way, moved, along, lift)
+
+
+def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
+    """How the second point moves relative to the first, where it does, in the order of coordinates."""
+    if not one:
+        return dict(other)
+    if not other:
+        return {i: (-way[0], -way[1], -way[2]) for i, way in one.items()}
+    found: dict[int, Triple] = {}
+    for i in sorted(one.keys() | other.keys()):
+        mine, its = one.get(i), other.get(i)
+        if mine is None:
+            found[i] = other[i]
+        elif its is None:
+            found[i] = (-mine[0], -mine[1], -mine[2])
+        elif mine != its:
+            found[i] = minus(its, mine)
+    return found
+
+
+class Region(Protocol):
+    """Where a force acts: inside, where all margins are positive."""
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """Distances to the borders, m, positive inside."""
+        ...
+
+    def moved(self, by: Vector) -> Self:
+        """The same region elsewhere."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class HalfSpace:
+    """All places with normal·r ≥ offset."""
+
+    normal: Vector
+    offset: float
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distance to the plane."""
+        del maths
+        return (product(self.normal, place) - self.offset,)
+
+    def moved(self, by: Vector) -> "HalfSpace":
+        """Elsewhere."""
+        return replace(self, offset=self.offset + inner(self.normal, by))
+
+
+@dataclass(frozen=True, slots=True)
+class BoxRegion:
+    """A slab or box: low ≤ axis·r ≤ high for each of its axes."""
+
+    sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distances to its sides."""
+        del maths
+        found: list[Number] = []
+        for axis, low, high in self.sides:
+            along = product(axis, place)
+            found += [along - low, high - along]
+        return tuple(found)
+
+    def moved(self, by: Vector) -> "BoxRegion":
+        """Elsewhere."""
+        return BoxRegion(tuple((axis, low + inner(axis, by), high + inner(axis, by)) for axis, low, high in self.sides))
+
+
+@dataclass(frozen=True, slots=True)
+class DiscRegion:
+    """A cylinder of any length: the places within `radius` of an axis through `center`."""
+
+    center: Vector
+    radius: float
+    axis: Vector = (0.0, 0.0, 1.0)
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distance to its border."""
+        apart = minus(place, self.center)
+        along = product(self.axis, apart)
+        aside = minus(apart, times(along, self.axis))
+        return (self.radius - maths.sqrt(product(aside, aside)),)
+
+    def moved(self, by: Vector) -> "DiscRegion":
+        """Elsewhere."""
+        return replace(self, center=add(self.center, by))

@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
-from sim2reason.dsl.looks import Small as SmallBody
+from sim2reason.dsl.body import Small as SmallBody
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import FigureWarning
 from sim2reason.figures import faces

@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import atan2, radians, tan
 from math import degrees as to_degrees
 
-from sim2reason.dsl.looks import FixedPlane, MovingSlope
+from sim2reason.dsl.body import FixedPlane, MovingSlope
 from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of

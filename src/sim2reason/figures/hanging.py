@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from sim2reason.dsl.looks import PulleyWheel
-from sim2reason.dsl.looks import Small as SmallBody
+from sim2reason.dsl.body import PulleyWheel
+from sim2reason.dsl.body import Small as SmallBody
 from sim2reason.dsl.mechanism import ConstantTension
 from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws

@@ -8,8 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from sim2reason.dsl.body import Body
-from sim2reason.dsl.looks import FixedPlane, MovingSlope, PulleyWheel
+from sim2reason.dsl.body import Body, FixedPlane, MovingSlope, PulleyWheel
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector

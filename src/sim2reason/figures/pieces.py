@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from math import isclose
 from typing import TypeVar
 
-from sim2reason.dsl.looks import BodyLook
+from sim2reason.dsl.body import BodyLook
 from sim2reason.dsl.mechanism import Face
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene

@@ -24,8 +24,7 @@ from sim2reason.dsl.frames import Frames, Point
 from sim2reason.dsl.mechanism import ZERO, Elastic, Foot, Force, Line, Mechanism, Meeting, RigidBody, X, Y, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
-from sim2reason.dsl.triples import applied, minus, product
-from sim2reason.dsl.vectors import Tensor
+from sim2reason.dsl.vectors import Tensor, applied, minus, product
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]

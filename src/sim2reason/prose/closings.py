@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from functools import cache
 from math import hypot
 
+from sim2reason.dsl.ablation import weighs, would_weigh
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Meeting
-from sim2reason.dsl.mobility import weighs, would_weigh
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 
 
 @dataclass(frozen=True, slots=True)

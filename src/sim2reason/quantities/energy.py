@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, Attraction, ConstantTension, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.forces import StringLengthRate
 from sim2reason.quantities.kinematics import Displacement, Velocity

@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.dsl.fields import Central, Law, Magnetic, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import Number, Triple
+from sim2reason.dsl.vectors import Number, Triple
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects.bodies import Bodies
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Acceleration
 from sim2reason.quantities.momentum import NetForce

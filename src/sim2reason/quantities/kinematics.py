@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus, plus, times
+from sim2reason.dsl.vectors import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import HORIZONTAL, VERTICAL, Bodies

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import applied, cross, minus, plus, product
+from sim2reason.dsl.vectors import applied, cross, minus, plus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.rotation import AngularAcceleration, AngularVelocity

@@ -8,8 +8,7 @@ import numpy as np
 from sim2reason.dsl.frames import Frames
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Inextensible, Mechanism, X, Y
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import cross, minus, product
-from sim2reason.dsl.vectors import unit
+from sim2reason.dsl.vectors import cross, minus, product, unit
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Displacement
 from sim2reason.quantities.subjects import Sense

@@ -8,8 +8,7 @@ import numpy as np
 from sim2reason.dsl.fields import Magnetic
 from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus, product
-from sim2reason.dsl.vectors import unit
+from sim2reason.dsl.vectors import minus, product, unit
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import CurvatureRadius, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies, moves, moves_in_plane

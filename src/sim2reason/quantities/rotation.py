@@ -6,8 +6,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import plus, times
-from sim2reason.dsl.vectors import inner
+from sim2reason.dsl.vectors import inner, plus, times
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects.bodies import TurningBodies
 from sim2reason.quantities.subjects.paths import parallel, turning_axes

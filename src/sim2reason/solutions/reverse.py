@@ -8,16 +8,20 @@ from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, Worked, loses_digits, numbers
+from sim2reason.solutions.algebra.evaluated import (
+    Chain,
+    ImplicitRoot,
+    NumericRoot,
+    SpecialFunction,
+    Worked,
+    loses_digits,
+    numbers,
+)
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
-from sim2reason.solutions.algebra.in_numbers import closed_root, fraction_in
 from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
-from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.algebra.single_sine import single_sine
-from sim2reason.solutions.algebra.stated_equations import stated_equation
-from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
+from sim2reason.solutions.algebra.single_sine import closed_root, fraction_in, single_sine, trend
+from sim2reason.solutions.algebra.stated_equations import as_power, doubled, half_angles, stated_equation, tidied
 from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.opposite_values import tell_sign
 from sim2reason.solutions.other_roots import OtherRoots, Sides

@@ -8,8 +8,7 @@ from typing import Literal
 from sim2reason.lazy import cached_property
 from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
-from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Number
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.algebra.plain_latex import plain_latex

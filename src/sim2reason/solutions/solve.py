@@ -21,7 +21,7 @@ from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
 from sim2reason.solutions.collisions.placing import SOLVED, in_order
 from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.laws.tension_checks import after_what_they_rest_on
-from sim2reason.solutions.multipart.sequence import times_in_sequence
+from sim2reason.solutions.multipart.renaming import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
 from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined

@@ -4,9 +4,7 @@ from dataclasses import dataclass, replace
 
 from sim2reason.dsl.fields import Law
 from sim2reason.dsl.mechanism import Coordinate, Mechanism, RigidBody
-from sim2reason.dsl.regions import Region
-from sim2reason.dsl.triples import Maths, Number, Triple
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Maths, Number, Region, Triple, Vector
 
 
 def polar(vector: Triple) -> Triple:

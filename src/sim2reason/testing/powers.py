@@ -12,7 +12,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Coordinate, Force, Line, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import minus
 from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.trace import Trace
 

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.dsl.choices import choices
-from sim2reason.dsl.closing import closed
+from sim2reason.dsl.choices import choices, closed
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene

@@ -11,12 +11,10 @@ from pydantic import ValidationError
 from figure_parts import RodPendulum, Slider, scene_of
 from sim2reason.bodies.pendulums import Ball, LightRod
 from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.body import BODIES
-from sim2reason.dsl.choices import choices
-from sim2reason.dsl.closing import closed
+from sim2reason.dsl.body import BODIES, BodyLook
+from sim2reason.dsl.choices import choices, closed
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import ENTITIES, Named, outer_ports
-from sim2reason.dsl.looks import BodyLook
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.string_ends import FixedSupport

@@ -10,11 +10,10 @@ from sim2reason.bodies.planes import Incline, Plane, Track
 from sim2reason.bodies.polygonal_prism import LongPrism
 from sim2reason.bodies.pulleys import FixedPulley
 from sim2reason.bodies.sliders import Block, Puck, Slab, SlidingBall, Table
-from sim2reason.dsl.body import Body
+from sim2reason.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Spherical
 from sim2reason.dsl.builder import Axes, Frame
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Spherical
 from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane

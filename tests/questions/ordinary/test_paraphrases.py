@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased as plain_clauses
+from sim2reason.questions.ordinary.base_forms import paraphrased as plain_clauses
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased as plain_mains
 
 

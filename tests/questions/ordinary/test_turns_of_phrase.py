@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.lead_ins import without_leads
+from sim2reason.questions.ordinary.asides import without_leads
 from sim2reason.questions.ordinary.rewording import reworded
 
 

@@ -14,7 +14,7 @@ from sim2reason.bodies.round_bodies import Cylinder, HollowSphere, Sphere, Thick
 from sim2reason.bodies.sliders import Block
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Shape
 from sim2reason.entities.parts.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
 from sim2reason.entities.parts.rolling import Hole, NoSlipping
 from sim2reason.entities.pendulums import RotationEntity

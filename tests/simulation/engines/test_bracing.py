@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Mechanism, X, Z
-from sim2reason.simulation.engines.exact.bracing import greatest_least
+from sim2reason.simulation.engines.exact.margins import greatest_least
 from sim2reason.simulation.trace import ENGINES
 
 G, STIFFNESS, CART, SPEED = 9.8, 40.0, 6.0, 2.0

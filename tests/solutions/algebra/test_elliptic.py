@@ -6,8 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic
-from sim2reason.solutions.algebra.evaluated import is_special
+from sim2reason.solutions.algebra.evaluated import Amplitude, CompleteElliptic, IncompleteElliptic, is_special
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 
 THETA, K, U = Symbol(r"\theta"), Symbol("k"), Symbol("u")

@@ -10,8 +10,8 @@ from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.needs import need_of
+from sim2reason.solutions.algebra.single_sine import closed_root
 
 X, M, G = Symbol("x"), Symbol("m"), Symbol("g")
 SIZES = st.floats(0.2, 8.0)

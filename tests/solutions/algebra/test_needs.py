@@ -10,8 +10,15 @@ import pytest
 
 import sim2reason.solutions
 from sim2reason.questions.need import Need
-from sim2reason.solutions.algebra.elliptic import CompleteElliptic
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, QuadraticRoot, Worked
+from sim2reason.solutions.algebra.evaluated import (
+    Chain,
+    ClosedRoot,
+    CompleteElliptic,
+    ImplicitRoot,
+    NumericRoot,
+    QuadraticRoot,
+    Worked,
+)
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.needs import need_of, operation

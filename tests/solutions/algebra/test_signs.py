@@ -4,8 +4,7 @@ import pytest
 
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol, added, multiplied
-from sim2reason.solutions.algebra.functions import Call, Power
-from sim2reason.solutions.algebra.signs import with_plain_signs
+from sim2reason.solutions.algebra.functions import Call, Power, with_plain_signs
 from sim2reason.solutions.solution import Relation
 
 A, B, D, X = map(Symbol, ("a", "b", "d", "x_0"))

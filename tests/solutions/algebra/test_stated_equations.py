@@ -5,8 +5,8 @@ import pytest
 from sim2reason.solutions.algebra.closed_roots import fraction, roots
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
-from sim2reason.solutions.algebra.monotonic import trend
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.single_sine import trend
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 
 A, T, X, W = map(Symbol, ("a", "t", "x", "w"))

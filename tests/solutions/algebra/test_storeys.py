@@ -13,8 +13,7 @@ from sim2reason.dsl.model import field_types
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.factors import factors_of, has_fraction, never_negative
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
-from sim2reason.solutions.algebra.plain_latex import plain_latex
-from sim2reason.solutions.algebra.storeys import is_storeyed, one_storey
+from sim2reason.solutions.algebra.plain_latex import is_storeyed, one_storey, plain_latex
 
 M, K, V, G, R, X, Y, D = (Symbol(name) for name in ("m", "k", "v", "g", "R", "x", "y", "d"))
 MU, HEAVY = Symbol(r"\mu"), Symbol("M")

@@ -5,7 +5,7 @@ import pytest
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.tidied import as_power, doubled, half_angles, tidied
+from sim2reason.solutions.algebra.stated_equations import as_power, doubled, half_angles, tidied
 
 A, B, X = map(Symbol, ("a", "b", "x"))
 AT = {"a": 1.5, "b": 0.8, "x": 0.6}

@@ -6,8 +6,17 @@ from math import isclose
 
 import pytest
 
-from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, ImplicitRoot, NumericRoot, QuadraticRoot, Worked
+from sim2reason.solutions.algebra.evaluated import (
+    Amplitude,
+    Chain,
+    ClosedRoot,
+    CompleteElliptic,
+    ImplicitRoot,
+    IncompleteElliptic,
+    NumericRoot,
+    QuadraticRoot,
+    Worked,
+)
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.trees import tree

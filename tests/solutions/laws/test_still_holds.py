@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
-from sim2reason.solutions.laws.still_holds import verify_again
+from sim2reason.solutions.laws.second_case import verify_again
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 

@@ -6,8 +6,7 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.multipart.faults import naming_fault
-from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.in_sequence import consistent, naming_fault
 from sim2reason.solutions.multipart.recall import EARLIER, starting_from
 from sim2reason.solutions.solution import Relation, Solution, Step
 

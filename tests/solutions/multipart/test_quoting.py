@@ -4,7 +4,7 @@ import re
 from collections import Counter
 
 from sim2reason.solutions.multipart.quoting import quoting
-from sim2reason.solutions.multipart.sequence import times_in_sequence
+from sim2reason.solutions.multipart.renaming import times_in_sequence
 from sim2reason.solutions.solution import Solution, Step
 from worked import solution_text
 

@@ -3,7 +3,7 @@
 from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.turning_points import Halted
-from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.in_sequence import consistent
 from sim2reason.solutions.multipart.quoting import quoting
 from sim2reason.solutions.multipart.recall import starting_from
 from worked import derived, solution_text

@@ -14,7 +14,7 @@ from sim2reason.questions.moments.springs import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.multipart.naming import consistent
+from sim2reason.solutions.multipart.in_sequence import consistent
 from sim2reason.solutions.multipart.recall import starting_from
 from sim2reason.solutions.solve import solve_prompt
 from worked import derived, settings_of

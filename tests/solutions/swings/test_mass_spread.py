@@ -5,7 +5,7 @@ import pytest
 
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.model import draw
-from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Shape
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
 

@@ -7,8 +7,7 @@ import pytest
 from sim2reason.grading.tokens import canonical, tokenize
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.writing.fresh_names import FreshNames
-from sim2reason.solutions.writing.subscripts import numbered, primed
+from sim2reason.solutions.writing.subscripts import FreshNames, numbered, primed
 
 
 @pytest.mark.parametrize(

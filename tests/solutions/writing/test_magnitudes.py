@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.writing.magnitudes import of_magnitude
+from sim2reason.solutions.writing.unit_latex import of_magnitude
 from worked import solution_text
 
 

@@ -25,8 +25,8 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
 from sim2reason.solutions import Setting, Solution, solve, solve_prompt
-from sim2reason.solutions.algebra.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.writing.asked_units import told_in
 from sim2reason.solutions.writing.merging import merged

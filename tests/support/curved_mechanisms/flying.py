@@ -8,7 +8,7 @@ from curved_mechanisms.pieces import Rng, chance, choice, mass, number, particle
 from sim2reason.dsl.builder import Builder, Frame
 from sim2reason.dsl.fields import Central, Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
+from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 
 
 def balls(seed: int) -> Mechanism:

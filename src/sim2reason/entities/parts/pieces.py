@@ -16,8 +16,7 @@ from sim2reason.bodies.holed_bodies import HollowSphereWithHole, SphereWithHole
 from sim2reason.bodies.pendulums import Bar, FixedBall, UniformRod
 from sim2reason.bodies.polygonal_prism import PolygonalPrism
 from sim2reason.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
-from sim2reason.dsl.shape import Shape
-from sim2reason.dsl.solids import Axes, axes_along, seen
+from sim2reason.dsl.solids import Axes, Shape, axes_along, seen
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", sought=0.5), Range(0.15, 1.2)]
 Side = Literal[

@@ -4,8 +4,8 @@ from cmath import phase, rect
 from collections.abc import Mapping
 from math import degrees, pi, radians
 
-from sim2reason.dsl.looks import Slender
-from sim2reason.dsl.looks import Small as SmallBody
+from sim2reason.dsl.body import Slender
+from sim2reason.dsl.body import Small as SmallBody
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.dsl.vectors import inner

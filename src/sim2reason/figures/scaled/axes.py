@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from math import ceil
 
-from sim2reason.dsl.looks import Tabletop
+from sim2reason.dsl.body import Tabletop
 from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.setting import Setting

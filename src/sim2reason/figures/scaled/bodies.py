@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import product
 from math import acos, asin, pi, sqrt
 
-from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
+from sim2reason.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.figures.hanging import block_labels
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.lines import beside

@@ -3,12 +3,11 @@
 import math
 from collections.abc import Iterator
 
+from sim2reason.dsl.body import Small
 from sim2reason.dsl.fields import Law
-from sim2reason.dsl.looks import Small
 from sim2reason.dsl.mechanism import ZERO, Force
-from sim2reason.dsl.regions import BoxRegion as Slab
-from sim2reason.dsl.regions import DiscRegion, HalfSpace, Region
-from sim2reason.dsl.vectors import Vector, add, inner, scale
+from sim2reason.dsl.vectors import BoxRegion as Slab
+from sim2reason.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 from sim2reason.figures.scaled.pushes import is_push
 from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.scaled.tabletop import spread

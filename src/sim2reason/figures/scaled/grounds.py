@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import acos, degrees
 
-from sim2reason.dsl.looks import BigBox, Globe, MovingSlope, Tabletop
+from sim2reason.dsl.body import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.dsl.mechanism import Face, Prop
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import pi
 
-from sim2reason.dsl.looks import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
+from sim2reason.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 from sim2reason.figures.hanging import plate, pull_text
 from sim2reason.figures.pieces import around

@@ -3,8 +3,8 @@
 from cmath import phase
 from math import degrees, hypot
 
+from sim2reason.dsl.body import Small
 from sim2reason.dsl.fields import Push
-from sim2reason.dsl.looks import Small
 from sim2reason.dsl.mechanism import Force
 from sim2reason.dsl.vectors import scale
 from sim2reason.figures.paths import owner_of

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees
 
-from sim2reason.dsl.looks import BigBox, Small
+from sim2reason.dsl.body import BigBox, Small
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley, owner_of

@@ -4,14 +4,11 @@ import math
 from collections.abc import Iterator
 from itertools import product
 
-from sim2reason.dsl.body import Body
+from sim2reason.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.dsl.collector import Axes
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
-from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
-from sim2reason.dsl.triples import Triple
-from sim2reason.dsl.vectors import Vector, add, inner, scale
+from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Triple, Vector, add, inner, scale
 from sim2reason.figures.pieces import LIKE, DrawingPlan
 from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT

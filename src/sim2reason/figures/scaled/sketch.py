@@ -1,6 +1,6 @@
 """One drawing to scale, from its parts."""
 
-from sim2reason.dsl.looks import Globe, PulleyWheel, Slender, Tabletop, Unseen
+from sim2reason.dsl.body import Globe, PulleyWheel, Slender, Tabletop, Unseen
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled import bodies
 from sim2reason.figures.scaled.arrows import deflections, heights, speeds, spins

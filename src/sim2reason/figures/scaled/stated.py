@@ -4,7 +4,7 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, dist
 
-from sim2reason.dsl.looks import Axial, Spherical
+from sim2reason.dsl.body import Axial, Spherical
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside, pieces_on

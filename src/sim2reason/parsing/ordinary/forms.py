@@ -7,8 +7,7 @@ from functools import cache
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.dsl.choices import chances, choices, reachable, specials
-from sim2reason.dsl.closing import closed
+from sim2reason.dsl.choices import chances, choices, closed, reachable, specials
 from sim2reason.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.dsl.model import Choice, Count, draw, field_types
 from sim2reason.dsl.scene import Scene

@@ -6,8 +6,7 @@ from math import hypot
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.triples import minus
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, minus
 from sim2reason.quantities.subjects import Sense, Subject, all_said
 from sim2reason.quantities.subjects.bodies import HORIZONTAL, RIGHT, SELDOM, UP, VERTICAL
 from sim2reason.quantities.subjects.paths import EVEN, carried_by, chain, rim_of

@@ -6,8 +6,7 @@ from math import hypot
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import ZERO, Line, Mechanism, Rigid, RigidBody
-from sim2reason.dsl.triples import applied
-from sim2reason.dsl.vectors import Vector, add, inner, outer, scale
+from sim2reason.dsl.vectors import Vector, add, applied, inner, outer, scale
 from sim2reason.quantities.subjects import Sense, Subject, all_said
 from sim2reason.quantities.subjects.contacts import surface
 from sim2reason.quantities.subjects.lines import ends_label, line_phrases, springs, strings

@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.dsl.fields import Push, Resistance
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.quantities.energy import KineticEnergy
 from sim2reason.quantities.forces import FrictionForce, StringLength, Tension
 from sim2reason.quantities.kinematics import Displacement, Velocity

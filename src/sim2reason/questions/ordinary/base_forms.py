@@ -1,8 +1,11 @@
-"""Base forms of verbs, and the words of a question that say nothing of their own."""
+"""Base forms of verbs, and paraphrases of the clauses that name a moment."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
+
+from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS, S
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
 
 REGULAR = re.split(
     " ",
@@ -83,3 +86,145 @@ def based(text: str) -> str:
     bases = _bases()
     words = (bases.get(word, word) for word in text.split())
     return " ".join(word for word in words if word not in AUXILIARIES and word not in EMPTY)
+
+
+WAY = re.compile(
+    r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
+    r" )(?<!picks )(?<!picked )"
+    r"(?<!set )(?<!put )(?<!laid )(?<!end )(?<!ends )(?<!ended )(?<!wind )(?<!winds )"
+    r"(?<!shut )(?<!shuts )(?<!touch )(?<!touches )(?<!slow )(?<!slows )"
+    r"(?:further |straight |vertically )?(?P<way>up|down|uphill|downhill|upwards?|downwards?|to right"
+    r"|to left)"
+    r"(?! vertical)(?: (?:along )?GROUNDS| its path)?(?![\w@])".replace("GROUNDS", GROUNDS)
+)
+PLACES = re.compile(
+    rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
+    r"|(?:(?:left|leave|right|sloping|incline|slant|its) )+face|(?:(?:uniform |electric |magnetic )*field|straight"
+    r" line|air|vertical guide|guide|track|its path|path|its (?:plane|slope|side|track)|its"
+    r" (?:flight|motion|swing|orbit|arc|trajectory"
+    r"|journey|way|climb|rise|fall|descent|ascent)))"
+    r"|(?<![\w@])'s (?:(?:circular|elliptical) )?(?:orbit|path|trajectory|motion|flight|swing)"
+    r"|(?<![\w@])(?:in|of|during|on) (?:(?:whole|entire|circular) )*(?:path|arc|orbit|flight|motion|trajectory|swing)"
+    r"(?![\w@])"
+)
+_LOOSE = frozenset(
+    re.split(
+        " ",
+        "it its 's of at in to by for on with first time moment instant point reach pass get through has where "
+        "maximum they their them position place a an the , one value go come become be finally eventually good "
+        "permanently ever",
+    )
+)
+_ON_ITS_WAY = re.compile(r" on (?:its |@\d+@ 's |their )?(?:way|journey|trip) (?:back|home|there|out)\b(?! from)")
+_ON_OTHER_SIDE = re.compile(
+    r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b"
+)
+_FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever|everything)\b")
+TOGETHER = "they move together"
+_PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
+_PASSING = frozenset(
+    re.split(
+        " ",
+        "swing move fly roll slide travel pass passage sweep fall rise arrive",
+    )
+)
+"""Verbs that say nothing beside a place that a body passes."""
+_WITH = re.compile(rf"(?:with|into|against|by|of) (?:<> +)?(?:its +)?(?:first +)?{S}")  # *its collision with C*
+_ORDINAL = pattern("ORDINAL")
+
+
+@cache
+def _quantities() -> str:
+    return either(name for row in QUANTITIES.values() for name in row.split("|"))
+
+
+@cache
+def _head(told: str) -> re.Pattern[str]:
+    told = told.replace("GROUNDS", GROUNDS).replace("SURFACE", GROUNDS)
+    told = told.replace("START", START_WORDS).replace("QUANTITY", _quantities())
+    return re.compile(rf"(?<![\w@#-])(?:{told})(?![\w@#-])")
+
+
+def paraphrased(clause: str) -> Iterator[str]:
+    """Yield plain clauses that say what a clause says, if every word of the clause has its place."""
+    if re.search(r"\b(?:not|half|without|unless|never|except|last|another|more|less|next|than)\b", clause) and not (
+        re.search(r"without (?:slip|slid|skid)|(?:shorter|longer|higher|lower) than", clause)
+    ):
+        return
+    clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
+    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
+    text = based(text)
+    ways = " ".join(re.findall("<.+?>", text))
+    bare = " ".join(re.sub("<.+?>", " ", text).split())
+    for told, plain in HEADS.items():
+        said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
+        for found in _head(told).finditer(said):
+            for plainly in _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}"):
+                yield f"{plainly} on other side" if across else plainly
+
+
+def way_of(said: str) -> str:
+    """Return the plain word for a way: up, down, to right or to left."""
+    return {"uphill": "up", "upwards": "up", "upward": "up", "downhill": "down"}.get(said, said).removesuffix("wards")
+
+
+def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
+    """Yield a plain clause with the subject, number and way of a clause; nothing if a word is left without a place."""
+    ways = re.findall(r"<(.+?)>", rest)
+    rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
+    subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
+    plain = _for_these(plain, subjects, ways, f"{found[0]} <> {rest}")
+    count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
+    rest = re.sub(r"\beverything\b", " ", rest) if "stops" in plain else rest
+    left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
+    if any(place in plain for place in _PASSED):
+        left -= _PASSING
+    ways = [] if plain == TOGETHER else ways
+    fits = (
+        len(subjects) <= 1 + ("{t}" in plain) and len(count) <= ("{count}" in plain) and len(ways) <= ("{way}" in plain)
+    )
+    if left or not plain or not fits:
+        return
+    groups = {key: said or "" for key, said in found.groupdict().items()}
+    one, other = (*subjects, "", "")[:2]
+    told = plain.format(
+        s=one,
+        t=other,
+        n=next((groups[key] for key in "nmk" if groups.get(key)), ""),
+        way=f" {ways[0]}" if ways else "",
+        count=f" for {count[0]} time" if count else "",
+        axis=groups.get("axis", ""),
+        sign="-" if groups.get("sign") else "",
+        heading=groups.get("heading", ""),
+        q=next((groups[key] for key in "qro" if groups.get(key)), ""),
+        times=next((groups[key] for key in ("times", "fold", "tripled") if groups.get(key)), ""),
+        sense=_sense(groups),
+    )
+    yield re.sub(r" of equals", " equals", " ".join(told.split()))
+
+
+def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> str:
+    """Return a plain clause for one subject, or for a way, if there is that; empty if nothing is meant by it.
+
+    `text` is the head of the clause, then ``<>``, then the rest of the clause.
+    """
+    rest = text.partition("<>")[2]
+    if plain == "{s} stops":
+        return "{s} finally stops" if _FOR_GOOD.search(rest) is not None else "{s} stops going{way}" if ways else plain
+    if plain == "{s} returns" and re.search(r"\borigin\b", text) is not None:
+        return "{s} returns to origin"
+    if "{t}" not in plain or len(subjects) > 1:
+        return plain
+    numbers = _ORDINAL.findall(rest)
+    if "collide" in plain and subjects and _WITH.search(text):
+        return "" if numbers not in ([], ["first"]) else "meets {s}"
+    if "collide" in plain:
+        whose = "{s} 's" if subjects else "its" if re.search(r"\bits\b", rest) else ""
+        return f"{whose} {numbers[0]} collision" if len(numbers) == 1 else "" if numbers else "{s} collides"
+    return "" if "{n}" in plain else re.sub(r" (?:to|from) \{t\}", "", plain)
+
+
+def _sense(groups: Mapping[str, str]) -> str:
+    """Return the verb for the way in which a body moves up or down; *rises* where a sentence does not tell."""
+    falls = re.fullmatch(FALL, groups.get("fall", "")) is not None or groups.get("down") == "<down>"
+    return "falls" if falls else "rises"

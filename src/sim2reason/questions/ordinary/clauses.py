@@ -7,10 +7,10 @@ from dataclasses import replace
 from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
+from sim2reason.questions.ordinary.base_forms import paraphrased
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.moment_readers import Reader, is_time
 from sim2reason.questions.ordinary.multiples import PAST
-from sim2reason.questions.ordinary.paraphrased_clauses import paraphrased
 from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
 from sim2reason.questions.ordinary.whens import AFTER, THEN, When
 

@@ -1,10 +1,8 @@
 """What main clauses ask for, in base forms, each with the plain main clause that says the same."""
 
 from sim2reason.questions.ordinary.clause_heads import HOME
-from sim2reason.questions.ordinary.force_rows import FORCE_ROWS
-from sim2reason.questions.ordinary.shape_rows import SHAPE_ROWS
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
-from sim2reason.questions.ordinary.wanted_row import WantedRow
+from sim2reason.questions.ordinary.wanted_row import FORCE_ROWS, SHAPE_ROWS, WantedRow
 
 S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)", "roll"

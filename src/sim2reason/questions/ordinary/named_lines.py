@@ -1,11 +1,14 @@
-"""Names of strings, springs and rods in a question: by their ends, by what they do, by the pulleys that they pass."""
+"""Names of strings, springs, rods and particles in a question."""
 
 import re
 from collections.abc import Iterable, Mapping
+from math import isclose
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import ConstantTension
+from sim2reason.dsl.units import parse_unit
 from sim2reason.dsl.vectors import inner
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.lines import Springs, Strings, pulleys
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.rods import SwingingLines, load_center, welded_to
@@ -216,3 +219,22 @@ def _end(said: str, lone: frozenset[str] = frozenset()) -> str:
         alone = f"|{noun}(?! {letter})" if noun in lone else ""
         return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{alike(noun, *ANYTHING)})(?:e?s)? )?{letter}{alone})"
     return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"
+
+
+NEAR = 0.01  # relative: how well a mass must fit, as texts round it
+MASSES: Mapping[str, float] = {"electron": 9.1094e-31, "proton": 1.6726e-27}
+"""The masses of particles, kg."""
+
+
+def with_particles(text: str, words: Words) -> str:
+    """Return a text that calls a particle, by whose name only one body can be meant, as the scene's text does."""
+    factor = parse_unit(words.units.spell("kg")).factor_to(parse_unit("kg")) or 1.0
+    for particle, mass in MASSES.items():
+        fits = [
+            said
+            for name, said in words.called(Bodies()).items()
+            if isclose(words.mechanism.body[name].mass * factor, mass, rel_tol=NEAR)
+        ]
+        if len(fits) == 1:
+            text = re.sub(rf"\b(?:[Tt]he )?{particle}\b", fits[0], text)
+    return text

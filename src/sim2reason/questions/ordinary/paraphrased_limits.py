@@ -5,10 +5,9 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.base_forms import PLACES, WAY, based, way_of
 from sim2reason.questions.ordinary.clause_heads import START_WORDS, S
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import either, meant
 
 OUTCOMES: Mapping[str, tuple[str, bool]] = {

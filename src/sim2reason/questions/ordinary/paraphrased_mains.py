@@ -4,9 +4,8 @@ import re
 from collections.abc import Iterator
 from functools import cache
 
-from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.ordinary.base_forms import PLACES, WAY, based, way_of
 from sim2reason.questions.ordinary.main_rows import ALL_COLLISIONS, ROWS, SIZES, VERBS, S
-from sim2reason.questions.ordinary.paraphrased_clauses import PLACES, WAY, way_of
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 

@@ -13,15 +13,19 @@ from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.ordinary.addresses import EVERYTHING, addresses, all_of
 from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.multiples import LATE
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.unsaid import (
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
+from sim2reason.questions.ordinary.whens import (
     AMPLITUDE,
     DEFLECTIONS,
     ENERGIES,
+    EVERYTHING,
+    ONLY_LINE,
     ORBITAL,
+    addresses,
+    all_of,
     each_of,
     fixed_end,
     is_light_arm,
@@ -30,8 +34,6 @@ from sim2reason.questions.ordinary.unsaid import (
     strained,
     velocities_equal,
 )
-from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.whens import ONLY_LINE
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.posing import AXLE, HEAT, MINUS, PLUS, SUMMED
 from sim2reason.questions.spoken import ORDINALS

@@ -1,4 +1,4 @@
-"""Presumptions of a question in ordinary English, such as that a quantity is steady or that a body goes up."""
+"""Presumptions of a question: a steady quantity, a direction of motion, the stretch after the moment in question."""
 
 from collections.abc import Iterator
 
@@ -11,7 +11,6 @@ from sim2reason.quantities.positions import Height
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.following import Followed
-from sim2reason.questions.ordinary.afterwards import goes_then
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
 from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
@@ -33,6 +32,24 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
+
+SOON, LATE = 0.01, 0.9  # of the stretch up to the next event, or to the end of the known motion
+UP = {"up": 1.0, "down": -1.0}
+
+
+def goes_then(case: Case, way: str) -> bool:
+    """Return whether a body goes up, or down, after an instant, while what is asked for keeps its value."""
+    name, trace, target = named(case.who, case.words), case.followed.study.trace, case.query.target
+    began = float(np.nextafter(case.then, np.inf))
+    later = [event.time for event in trace.events if event.time > began * (1.0 + EVEN) and event.changes_motion]
+    end = min([*later, trace.stable_until])
+    if not name or target is None or end <= began:
+        return False
+    states = [trace.at(began + share * (end - began)) for share in (SOON, LATE)]
+    moves = all(float(Velocity.evaluate(state, name)[0, 2]) * UP[way] > 0.0 for state in states)
+    answer = case.followed.answer or 0.0
+    return moves and all(bool(np.isclose(target.value(state), answer, rtol=STEADY, atol=0.0)) for state in states)
+
 
 EARLY = 0.5  # of a stretch: then it goes the way that it goes
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}

@@ -15,7 +15,6 @@ from sim2reason.quantities.subjects.paths import center_path, chain
 from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
-from sim2reason.questions.ordinary.unsaid import fixed_end
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     BESIDE,
@@ -39,6 +38,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SPRUNG,
     STANDS,
 )
+from sim2reason.questions.ordinary.whens import fixed_end
 from sim2reason.questions.words import Words
 
 

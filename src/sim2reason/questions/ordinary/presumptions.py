@@ -18,7 +18,6 @@ from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
-from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,
@@ -45,6 +44,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     STRETCHED,
     UNMOVED,
 )
+from sim2reason.questions.ordinary.whens import addresses
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import ends_at_rest
 from sim2reason.questions.structured import resolved

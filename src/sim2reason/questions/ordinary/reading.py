@@ -1,21 +1,23 @@
 """Readings of a question in ordinary English: all structured questions that a sentence may ask."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
-from sim2reason.questions.ordinary.base_forms import based
+from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.ordinary.base_forms import PLACES, based
 from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.multiples import LATE, LONG
-from sim2reason.questions.ordinary.paraphrased_clauses import PLACES
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
-from sim2reason.questions.posing import MINUS
+from sim2reason.questions.posing import MINUS, PosedQuestion
 from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.questions.words import Words
 
 _PLACE = r"(?: away| from (?:[a-z ]+?|@\d+@)| above [a-z ]+?)"
 _DOES = "(?:does |is |has |do |will |are |have |did |can )"
@@ -267,3 +269,24 @@ def _with(main: Main, when: When) -> Reading:
 
 def _asked(main: Main, when: str) -> StructuredQuestion:
     return StructuredQuestion(main.find, main.of, when, main.along)
+
+
+@dataclass(frozen=True)
+class Understood:
+    """A sentence understood: the structured question, the posed question, and the answer with its motion."""
+
+    asked: StructuredQuestion
+    posed: PosedQuestion
+    followed: Followed
+
+
+class Reader(NamedTuple):
+    """The functions that read questions about a scene as it is.
+
+    `read` returns the meaning of a heard sentence, `readings` all its readings, and `first_of` the meaning of the first
+    reading that the scene answers.
+    """
+
+    read: Callable[[Heard, FollowedMotion, Words], Understood | None]
+    readings: Callable[[Heard, FollowedMotion, Words], list[Reading]]
+    first_of: Callable[[list[Reading], FollowedMotion, Words], Understood | None]

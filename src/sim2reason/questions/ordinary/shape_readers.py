@@ -4,10 +4,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
-from sim2reason.questions.ordinary.unsaid import AMPLITUDE
 from sim2reason.questions.ordinary.vocabulary import (
     BESIDE,
     BORNE,
@@ -25,7 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SIDEWAYS,
     UP,
 )
-from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.ordinary.whens import AFTER, AMPLITUDE, EVERYTHING, When, ways_of
 
 _UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split())}|up|down)\b")
 MASS_CENTER = "velocity of the centre of mass"

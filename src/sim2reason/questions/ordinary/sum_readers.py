@@ -4,12 +4,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, JUMP, STRETCH, Main, Reader, each, implied
 from sim2reason.questions.ordinary.shape_readers import spring_work
 from sim2reason.questions.ordinary.vocabulary import DRAWN, MUTUAL, ON, ONLY, OVER
-from sim2reason.questions.ordinary.whens import AFTER, When
+from sim2reason.questions.ordinary.whens import AFTER, EVERYTHING, When
 
 HEAT = "energy dissipated by friction"
 _CLAUSE = re.compile(r" (?:when|until|till|before|by time|by moment|after|once|as soon as|while|in first|during) ")

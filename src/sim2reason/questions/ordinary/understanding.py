@@ -9,22 +9,19 @@ from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.moments.turning_points import Halted
-from sim2reason.questions.ordinary.addresses import addressed, seen_from
 from sim2reason.questions.ordinary.hearing import Heard, hear
-from sim2reason.questions.ordinary.meaning import Reader, Understood
 from sim2reason.questions.ordinary.multiples import in_numbers
-from sim2reason.questions.ordinary.numbers_placed import numbers_wanted
 from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
-from sim2reason.questions.ordinary.reading import Reading, readings
+from sim2reason.questions.ordinary.reading import Reader, Reading, Understood, readings
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import SLOWER
-from sim2reason.questions.ordinary.whatif.blows import of_blow
+from sim2reason.questions.ordinary.wanted import numbers_wanted
+from sim2reason.questions.ordinary.whatif.blows import of_blow, of_small_oscillations
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
-from sim2reason.questions.ordinary.whatif.small_oscillations import of_small_oscillations
 from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
-from sim2reason.questions.ordinary.whens import DURING
+from sim2reason.questions.ordinary.whens import DURING, addressed, seen_from
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words

@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.addresses import EVERYTHING
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.readers import (
@@ -40,7 +39,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     WAYS,
     meant,
 )
-from sim2reason.questions.ordinary.whens import AFTER, When, ways_of
+from sim2reason.questions.ordinary.whens import AFTER, EVERYTHING, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
 
 ABOVE = "height above the start"

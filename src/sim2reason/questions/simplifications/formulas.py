@@ -7,10 +7,9 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.ablation import with_lines
+from sim2reason.dsl.ablation import weighs, with_lines
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
-from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, Simplification, simplification

@@ -3,11 +3,10 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim2reason.dsl.ablation import NEARLY_NOTHING, held, left_out, with_bodies, with_lines
+from sim2reason.dsl.ablation import NEARLY_NOTHING, held, left_out, weighs, with_bodies, with_lines
 from sim2reason.dsl.constancy import bending
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
-from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.vectors import scale
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification

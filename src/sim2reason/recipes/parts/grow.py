@@ -7,11 +7,11 @@ from math import exp, log
 
 import numpy as np
 
+from sim2reason.dsl.ablation import is_weightless, stuck_bodies
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import ENTITIES, Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.mechanism import GRAVITY
-from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene

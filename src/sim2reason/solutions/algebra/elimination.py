@@ -6,11 +6,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
-from sim2reason.solutions.algebra.fractions import over
-from sim2reason.solutions.algebra.numeric_equation import NumericEquation, term
+from sim2reason.solutions.algebra.fractions import CrossElimination, NumericEquation, SymbolicEquation, over, term
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing

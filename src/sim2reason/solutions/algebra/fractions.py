@@ -1,9 +1,23 @@
-"""Fractions of polynomials, without what both of their sides share."""
+"""Fractions of polynomials, and linear equations with symbols or numbers as coefficients."""
 
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import permutations
 from math import gcd
 
-from sim2reason.solutions.algebra.expressions import Expression, Number, Quotient, multiplied
-from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Quotient,
+    Symbol,
+    added,
+    multiplied,
+    parenthesized,
+)
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.writing.steps import Book, Writing
 
 WHOLE = 1e-12  # by how much a factor may differ from an integer
 
@@ -77,3 +91,146 @@ def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
         powers[atom] -= power
         found[tuple((a, p) for a, p in powers.items() if p)] = part
     return Polynomial(found)
+
+
+Rows = Sequence[Sequence[Polynomial]]
+
+
+def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
+    """The unknowns, (n,), of as many equations whose determinant is not zero."""
+    below = determinant(rows)
+    found: list[Expression] = []
+    for n in range(len(rows)):
+        above = determinant([_put(row, n, held) for row, held in zip(rows, right, strict=True)])
+        found.append(over(above, below) if above else ZERO)
+    return found
+
+
+def _put(row: Sequence[Polynomial], place: int, held: Polynomial) -> list[Polynomial]:
+    return [held if n == place else part for n, part in enumerate(row)]
+
+
+def determinant(rows: Rows) -> Polynomial:
+    """By Leibniz's formula."""
+    parts: list[Polynomial] = []
+    for sign, order in signed_permutations(len(rows)):
+        product = Polynomial.of(sign)
+        for row, j in zip(rows, order, strict=True):
+            product = product * row[j]
+        parts.append(product)
+    return total(parts)
+
+
+def signed_permutations(size: int) -> Iterator[tuple[float, tuple[int, ...]]]:
+    """All orders of so many numbers, each with its sign: 1 if it takes an even number of swaps, else −1."""
+    for order in permutations(range(size)):
+        swaps = sum(a > b for n, a in enumerate(order) for b in order[n + 1 :])
+        yield (-1.0 if swaps % 2 else 1.0), order
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolicEquation:
+    """A linear equation in symbols: `rest` = Σ coefficient · unknown."""
+
+    label: str
+    left: Mapping[str, Polynomial]
+    rest: Polynomial
+
+    @property
+    def turned(self) -> "SymbolicEquation":
+        """The same with all signs turned."""
+        left = {name: part.scaled(-1.0) for name, part in self.left.items()}
+        return SymbolicEquation(self.label, left, self.rest.scaled(-1.0))
+
+    @property
+    def sides(self) -> tuple[Expression, Expression]:
+        """Both as formulas, with the unknowns on the right, as in the laws that are added up."""
+        whole = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
+        return self.rest.expression(), whole.collected(self.left)
+
+
+class CrossElimination:
+    """Solves such equations, and writes down how."""
+
+    def __init__(self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing]) -> None:
+        """Take the `units`, in LaTeX, of every unknown, and the function `opened` that begins a step."""
+        self.book, self.units, self._opened = book, units, opened
+
+    def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:
+        """Give all names their values, the first one first."""
+        last = names[-1]
+        having = [held for held in equations if last in held.left]
+        pivot = min(having, key=lambda held: (len(held.left[last].terms), len(held.left)))
+        if len(names) > 1:
+            rest = [held for held in equations if held is not pivot]
+            reduced = [self._without(held, pivot, last) if last in held.left else held for held in rest]
+            self.reduce(reduced, names[:-1])
+        step = self._opened("solve")
+        step.rest_on(pivot.label)
+        above, below = pivot.rest, pivot.left[last]
+        for name, part in pivot.left.items():
+            above = above - part * Polynomial.of(Symbol(name)) if name != last else above
+        if sum(below.terms.values()) < 0.0:
+            above, below = above.scaled(-1.0), below.scaled(-1.0)
+        where = f"From {pivot.label}, " if len(names) > 1 else "So "
+        step.say(f"{where}{step.result(Symbol(last), over(above, below), self.units[last])}.")
+        step.close()
+
+    def _without(self, held: SymbolicEquation, pivot: SymbolicEquation, last: str) -> SymbolicEquation:
+        """Each times what stands before the unknown in the other, the difference told."""
+        mine, other = _signed(pivot.left[last]), _signed(held.left[last])
+        sign = -mine[0] * other[0]
+        names = dict.fromkeys((*held.left, *pivot.left))
+        none = Polynomial({})
+        left = {
+            name: held.left.get(name, none) * mine[1] + (pivot.left.get(name, none) * other[1]).scaled(sign)
+            for name in names
+            if name != last
+        }
+        rest = held.rest * mine[1] + (pivot.rest * other[1]).scaled(sign)
+        found = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, rest)
+        step = self._opened("combine")
+        step.rest_on(held.label)
+        step.rest_on(pivot.label)
+        step.label(found.label)
+        told = [_times(mine[1], held.label), _times(other[1], pivot.label)]
+        if sign < 0.0 and sum(part for held in found.left.values() for part in held.terms.values()) < 0.0:
+            found = found.turned
+            told.reverse()
+        step.say(f"{(' + ' if sign > 0.0 else ' − ').join(told)}: {found.label} {step.derived(*found.sides)}.")
+        step.close()
+        return found
+
+
+def _signed(held: Polynomial) -> tuple[float, Polynomial]:
+    """With its sign taken out where all terms share it."""
+    negative = all(part < 0.0 for part in held.terms.values())
+    return (-1.0, held.scaled(-1.0)) if negative else (1.0, held)
+
+
+def _times(weight: Polynomial, label: str) -> str:
+    return label if weight.number == 1.0 else f"${parenthesized(weight.expression(), 1)}$·{label}"
+
+
+@dataclass(frozen=True, slots=True)
+class NumericEquation:
+    """A linear equation in numbers: Σ coefficient · unknown = `right`."""
+
+    label: str
+    left: Mapping[str, Expression]
+    right: Expression
+
+    @property
+    def sum(self) -> Expression:
+        """Return the left side as one formula."""
+        found: Expression = ZERO
+        for name, part in self.left.items():
+            found = added(found, term(part, name, 1.0))
+        return found
+
+
+def term(part: Expression, name: str, sign: float) -> Expression:
+    """Return a number times a symbol as a term with its sign in front."""
+    negative = isinstance(part, Worked) and part.comes_to < 0.0
+    size = -part if negative else part
+    return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))

@@ -4,8 +4,14 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 
 from sim2reason.questions.need import Need, greatest
-from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot, QuadraticRoot, Worked
+from sim2reason.solutions.algebra.evaluated import (
+    Chain,
+    ClosedRoot,
+    NumericRoot,
+    QuadraticRoot,
+    SpecialFunction,
+    Worked,
+)
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 

@@ -1,12 +1,137 @@
-"""Equations a sin x + b cos x = c, solved as one of a single sine: which sine that is, and what else x may be."""
+"""Equations with one unknown in closed form: those of a single sine, and monotonic ones."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from math import pi
 
-from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Sum
-from sim2reason.solutions.algebra.functions import Call
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, Symbol, added, ratio
+from sim2reason.solutions.algebra.functions import Call, Power, summed
+from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.unit_latex import DEGREES
+
+WINDOWS = (0.3, 3.0), (0.7, 1.4)  # times the unknown: where formulas are looked at, the second if they end before
+POINTS = 14
+EXACT = 1e-11  # relative: how well the values must agree
+SHOWN = 1e-9  # of the largest term: what is less has no place in an equation that is told
+MEANS = 1e-13  # of the largest coefficient: what is less is left by rounding
+
+Basis = Sequence[Expression]
+Parts = tuple[Array, Array]
+"""The coefficients of two sums of the functions of a basis: numerator and denominator."""
+
+
+def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> ClosedRoot | None:
+    """Return the unknown for which a chain of formulas has the value of `at`; None if no closed form is found."""
+    target, near = values[at.name], values[unknown]
+    for power, basis, (above, below), _ in _fractions(chain, unknown, values):
+        found = above - target**power * below
+        found = found / np.abs(found).max()
+        equation = _summed(basis, found, np.abs(found) > MEANS)
+        closed = solved_for(unknown, equation, ZERO, {unknown: near})
+        if not isinstance(closed, NumericRoot):
+            return ClosedRoot(added(chain, -at), unknown, near, equation, closed)
+    return None
+
+
+def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
+    """Return both sides of the equation whose root `closed_root` found: `at`, or its square, and a fraction."""
+    for power, basis, parts, points in _fractions(chain, unknown, values):
+        sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
+        scaled = [part / _largest(parts[1]) for part in parts]
+        above, below = (_summed(basis, part, _is_shown(np.abs(part * sizes))) for part in scaled)
+        return Power(at, power) if power > 1 else at, ratio(above, below)
+    raise ValueError("the chain is no fraction of such sums")
+
+
+def _fractions(chain: Chain, unknown: str, values: Mapping[str, float]) -> Iterator[tuple[int, Basis, Parts, Array]]:
+    """Yield each fraction of two sums of functions that a chain, or its square, equals at some points.
+
+    Of each: the power of the chain, the functions, the coefficients of both sums, and the points.
+    """
+    seen = _sampled(chain, unknown, values)
+    if seen is None:
+        return
+    for power in (1, 2):  # the square of a speed may be simple where the speed is not
+        for basis in _bases(Symbol(unknown)):
+            if (parts := _parts(seen, basis, unknown, power)) is not None:
+                yield power, basis, parts, seen[0]
+
+
+def _bases(x: Symbol) -> Iterator[Basis]:
+    """Yield sets of functions of the unknown of which numerator and denominator of a fraction may be sums."""
+    yield ONE, x
+    yield ONE, Call("sin", x), Call("cos", x)
+    yield ONE, x, Power(x, 2)
+
+
+def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[Array, Array] | None:
+    """Return points about the value of the unknown, and the values of the chain there; None where it has none."""
+    for first, last in WINDOWS:
+        points = values[unknown] * np.geomspace(first, last, POINTS)
+        try:
+            found = [chain.value({**values, unknown: x}) for x in points.tolist()]
+        except (ValueError, ArithmeticError):
+            continue
+        if all(isinstance(value, float) for value in found):
+            return points, np.array(found)
+    return None
+
+
+def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
+    """Return the sum of those terms of a basis that are kept, each a coefficient times a function."""
+    return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
+
+
+def _is_shown(terms: Array) -> Array:
+    return terms > SHOWN * terms.max()
+
+
+def _largest(parts: Array) -> float:
+    return float(parts[np.abs(parts).argmax()])
+
+
+def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> Parts | None:
+    """Return the coefficients of both sums whose quotient has the values that were seen; None if there are none."""
+    points, values = seen
+    columns = np.array([[held.value({unknown: x}) for held in basis] for x in points.tolist()])
+    whole = np.hstack([columns, -(values**power)[:, None] * columns])
+    sizes = np.abs(whole).max(axis=0)
+    if not np.all(np.isfinite(whole)) or np.any(sizes == 0.0):
+        return None
+    _, singular, rows = np.linalg.svd(whole / sizes)
+    if singular[-1] > EXACT * singular[0] or singular[-2] <= EXACT * singular[0]:
+        return None
+    above, below = np.split(rows[-1] / sizes, 2)
+    return above, below
+
+
+SPAN, SAMPLES, LEAST = 1e3, 160, 20  # times the symbol's value and one over it; places, and how many must have values
+
+
+def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
+    """Return ``increases`` or ``decreases`` if a formula does so at all places that are tried, else nothing.
+
+    Places of the sign of the symbol's value are tried; the formula may have values at some of them alone.
+    """
+    found: list[float] = []
+    for place in (values[name] * np.geomspace(1.0 / SPAN, SPAN, SAMPLES)).tolist():
+        try:
+            value = formula.value({**values, name: place})
+        except (ValueError, ArithmeticError):
+            continue
+        if isinstance(value, float):
+            found.append(value)
+    steps = [after - before for before, after in pairwise(found)]
+    if len(steps) < LEAST or values[name] <= 0.0:
+        return ""
+    if all(step > 0.0 for step in steps):
+        return "increases"
+    return "decreases" if all(step < 0.0 for step in steps) else ""
 
 
 def single_sine(name: str, found: Expression) -> str:

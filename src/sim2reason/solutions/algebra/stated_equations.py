@@ -1,8 +1,11 @@
-"""Standard forms of equations that reduce to a quadratic, or to a linear one in the sine and cosine of an angle."""
+"""Standard forms of equations, and formulas rewritten as one fraction or by powers of a symbol."""
 
+from collections.abc import Callable, Iterator
 from functools import reduce
+from operator import mul
 
 from sim2reason.solutions.algebra.closed_roots import (
+    Fraction,
     Written,
     atoms_worked,
     coefficient,
@@ -10,8 +13,18 @@ from sim2reason.solutions.algebra.closed_roots import (
     raised,
     without_radicals,
 )
-from sim2reason.solutions.algebra.expressions import Expression, Symbol, added, multiplied
-from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Symbol,
+    added,
+    multiplied,
+)
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided
 
 
@@ -47,3 +60,76 @@ def stated_equation(
         )
         return reduce(added, terms), written(rest.scaled(-sign))
     return None
+
+
+def tidied(formula: Expression, name: str, *, always: bool = False) -> Expression:
+    """Return a formula of a symbol as one fraction, under its square root if it is one, where that is shorter.
+
+    With `always` it is one fraction however long that is, with a number that all its terms share in front.
+    """
+    if isinstance(formula, Root):
+        return Root(tidied(formula.inside, name))
+    plain = _without_squared_roots(formula)
+    try:
+        found = over(*_sides(fraction(atoms_worked(plain, name))), grouped=always)
+    except OverflowError:
+        return plain
+    again = _without_squared_roots(found)  # of roots whose other terms have cancelled
+    found = tidied(again, name) if again != found else found
+    return found if always or len(found.latex()) < len(plain.latex()) else plain
+
+
+def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expression]) -> Expression | None:
+    """Return a formula that is proportional to a power of a symbol as a number times that power; None for others."""
+    try:
+        above, below = _sides(fraction(atoms_worked(_without_squared_roots(formula), name)))
+    except OverflowError:
+        return None
+    powers = {dict(monomial).get(Symbol(name), 0) for monomial in above.terms}
+    if len(powers) != 1 or name in below.names():
+        return None
+    (power,) = powers
+    rest = coefficient(above, Symbol(name), power)
+    if power < 1 or name in rest.names():
+        return None
+    return multiplied(worked(over(rest, below)), raised(Symbol(name), power))
+
+
+def doubled(formula: Expression, found: Expression, name: str) -> bool:
+    """Return whether an angle was found by its double, from the squares of its sine and cosine."""
+    squares = {Power(Call(function, Symbol(name)), 2) for function in ("sin", "cos")}
+    halved = isinstance(found, Quotient) and found.below == Number(2.0)
+    return halved and any(part in squares for part in _parts(formula))
+
+
+def half_angles(name: str) -> list[tuple[Expression, Expression]]:
+    """Return the equations that give the squares of the cosine and of the sine of an angle by its double."""
+    twice = Call("cos", multiplied(Number(2.0), Symbol(name)))
+    halves = (added(ONE, twice), added(ONE, -twice))
+    squares = (Power(Call("cos", Symbol(name)), 2), Power(Call("sin", Symbol(name)), 2))
+    return [(square, multiplied(Number(0.5), half)) for square, half in zip(squares, halves, strict=True)]
+
+
+def _parts(held: Expression) -> Iterator[Expression]:
+    yield held
+    for part in held.parts:
+        yield from _parts(part)
+
+
+def _without_squared_roots(held: Expression) -> Expression:
+    """Return a formula with x in place of the square of the root of x."""
+    if not held.parts:
+        return held
+    held = held.built_of([_without_squared_roots(part) for part in held.parts])
+    if not isinstance(held, Power) or held.exponent < 0 or held.exponent % 2:
+        return held
+    factors = held.base.factors if isinstance(held.base, Product) else (held.base,)
+    if not any(isinstance(factor, Root) for factor in factors):
+        return held
+    half = held.exponent // 2
+    squared = (raised(f.inside, half) if isinstance(f, Root) else Power(f, held.exponent) for f in factors)
+    return reduce(multiplied, squared)
+
+
+def _sides(held: Fraction) -> tuple[Polynomial, Polynomial]:
+    return held.above, reduce(mul, held.below, Polynomial.of(1.0))

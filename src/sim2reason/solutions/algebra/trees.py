@@ -4,8 +4,14 @@ from functools import singledispatch
 from typing import TypeAlias
 
 from sim2reason.solutions.algebra.digits import shortened
-from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic
-from sim2reason.solutions.algebra.evaluated import Chain, NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import (
+    Amplitude,
+    Chain,
+    CompleteElliptic,
+    IncompleteElliptic,
+    NumericRoot,
+    Worked,
+)
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 

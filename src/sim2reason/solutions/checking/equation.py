@@ -1,9 +1,23 @@
-"""One relation of a solution, as two trees."""
+"""Relations of a solution as trees, and linear equations whose coefficients change with time."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sim2reason.solutions.checking.trees import Tree, Values, derivatives, size, symbols, value, written
+import numpy as np
+
+from sim2reason.solutions.checking.trees import (
+    Array,
+    EvaluateAll,
+    Tree,
+    TreeError,
+    Values,
+    compiled_for_many,
+    derivatives,
+    size,
+    symbols,
+    value,
+    written,
+)
 
 WELL = 1e-9  # relative to the largest term: how well a relation must hold
 ROUNDING = 1e-13  # in SI units: what rounding leaves of numbers that cancel
@@ -62,3 +76,94 @@ class Equation:
         for name, slope in right.items():
             found[name] = found.get(name, 0.0) - slope
         return one - other, found
+
+
+CONSISTENT = 1e-8  # relative: what more equations than unknowns may contradict each other
+RANK = 1e-11  # relative: singular values below it are taken as zero
+UNDETERMINED = "the equations of motion do not determine accelerations and forces"
+
+
+def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
+    """Find the coefficients of unknowns, the rest under the empty name; TreeError if a tree is not linear in them."""
+    if isinstance(tree, str) and tree in unknowns:
+        return {tree: 1.0}
+    if unknowns.isdisjoint(symbols(tree)):
+        return {"": tree}
+    assert isinstance(tree, list)
+    operation, *parts = tree
+    if operation == "worked":
+        return separated(parts[0], unknowns)
+    if operation == "+":
+        return _summed([separated(part, unknowns) for part in parts])
+    bound = [n for n, part in enumerate(parts) if not unknowns.isdisjoint(symbols(part))]
+    if operation == "/" and bound == [0]:
+        return {name: ["/", held, parts[1]] for name, held in separated(parts[0], unknowns).items()}
+    if operation == "*" and len(bound) == 1:
+        rest = [part for n, part in enumerate(parts) if n != bound[0]]
+        return {name: ["*", held, *rest] for name, held in separated(parts[bound[0]], unknowns).items()}
+    raise TreeError(f"an equation of motion is not linear in {', '.join(sorted(unknowns & {*symbols(tree)}))}")
+
+
+def _summed(parts: Sequence[Mapping[str, Tree]]) -> dict[str, Tree]:
+    found: dict[str, list[Tree]] = {}
+    for part in parts:
+        for name, held in part.items():
+            found.setdefault(name, []).append(held)
+    return {name: held[0] if len(held) == 1 else ["+", *held] for name, held in found.items()}
+
+
+class LinearSystem:
+    """Equations that determine accelerations and forces at each of several instants."""
+
+    def __init__(self, equations: Sequence[Equation], unknowns: Sequence[str]) -> None:
+        """Separate coefficients; TreeError if an equation is not linear or there are too few."""
+        self.unknowns = tuple(unknowns)
+        if len(equations) < len(unknowns):
+            raise TreeError(f"{len(equations)} equations for {len(unknowns)} accelerations and forces")
+        self._entries: list[tuple[int, int, EvaluateAll]] = []
+        self._rests: list[EvaluateAll] = []
+        place, names = {name: number for number, name in enumerate(unknowns)}, frozenset(unknowns)
+        for row, equation in enumerate(equations):
+            parts = separated(["+", equation.left, ["*", -1.0, equation.right]], names)
+            self._rests.append(compiled_for_many(parts.pop("", 0.0)))
+            self._entries += [(row, place[name], compiled_for_many(part)) for name, part in parts.items()]
+
+    def _filled(self, at: Mapping[str, float | Array], count: int) -> tuple[Array, Array]:
+        """The matrices and right sides of some instants, (count, rows, unknowns) and (count, rows, 1)."""
+        matrix = np.zeros((count, len(self._rests), len(self.unknowns)))
+        right = np.zeros((count, len(self._rests), 1))
+        for row, column, evaluate in self._entries:
+            matrix[:, row, column] = evaluate(at)
+        for row, evaluate in enumerate(self._rests):
+            right[:, row, 0] = -np.asarray(evaluate(at))
+        return matrix, right
+
+    def solve(self, at: Mapping[str, float | Array], count: int) -> dict[str, Array]:
+        """The unknowns at some instants; ArithmeticError if the equations do not determine them."""
+        matrix, right = self._filled(at, count)
+        try:
+            if matrix.shape[1] == 1:
+                found = right / matrix
+            elif matrix.shape[1] == matrix.shape[2]:
+                found = np.linalg.solve(matrix, right)
+            else:
+                found = np.linalg.pinv(matrix, rcond=RANK) @ right
+        except np.linalg.LinAlgError as error:
+            raise ArithmeticError(UNDETERMINED) from error
+        return {name: np.asarray(found[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
+
+    def examine(self, at: Mapping[str, float | Array]) -> None:
+        """Raise ArithmeticError unless the equations have full rank and no contradiction at one instant."""
+        (matrix,), (right,) = self._filled(at, 1)
+        if not self.unknowns:
+            return
+        rows = np.abs(matrix).max(axis=1)
+        rows = np.where(rows == 0.0, 1.0, rows)
+        matrix, right = matrix / rows[:, None], right[:, 0] / rows
+        columns = np.abs(matrix).max(axis=0)
+        if not columns.all() or np.linalg.matrix_rank(matrix / columns, tol=RANK) < matrix.shape[1]:
+            raise ArithmeticError(UNDETERMINED)
+        found: Array = np.asarray(np.linalg.lstsq(matrix / columns, right, rcond=None)[0], dtype=np.float64) / columns
+        terms = np.abs(matrix) @ np.abs(found) + np.abs(right)
+        if (np.abs(matrix @ found - right) > CONSISTENT * terms + ROUNDING).any():
+            raise ArithmeticError("the equations of motion contradict each other")

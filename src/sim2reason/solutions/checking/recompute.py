@@ -1,16 +1,162 @@
-"""Recompute the answer of a worked solution from its data alone."""
+"""Recomputation of the answer of a worked solution from its data alone."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from math import isfinite
-from typing import Any
+from typing import Any, TypeAlias
 
-from sim2reason.solutions.checking.determination import undetermined
-from sim2reason.solutions.checking.equation import Equation
+import numpy as np
+import numpy.typing as npt
+
+from sim2reason.solutions.checking.equation import ROUNDING, Equation
 from sim2reason.solutions.checking.integration import PhaseError, formulas, integrate
-from sim2reason.solutions.checking.recomputed import Recomputed
-from sim2reason.solutions.checking.relations import UNDEFINED, Relations
-from sim2reason.solutions.checking.trees import TreeError, check, symbols, written
-from sim2reason.solutions.checking.trial import CONDITION, TRIAL, by_trial, sought
+from sim2reason.solutions.checking.relations import UNDEFINED, Relations, zero
+from sim2reason.solutions.checking.trees import ROUGH, TreeError, check, symbols, written
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+RANK = 1e-12  # relative: singular values below it are taken as zero
+LAW = "law"
+
+
+def undetermined(
+    equations: Sequence[Equation], known: frozenset[str], values: Mapping[str, float], needed: Sequence[str]
+) -> Iterator[str]:
+    """What the laws among some equations do not determine, or does not follow from them, in words.
+
+    Args:
+        equations: all relations but those that only verify something, at whose names' `values` they hold.
+        known: the names that no law needs to determine.
+        values: of all names.
+        needed: the names that the laws must determine.
+    """
+    names = sorted({name for equation in equations for name in equation.names} - known)
+    place = {name: number for number, name in enumerate(names)}
+    sizes = np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in names])
+    rows = [_row(equation, values, place, sizes) for equation in equations]
+    basis = _basis([row for row, equation in zip(rows, equations, strict=True) if equation.role == LAW], len(names))
+    for name in needed:
+        if name not in known and (name not in place or not _spanned(basis, np.eye(len(names))[place[name]])):
+            yield f"the laws that are told do not determine {name}"
+    for row, equation in zip(rows, equations, strict=True):
+        if equation.role != LAW and not _spanned(basis, row):
+            yield f"does not follow from what is told: {equation}"
+
+
+def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, int], sizes: Array) -> Array:
+    """By relative changes, so that what is large and what is small weigh alike."""
+    row = np.zeros(len(place))
+    _, slopes = equation.slopes(values)
+    for name, slope in slopes.items():
+        if name in place:
+            row[place[name]] = slope
+    row *= sizes
+    scale = np.abs(row).max(initial=0.0)
+    return row / scale if scale else row
+
+
+def _basis(rows: Sequence[Array], width: int) -> Array:
+    """An orthonormal basis of what rows span, one vector a row."""
+    if not rows or not width:
+        return np.zeros((0, width))
+    _, sizes, ways = np.linalg.svd(np.array(rows), full_matrices=False)
+    return ways[sizes > RANK * sizes.max(initial=0.0)]
+
+
+def _spanned(basis: Array, row: Array) -> bool:
+    """Whether a row is a combination of those of a basis."""
+    return bool(np.abs(row - basis.T @ (basis @ row)).max(initial=0.0) <= FAINT * np.abs(row).max(initial=0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class Recomputed:
+    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it.
+
+    `values` are those of all names that have one.
+    """
+
+    answer: float | None
+    faults: tuple[str, ...]
+    values: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    def agrees(self, answer: float, within: float) -> bool:
+        """Return whether there is no fault, and the answer is another one but for a relative deviation."""
+        return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
+
+
+FOUND = 1e-13  # relative: how well the unknown is found
+FULFILLED = 1e-9  # relative: how well the result then comes out, which excludes that it jumps there
+TRIAL, CONDITION = "trial", "condition"  # roles of relations
+
+Reader = Callable[[Mapping[str, Any]], Recomputed]
+
+
+def sought(data: Mapping[str, Any]) -> tuple[str, float] | None:
+    """Return the unknown that a solution finds by trial, with its stated value; None if there is none.
+
+    Raises:
+        TreeError: there are several.
+    """
+    found = _of_role(data, TRIAL)
+    if len(found) > 1:
+        raise TreeError("several unknowns are found by trial")
+    return found[0] if found else None
+
+
+def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
+    relations = [held for step in data["steps"] for held in step["relations"] if held["role"] == role]
+    return [(str(held["left"]), float(held["right"])) for held in relations]
+
+
+def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) -> Recomputed:
+    """Recompute a solution that finds an unknown by trial.
+
+    `read` recomputes the result that is given from data in which the unknown is a given.
+
+    Raises:
+        TreeError: no result is given, or none that comes out for a value close to the stated one.
+    """
+    (name, near), conditions = unknown, _of_role(data, CONDITION)
+    if len(conditions) != 1:
+        raise TreeError("no single result is given that would determine the unknown")
+    result, value = conditions[0]
+
+    def excess(at: float) -> float:
+        found = read(_with(data, name, at, result))
+        if result not in found.values:
+            raise TreeError(next(iter(found.faults), f"{result} has no value"))
+        return found.values[result] - value
+
+    ends = near * (1.0 - 1.01 * ROUGH), near * (1.0 + 1.01 * ROUGH)
+    failed = f"no value of {name} near {near:.6g} leads to {result} = {value:.6g}"
+    if (excess(ends[0]) > 0.0) == (excess(ends[1]) > 0.0):
+        raise TreeError(failed)
+    found = zero(excess, *ends, within=FOUND)
+    reached = read(_with(data, name, found, result))
+    if abs(reached.values[result] - value) > FULFILLED * abs(value):
+        raise TreeError(failed)
+    goal = str(data["goal"])
+    if goal not in reached.values:
+        raise TreeError(f"no relation speaks of {goal}")
+    return replace(reached, answer=reached.values[goal] * float(data["scale"]))
+
+
+def _with(data: Mapping[str, Any], name: str, value: float, goal: str) -> dict[str, Any]:
+    """Return the data of the forward problem: the unknown is a given, and the result is the goal."""
+    steps = [
+        {**step, "relations": [held for held in step["relations"] if held["role"] not in (TRIAL, CONDITION)]}
+        for step in data["steps"]
+    ]
+    return {
+        **data,
+        "steps": steps,
+        "givens": {**data["givens"], name: value},
+        "goal": goal,
+        "scale": 1.0,
+        "whole": False,
+    }
+
 
 COMPARED = "exceeds"  # the role of relations whose left side is the larger one
 STATED = "law", "derived", "result", "verified"  # the roles of relations that are equations

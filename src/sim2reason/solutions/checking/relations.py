@@ -1,13 +1,11 @@
 """Relations in order: those that define a name give it a value, all others are solved or verified."""
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from sim2reason.solutions.checking.bracket import zero
-from sim2reason.solutions.checking.equation import Equation
-from sim2reason.solutions.checking.linear import separated
+from sim2reason.solutions.checking.equation import Equation, separated
 from sim2reason.solutions.checking.trees import (
     ROUGH,
     SAMPLES,
@@ -17,6 +15,35 @@ from sim2reason.solutions.checking.trees import (
     parts_named,
     value,
 )
+
+HALVINGS = 200
+EPS = 4e-16  # relative
+
+
+def zero(function: Callable[[float], float], one: float, other: float, *, within: float = EPS) -> float:
+    """Find a zero by the method of Anderson and Björck, with bisection where that is slow.
+
+    The values at both points must differ in sign; the zero is found `within` a relative distance. What the function
+    raises is passed on.
+    """
+    low, high = function(one), function(other)
+    for n in range(HALVINGS):
+        if not low:
+            return one
+        if not high or abs(other - one) <= within * max(abs(one), abs(other)):
+            return other
+        middle = other - high * (other - one) / (high - low) if n % 4 < 3 else 0.5 * (one + other)
+        if not min(one, other) < middle < max(one, other):
+            middle = 0.5 * (one + other)
+        value = function(middle)
+        if (value > 0.0) == (high > 0.0):  # the other end stays: count it for less
+            weight = 1.0 - value / high
+            low *= weight if weight > 0.0 else 0.5
+        else:
+            one, low = other, high
+        other, high = middle, value
+    return other
+
 
 CERTAIN = 1e-9  # what a name that linear equations determine may have in common with what they leave open
 ROUNDING = 1e-13  # relative to its terms: a coefficient that is zero

@@ -6,8 +6,7 @@ from functools import lru_cache, reduce
 from math import inf
 
 from sim2reason.solutions.algebra.digits import simple_fraction
-from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import SpecialFunction, Worked
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     Expression,
@@ -18,9 +17,8 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, plain
-from sim2reason.solutions.algebra.signs import is_difference
-from sim2reason.solutions.algebra.storeys import one_storey
+from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, is_difference, plain
+from sim2reason.solutions.algebra.plain_latex import one_storey
 from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied

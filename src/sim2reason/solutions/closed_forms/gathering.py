@@ -20,8 +20,7 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.signs import is_difference
+from sim2reason.solutions.algebra.functions import Power, is_difference
 from sim2reason.solutions.closed_forms.rewriting import length
 
 MANY = 30  # terms: of more, none is looked at

@@ -16,8 +16,7 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
-from sim2reason.solutions.algebra.signs import is_difference
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root, is_difference
 
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
 

@@ -1,9 +1,18 @@
-"""Pairs that do not meet, in words: several of one kind in one clause."""
+"""Pairs of bodies that do not collide, their relative motion, and which pair collides next."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import inf
 
+from sim2reason.dsl.mechanism import Meeting
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, ratio
+from sim2reason.solutions.algebra.polynomials import NIL
+from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import SPEED
 
 
 @dataclass(frozen=True)
@@ -92,3 +101,142 @@ CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
     "line apart": _part_in_line,
     "wall apart": _leave_walls,
 }
+
+
+LONG = 160  # characters of a formula whose number alone is written
+
+
+@dataclass(frozen=True)
+class RelativeMotion:
+    """Named numbers of the relative motion of two bodies, which only the argument that they do not collide uses."""
+
+    book: Book
+    step: Writing
+    letters: str
+    told: list[str] = field(default_factory=list[str])
+    names: list[Expression] = field(default_factory=list[Expression])
+
+    def named(self, base: str, formula: Expression, unit: str, axis: str = "") -> Expression:
+        """Return a name for a number that is told before the argument; what is zero needs none."""
+        if not self.book.value(formula):
+            return ZERO
+        self.names.append(self._verified(base, formula, unit, axis, self.told))
+        return self.names[-1]
+
+    def quotient(self) -> Expression:
+        """Return the first named number divided by the second; UnsolvedError if one of the two was zero, as a gap."""
+        if len(self.names) != 2:
+            raise UnsolvedError("two that touch collide as soon as they approach each other")
+        return ratio(*self.names)
+
+    def concluded(self, base: str, formula: Expression, unit: str) -> str:
+        """Return the equation of the number on which the argument ends."""
+        said: list[str] = []
+        self._verified(base, formula, unit, "", said)
+        return said[0]
+
+    def _verified(self, base: str, formula: Expression, unit: str, axis: str, told: list[str]) -> Expression:
+        name = self.book.fresh(base, f"{axis},{self.letters}" if axis else self.letters)
+        self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(unit))
+        short = len(formula.latex()) <= LONG
+        told.append(self.step.verified(name, formula if short else self.book.worked(formula), unit))
+        return name
+
+
+def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Impact) -> str:
+    """Return the sentence that the bodies of the `following` collision approach each other; empty if that is told."""
+    book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
+    pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
+    if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
+        return ""
+    speed = NIL
+    for body, (k, sense) in flights.ways(meeting).items():
+        rate = flights.leg(body, flights.count(body, following)).speeds[k]
+        speed = speed - rate.scaled(sense * (1.0 if body == meeting.b else -1.0))
+    exceeds(book, step, speed.expression(), ZERO)
+    motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
+    said = motion.concluded("u", speed.expression(), SPEED)
+    who = flights.setting.listed(list(meeting.names))
+    lead = f"After {flights.collision(begins)}, {who} approach each other at {said}"
+    return f"{lead}; nothing else collides before they do."
+
+
+def late_values(flights: Impacts, step: Writing) -> Iterator[str]:
+    """Yield a sentence with the values of an argument that were unknown before."""
+    book = flights.book
+    used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
+    late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
+    if late:
+        yield f"Now {joined([step.stated(Symbol(name), book.units[name]) for name in late])}."
+
+
+def told_before(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> str:
+    """Return the sentence that the `last` collision comes before a given time; empty if nothing needs to say so."""
+    book, time = flights.book, flights.times.get(last.number) if last is not None else None
+    if book.in_symbols or time is None or until is None:
+        return ""
+    if time.name in book.formulas and until.name in book.stated:
+        exceeds(book, step, until, time)
+        which = "last collision" if last is not None and last.number else "collision"
+        return f"The {which}, at {step.stated(time, book.units[time.name])}, comes before ${until.latex()}$."
+    return ""
+
+
+SAME = 1e-9  # relative: a collision that comes with the time itself
+
+
+@dataclass(frozen=True)
+class Together:
+    """An interval in which both bodies of a possible collision move freely; `legs` are their flights, by body."""
+
+    meeting: int
+    legs: dict[str, int]
+    begins: Impact | None  # None: at the start
+    ends: Impact | None  # None: when the motion that counts ends
+
+    @property
+    def meets(self) -> bool:
+        """Return whether the two bodies collide at the end of the interval."""
+        return self.ends is not None and self.ends.meeting == self.meeting
+
+
+class Intervals:
+    """The intervals, pair by pair, of a motion that counts until a time, in s, which may be infinite."""
+
+    def __init__(self, flights: Impacts, time: float) -> None:
+        """Take the flights of all bodies, and the time at which the motion ends, in s."""
+        self._flights, self._time = flights, time
+        self.early = [impact for impact in flights.impacts if impact.time < time * (1.0 - SAME)]
+
+    def __iter__(self) -> Iterator[Together]:
+        """Yield the intervals of each pair of bodies in turn."""
+        for number, meeting in enumerate(self._flights.mechanism.meetings):
+            changes = [held for held in self.early if {*held.bodies} & {*meeting.names}]
+            for begins, ends in zip([None, *changes], [*changes, None], strict=True):
+                legs = {body: self._number(body, begins) for body in meeting.names}
+                yield Together(number, legs, begins, ends if ends is not None else self._last(meeting))
+
+    @property
+    def at_end(self) -> list[Impact]:
+        """The collisions at the time at which the motion ends; an empty list if it has no end."""
+        if self._time == inf:
+            return []
+        return [held for held in self._flights.impacts if abs(held.time - self._time) <= SAME * self._time]
+
+    def following(self, begins: Impact | None) -> Impact | None:
+        """Return the next collision that counts after one, or the first one."""
+        number = 0 if begins is None else begins.number + 1
+        return next((held for held in (*self.early, *self.at_end) if held.number >= number), None)
+
+    def is_late(self, held: Together) -> bool:
+        """Return whether the two bodies of an interval collide at its end, but others collide before."""
+        return held.meets and held.ends is not self.following(held.begins)
+
+    def _last(self, meeting: Meeting) -> Impact | None:
+        """Return the collision that ends the motion if both bodies belong to the given meeting; else None."""
+        return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
+
+    def _number(self, body: str, begins: Impact | None) -> int:
+        if begins is None:
+            return 0
+        return self._flights.count(body, begins) + (body in begins.bodies)

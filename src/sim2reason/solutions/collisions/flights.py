@@ -7,14 +7,12 @@ import numpy as np
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.triples import product
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, product
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.gaps import gap_at_start
 from sim2reason.solutions.collisions.legs import Impact, Leg
-from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY
+from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY, gap_at_start
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED

@@ -5,16 +5,22 @@ from dataclasses import replace
 from math import inf
 
 from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.exclusions import Excluded, clauses
+from sim2reason.solutions.collisions.exclusions import (
+    Excluded,
+    Intervals,
+    RelativeMotion,
+    Together,
+    clauses,
+    late_values,
+    told_approach,
+    told_before,
+)
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.collisions.next_pair import late_values, told_approach, told_before
-from sim2reason.solutions.collisions.relative import RelativeMotion
-from sim2reason.solutions.collisions.together import Intervals, Together
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.lexicon import Both

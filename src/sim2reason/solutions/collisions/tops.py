@@ -1,6 +1,7 @@
-"""The top of the path of a body in free flight, or where it is at rest: extreme values there, and how far it is."""
+"""Tops of paths, last bounces, sums over flights, and collisions without influence on the answer."""
 
-from dataclasses import replace
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, replace
 
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -8,17 +9,144 @@ from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.targets import Target
-from sim2reason.solutions.algebra.expressions import ZERO, Number, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED
 from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.collisions.legs import Impact, Leg
+from sim2reason.solutions.collisions.oblique import Flights
+from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.goals.kinematics import squared
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
+BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest point and of the greatest distance
+
+
+def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None:
+    """Write that a body was nearer than a distance until a flight began: within a box whose corner is too near.
+
+    Nothing rests on it, and nothing is said where the corner is too far, or where numbers are not known.
+    """
+    impact, begins, book = leg.after, flights.begins(leg), flights.book
+    if impact is None or begins is None or impact.bodies != (body,):
+        return
+    k, _ = flights.ways(flights.mechanism.meetings[impact.meeting])[body]
+    level = [j for j in flights.coordinates(body) if j != k]
+    if not flights.acceleration(k) or len(level) != 1 or flights.acceleration(level[0]):
+        return
+    along = flights.place(body, flights.count(body, impact) + 1, level[0], begins).expression()
+    drop = flights.gap(impact.meeting).expression()
+    top = _top(flights, body, k)
+    height = drop if top is None or book.value(top) <= book.value(drop) else top
+    corner = Root(squares([along, height]))
+    if book.is_hidden(corner) or book.value(corner) >= book.value(distance):
+        return
+    step, names = book.open("verify"), [book.fresh(base, mark) for base, mark in BOUNDS]
+    exceeds(book, step, distance, corner)
+    rise = "it never rises above its starting point"
+    if top is not None:
+        exceeds(book, step, height, ZERO if top == height else top)
+        rise = f"it rises to {step.verified(names[0], top, METRES)} above its starting point"
+    size = Absolute(along) if book.value(along) < 0.0 else along
+    step.say(f"Until ${begins.name}$ the horizontal displacement of {flights.setting.called(body)} is at most")
+    step.say(
+        f"${size.latex()}$ and, as {rise}, the vertical one at most ${height.latex()}$; so its distance from there"
+    )
+    step.say(f"is at most {step.verified(names[1], corner, METRES)}, less than ${distance.name}$.")
+    step.close()
+
+
+def _top(flights: Impacts, body: str, k: int) -> Expression | None:
+    """Return how far a body first rises; None if it does not."""
+    speed, fall = flights.leg(body, 0).speeds[k], flights.acceleration(k).scaled(-2.0)
+    rises = bool(speed) and flights.book.value(speed.expression()) > 0.0
+    return Power(speed.expression(), 2) / fall.expression() if rises else None
+
+
+@dataclass(frozen=True, slots=True)
+class StruckBodies:
+    """One collision."""
+
+    flights: Flights
+    impact: Impact
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Whose it is."""
+        return self.impact.bodies
+
+    @property
+    def told(self) -> str:
+        """It in words."""
+        return self.flights.collision(self.impact)
+
+    @property
+    def loses(self) -> str:
+        """Return the beginning of a sentence that says why kinetic energy is lost."""
+        motion = "relative motion" if len(self.bodies) > 1 else "motion perpendicular to the surface"
+        left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
+        return f"The {motion}{self._way} {left}, so"
+
+    @property
+    def pushes(self) -> str:
+        """Return the beginning of a sentence that names the laws for the impulse."""
+        e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
+        if not pair:
+            return "The impulse is the change of momentum, so"
+        if e:
+            return f"By conservation of momentum and restitution{self._way},"
+        return f"By conservation of momentum, as no relative velocity{self._way} is left,"
+
+    @property
+    def _way(self) -> str:
+        return (
+            " along the line of centres" if self.flights.mechanism.meetings[self.impact.meeting].normal is None else ""
+        )
+
+    @property
+    def lost(self) -> Expression:
+        """½ (1 − e²) times what counts as the mass, times the square of the speed of approach."""
+        closing = self.flights.closing(self.impact)
+        e = self.flights.restitution(self.impact.meeting)
+        left = added(ONE, -Power(e.expression(), 2)) if e else ONE
+        half = multiplied(Number(0.5), multiplied(self.flights.inertia(self.impact), left))
+        return multiplied(half, squared(closing))
+
+    @property
+    def push(self) -> Expression:
+        """(1 + e) times what counts as the mass, times the speed of approach."""
+        closing = self.flights.closing(self.impact)
+        e = self.flights.restitution(self.impact.meeting).expression()
+        size = closing if self.flights.book.value(closing) >= 0.0 else -closing
+        return multiplied(multiplied(added(ONE, e), self.flights.inertia(self.impact)), size)
+
+
+@dataclass(frozen=True, slots=True)
+class FlightPart(Stretch):
+    """One flight of a body."""
+
+    flights: Flights
+    number: int
+    until: Symbol | None  # the time at which it is left
+
+    def path(self, body: str) -> Expression:
+        """From where the flight begins to where it ends, without a sign."""
+        own = [k for k in self.flights.coordinates(body) if self.flights.leg(body, 0).speeds.get(k) is not None]
+        if len(own) != 1 or self.flights.acceleration(own[0]):
+            raise UnsolvedError("it turns back in flight, or flies in a plane")
+        k = own[0]
+        begin = self.flights.place(body, self.number, k, None)
+        end = self.flights.place(body, self.number, k, self.until)
+        held = (end - begin).expression()
+        return held if self.flights.book.value(held) >= 0.0 else -held
+
+
 AT_TOP = frozenset({"greatest height", "least speed"})
-SAME = 1e-6  # relative: the value at the top is the extreme one
+SAME_EXTREME = 1e-6  # relative: the value at the top is the extreme one
 
 
 def at_top(setting: Setting) -> Setting | None:
@@ -33,7 +161,7 @@ def at_top(setting: Setting) -> Setting | None:
     if time is None or time > setting.time:
         return None
     value, extreme = KINDS["event"].answer(asked, study), KINDS[query.kind].answer(query, study)
-    if value is None or extreme is None or abs(value - extreme) > SAME * abs(extreme):
+    if value is None or extreme is None or abs(value - extreme) > SAME_EXTREME * abs(extreme):
         return None
     return replace(setting, query=asked)
 
@@ -77,3 +205,28 @@ def _velocity(flights: Impacts, body: str, k: int) -> str:
         return f"vertical velocity of {who}"
     plane = len(flights.mechanism.body[body].coordinates) > 1
     return f"velocity of {who} along {coordinate.label}" if plane else f"velocity of {who}"
+
+
+SAME_SPEED = 1e-9  # relative: an impact that comes with the moment itself
+
+
+def tell_uninvolved(flights: Impacts, bodies: AbstractSet[str]) -> None:
+    """Write which earlier collisions the solution omits because they do not affect the given bodies."""
+    setting = flights.setting
+    early = [impact for impact in flights.impacts if impact.time < setting.time * (1.0 - SAME_SPEED)]
+    left = [held for held in early if held.number not in flights.times and held.number not in flights.struck]
+    for impact in left:
+        if bodies and bodies.isdisjoint(_affected(impact, early)):
+            step = flights.book.open("verify")
+            who = setting.listed(sorted(bodies))
+            step.say(f"{capital(flights.collision(impact))} does not affect {who} before the moment in question.")
+            step.close()
+
+
+def _affected(first: Impact, impacts: list[Impact]) -> set[str]:
+    """Return the bodies whose motion hangs on an impact, by way of those that come later."""
+    found = {*first.bodies}
+    for impact in impacts:
+        if impact.number > first.number and not found.isdisjoint(impact.bodies):
+            found |= {*impact.bodies}
+    return found

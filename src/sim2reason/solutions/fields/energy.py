@@ -5,8 +5,7 @@ from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, total
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.goals import magnitude
-from sim2reason.solutions.goals.kinematics import VELOCITIES
-from sim2reason.solutions.goals.turning import squared
+from sim2reason.solutions.goals.kinematics import VELOCITIES, squared
 from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES

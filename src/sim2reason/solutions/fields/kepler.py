@@ -9,7 +9,7 @@ from collections.abc import Callable
 from math import cos, pi, sin
 
 from sim2reason.dsl.frames import start
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import minus
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol

@@ -13,8 +13,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
-from sim2reason.solutions.fields.reach import REACHES, Reach, fastest_at_center
-from sim2reason.solutions.fields.turns import TURNED, FieldTurn
+from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn, Reach, fastest_at_center
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError

@@ -16,8 +16,8 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals.struck import Struck
 from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import LETTERS, unit_of_quantity
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 AXES = ("x", "y", "z")

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
-from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, along_sense
-from sim2reason.solutions.goals.turning import squared
+from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, along_sense, squared
 
 UP = (0.0, 0.0, 1.0)
 

@@ -1,12 +1,16 @@
-"""Displacement, velocity and acceleration of a body."""
+"""Displacements, velocities, accelerations and rotations as goals of a solution."""
 
+from abc import abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
-from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.algebra.functions import Absolute
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude, modulus
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root
+from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude, modulus
 from sim2reason.solutions.laws.either_way import reason_for_negative
 
 DISPLACEMENTS = VectorName.of("displacement")
@@ -56,3 +60,168 @@ class VectorGoal(Goal):
 
 for _name, _noun in {"displacement": DISPLACEMENTS, "velocity": VELOCITIES, "acceleration": ACCELERATIONS}.items():
     GOALS.add(_name, VectorGoal(_noun))
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeSpeedGoal(Goal):
+    """The size of the difference of two velocities."""
+
+    @property
+    def uses(self) -> str:
+        """Velocities."""
+        return "v"
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """Both."""
+        return members(target.subject)
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Their difference, component by component."""
+        one, other = members(target.subject)
+        a, b = known.vector("v", one), known.vector("v", other)
+        parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
+        noun, apart = VectorName.of("relative speed", "velocity"), known.setting.called(one)
+        formula = magnitude(parts, known, noun, other, relative_to=apart)
+        return finish(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
+
+
+GOALS.add("relative speed", RelativeSpeedGoal())
+
+
+class AboutAxis(Goal):
+    """A quantity that depends on the rotation of a body about its axis."""
+
+    @property
+    def turns(self) -> bool:
+        """It does."""
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class AngularGoal(AboutAxis):
+    """The rate of the rim over its radius."""
+
+    noun: VectorName
+    of: str
+
+    @property
+    def uses(self) -> str:
+        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
+        return self.of
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Write the quantity as that of the rim over the radius, such as ω = v/R."""
+        body = target.subject
+        formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
+        what = f"the magnitude of the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, formula, self.noun, known.setting.mark(body), what)
+
+
+@dataclass(frozen=True, slots=True)
+class AngleGoal(AngularGoal):
+    """The arc through which the rim has turned over its radius."""
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Say first which arcs are turned back, if there are several."""
+        known.rim(self.of, target.subject)
+        known.tell_arcs(target.subject)
+        return AngularGoal.write(self, target, known)
+
+
+@dataclass(frozen=True, slots=True)
+class InertiaTimes(AboutAxis):
+    """The moment of inertia, or that times the rate of the rim over its radius: I ω, I α."""
+
+    noun: VectorName
+    of: str  # empty for the moment of inertia alone
+
+    @property
+    def uses(self) -> str:
+        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
+        return self.of
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Write the quantity as c m R times that of the rim, such as L = I ω = c m R v with I = c m R²."""
+        body = target.subject
+        held = known.rim_inertia(body) * known.radius(body)
+        rim = known.rim(self.of, body) if self.of else known.radius(body)
+        other = modulus(rim.expression(), known.book)
+        size = "magnitude of the " if self.of else ""
+        about = " about its centre of mass" if self.of == "v" else ""
+        what = f"the {size}{self.noun.said} of {known.setting.called(body)}{about}"
+        return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
+
+
+class KineticShare(Goal):
+    """A part of the kinetic energy: half of what counts as a mass, times the square of a speed."""
+
+    noun: ClassVar[VectorName]
+
+    @property
+    def uses(self) -> str:
+        """The velocity."""
+        return "v"
+
+    @abstractmethod
+    def energy(self, body: str, known: Known) -> Expression:
+        """Return this part of the kinetic energy of a body, in J."""
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """One formula."""
+        body = target.subject
+        what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)
+
+    def why(self, body: str, known: Known) -> str:
+        """Return a clause before what it is, by default nothing."""
+        del body, known
+        return ""
+
+
+class EnergyOfRim(KineticShare, AboutAxis):
+    """½ I ω² as ½ (I/R²) of the square of the rim's speed."""
+
+    noun = VectorName.of("rotational kinetic energy", "energy of rotation")
+
+    def why(self, body: str, known: Known) -> str:
+        """Return a clause that relates the rim's speed to the angular velocity."""
+        rim = known.rim("v", body).expression()
+        along = -rim if rim.negative else rim  # in the sense in which it rolls
+        return f"as its radius times its angular velocity is ${along.latex()}$, "
+
+    def energy(self, body: str, known: Known) -> Expression:
+        """Half of I/R² times the square."""
+        half = known.rim_inertia(body).scaled(0.5).expression()
+        return multiplied(half, squared(known.rim("v", body).expression()))
+
+
+class EnergyOfCenter(KineticShare):
+    """½ m v² of the centre of mass."""
+
+    noun = VectorName.of("translational kinetic energy", "energy of translation")
+
+    def energy(self, body: str, known: Known) -> Expression:
+        """Half of m v²."""
+        speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
+        return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
+
+
+def squared(held: Expression) -> Expression:
+    """Return the square of a formula; that of a root is its radicand, and signs and bars fall away."""
+    if isinstance(held, Root):
+        return held.inside
+    if isinstance(held, Absolute):
+        held = held.inside
+    return Power(-held if held.negative else held, 2)
+
+
+ANGULAR_VELOCITIES = VectorName.of("angular velocity")
+ANGULAR_ACCELERATIONS = VectorName.of("angular acceleration")
+GOALS.add("angular velocity", AngularGoal(ANGULAR_VELOCITIES, "v"))
+GOALS.add("angular acceleration", AngularGoal(ANGULAR_ACCELERATIONS, "a"))
+GOALS.add("angle rolled", AngleGoal(VectorName.of("angle rolled", "net angle of rotation"), "s"))
+GOALS.add("moment of inertia", InertiaTimes(VectorName.of("moment of inertia"), ""))
+GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v"))
+GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))
+GOALS.add("rotational kinetic energy", EnergyOfRim())
+GOALS.add("translational kinetic energy", EnergyOfCenter())

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim2reason.dsl.triples import product
+from sim2reason.dsl.vectors import product
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

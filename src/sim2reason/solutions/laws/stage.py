@@ -1,4 +1,4 @@
-"""One segment of a motion at constant accelerations: how fast and how far after a time, after a distance, at rest."""
+"""Segments of a motion at constant accelerations: times, speeds and distances, and how they end."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,7 +19,6 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, t
 from sim2reason.solutions.laws.common_rates import STILL, Shared
 from sim2reason.solutions.laws.either_way import acceleration_over_distance
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, glided_words, speed_words
-from sim2reason.solutions.laws.stage_end import End
 from sim2reason.solutions.laws.turning_back import tell_not_turned, tell_turning_only_later, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
@@ -27,6 +26,19 @@ from sim2reason.solutions.writing.comparing import why_this_time
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import subscript
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """The end of a stage: a known time, a distance moved by a coordinate, or the instant at which it comes to rest."""
+
+    time: Symbol | None = None
+    coordinate: int = -1
+    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    what: str = ""  # in words
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
+    turned: int | None = None  # the face on which the body slips the other way from then on
+
 
 HALF = Number(0.5)
 

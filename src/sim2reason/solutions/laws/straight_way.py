@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.triples import minus, product
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol

@@ -1,17 +1,100 @@
-"""Verification that strings stay taut in a phase of constant accelerations: their tensions are positive."""
+"""Checks that strings stay taut, balances of light pulleys, and the laws that an answer needs."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
-from sim2reason.solutions.algebra.elimination import solved
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.solutions.algebra.elimination import Equation, solved
 from sim2reason.solutions.algebra.expressions import ZERO, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.solution import Relation, Step
-from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
+
+TWICE = 2.0
+
+
+def balanced_tensions(
+    light: Sequence[Equation], known: Collection[str], unknown: AbstractSet[str], goals: Collection[str]
+) -> tuple[dict[str, Polynomial], dict[str, frozenset[str]]]:
+    """Return the tensions that balances at light pulleys give by others, and the labels of those balances.
+
+    `goals` are found by others last. UnsolvedError where a balance has a ratio that changes.
+    """
+    found: dict[str, Polynomial] = {}
+    labels: dict[str, frozenset[str]] = {}
+    for equation in light:
+        used = {name for name in equation.zero.names() if name in found}
+        zero = equation.forces.put(found)
+        names = [n for n in sorted(zero.names() & unknown) if n not in known]
+        name = min(names, key=lambda n: (n in goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
+        before = zero.coefficient(name).number
+        if not before:
+            raise UnsolvedError("a light pulley balances at a ratio that changes")
+        found[name] = zero.without((name,)).scaled(-1.0 / before)
+        labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
+        labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
+        found = {n: p.put({name: found[name]}) for n, p in found.items()}
+    return found, labels
+
+
+def doubled(dynamics: Dynamics, row: Row) -> str:
+    """Return why the acceleration of a pulley stands twice in a law of a string, as an addition to a sentence."""
+    held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
+    twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
+    bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
+    pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
+    if not pulleys:
+        return ""
+    return f", and moving {dynamics.setting.listed(pulleys)} changes the two parts beside it equally"
+
+
+FAINT = 1e-9  # of the largest weight: a law that takes no part
+
+
+def needed(
+    rows: Sequence[Row], unknowns: Sequence[str], values: Mapping[str, float], goals: Sequence[str]
+) -> list[Row]:
+    """The rows that determine the goals, in order; UnsolvedError if all together do not.
+
+    The weights with which laws add up to a goal are unique where the laws are independent: those of weight 0 are idle.
+    Where they are not (two frictions of which only the sum is fixed), laws are left out one by one.
+    """
+    matrix = np.array([[row.zero.coefficient(name).value(values) for name in unknowns] for row in rows])
+    matrix = matrix.reshape(len(rows), len(unknowns))
+    kept: set[int] = set()
+    for goal in goals:
+        target = np.array([1.0 if name == goal else 0.0 for name in unknowns])
+        kept |= _taking_part(matrix, target, goal)
+    return [row for number, row in enumerate(rows) if number in kept]
+
+
+def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal: str) -> set[int]:
+    everything = list(range(len(matrix)))
+    weights = _weights(matrix, target)
+    if weights is None:
+        raise UnsolvedError(f"the laws do not determine {goal}")
+    if np.linalg.matrix_rank(matrix) == len(matrix):
+        return {n for n in everything if abs(weights[n]) > FAINT * np.abs(weights).max()}
+    kept = everything
+    for number in everything:
+        fewer = [n for n in kept if n != number]
+        if fewer and _weights(matrix[fewer], target) is not None:
+            kept = fewer
+    return set(kept)
+
+
+def _weights(matrix: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    if not len(matrix):
+        return None
+    weights = np.asarray(np.linalg.lstsq(matrix.T, target, rcond=1e-12)[0], dtype=np.float64)
+    return weights if np.abs(matrix.T @ weights - target).max() <= 1e-8 else None
+
 
 TAUT = "tension check"  # the kind of these steps
 

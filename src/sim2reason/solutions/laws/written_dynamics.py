@@ -1,4 +1,4 @@
-"""The sentences about the laws that lead to an acceleration or a force, and the equations that they say."""
+"""Sentences about the laws that lead to an acceleration or a force, with their equations."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -8,7 +8,6 @@ from sim2reason.solutions.algebra.expressions import Expression, Symbol, multipl
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divided, total
 from sim2reason.solutions.laws.common_rates import Shared
 from sim2reason.solutions.laws.dynamics import Dynamics
-from sim2reason.solutions.laws.light_pulleys import balanced_tensions, doubled
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
@@ -20,14 +19,23 @@ from sim2reason.solutions.laws.rolling_words import (
     slipping_words,
     turning_noun,
 )
-from sim2reason.solutions.laws.selection import needed
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
-from sim2reason.solutions.laws.tension_checks import verify_taut
-from sim2reason.solutions.laws.unforced import tell_unforced
+from sim2reason.solutions.laws.tension_checks import balanced_tensions, doubled, needed, verify_taut
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
+
+
+def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
+    """Write that no force acts in the directions of coordinates whose accelerations are among the goals."""
+    step = dynamics.book.open("unforced")
+    for k in sorted(dynamics.unforced - dynamics.frozen):
+        if f"q{k}" in goals:
+            coordinate = dynamics.mechanism.coordinates[k]
+            who, way = dynamics.setting.called(coordinate.body), f"in the {coordinate.label} direction"
+            step.say(f"No force acts on {who} {way}, so its velocity in this direction is constant.")
+    step.close()
 
 
 class WrittenDynamics(Dynamics):

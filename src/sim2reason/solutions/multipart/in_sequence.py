@@ -1,20 +1,223 @@
-"""The solutions of all parts of a problem, each of which starts from those of the parts before it."""
+"""Solutions of all parts of a problem, in order, with one name for each quantity."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 
 from sim2reason.grading.parts import LABELS
+from sim2reason.grading.tokens import canonical
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.inverse import solved_for
+from sim2reason.solutions.algebra.stated_equations import tidied
 from sim2reason.solutions.laws.tension_checks import TAUT
-from sim2reason.solutions.multipart.faults import naming_fault
-from sim2reason.solutions.multipart.naming import consistent
-from sim2reason.solutions.multipart.quoting import quoting
-from sim2reason.solutions.multipart.recall import given_for, renumbered, starting_from
-from sim2reason.solutions.multipart.shortcuts import shortened
-from sim2reason.solutions.multipart.unused import without_unused
+from sim2reason.solutions.multipart.quantities import SAME, NamedQuantity, agree, meanings, names_of, quantities
+from sim2reason.solutions.multipart.quoting import DEFINED, quoting, referred, without_unused
+from sim2reason.solutions.multipart.recall import EARLIER, given_for, kept_steps, known_from, renumbered, starting_from
+from sim2reason.solutions.multipart.renaming import renamed, spoken
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.solution import Solution
+from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.verification import verified
+from sim2reason.solutions.writing.subscripts import numbered, split
+
+
+def naming_fault(parts: Sequence[Solution]) -> str:
+    """Return the first fault in the names of several parts, in words; empty if there is none.
+
+    A name has one value and one meaning in all parts, and what is introduced in the same words has the same name. A
+    result that a part recalls is one that the part from which it is recalled leads to, by the same name.
+    """
+    return next((fault for fault in (*_recalled(parts), *_doubled(parts), *_called_twice(parts))), "")
+
+
+def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
+    """Yield faults: results that a part recalls from a part which does not have them."""
+    for label, part in zip(LABELS, parts, strict=False):
+        for step in part.steps:
+            if step.kind != EARLIER:
+                continue
+            source = step.text.removeprefix("From part (").partition(")")[0]
+            other = parts[LABELS.index(source)] if source and source in LABELS[: LABELS.index(label)] else None
+            found = {name for held in (other.steps if other else ()) if held.kind != EARLIER for name in held.gives}
+            for name in step.gives:
+                if other is None or name not in found | {other.goal}:
+                    yield f"part ({label}) takes {name} from part ({source}), which has no {name}"
+                elif not _same(part, other, name):
+                    yield f"part ({label}) takes {name} from part ({source}), where it has another value"
+
+
+def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
+    """Yield faults: names that have different meanings in two parts."""
+    known: dict[str, tuple[str, Solution, str]] = {}
+    for label, part in zip(LABELS, parts, strict=False):
+        if part.answer is None:
+            continue
+        words = meanings(part)
+        for name in dict.fromkeys([*names_of(part.steps), part.goal]):
+            first, other, meaning = known.setdefault(name, (label, part, words.get(name, "")))
+            if name in part.values and name in other.values and not _same(part, other, name):
+                yield f"{name} has one value in part ({first}) and another in part ({label})"
+            if not agree(name, meaning, words.get(name, "")):
+                yield f"{name} is {meaning!r} in part ({first}) and {words[name]!r} in part ({label})"
+            if not meaning and name in words:
+                known[name] = (label, part, words[name])
+
+
+def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
+    """Yield faults: quantities to which two parts give different names."""
+    known: dict[tuple[str, str, str], tuple[str, set[str]]] = {}
+    for label, part in zip(LABELS, parts, strict=False):
+        own: dict[tuple[str, str, str], set[str]] = {}
+        for name, words in meanings(part).items():
+            if name in part.values:
+                own.setdefault((split(name)[0], words, f"{part.values[name]:.9g}"), set()).add(name)
+        for key, names in own.items():
+            first, called = known.setdefault(key, (label, names))
+            if called.isdisjoint(names):
+                yield f"{min(called)} of part ({first}) is called {min(names)} in part ({label})"
+
+
+def _same(part: Solution, other: Solution, name: str) -> bool:
+    return abs(part.values[name] - other.values[name]) <= SAME * abs(other.values[name])
+
+
+def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> list[Solution]:
+    """Return the solutions renamed so that a name means the same in all; names in `fixed`, of the text, are kept.
+
+    Numbers that the question states keep their names. A quantity that several parts find has the first of its names
+    that is free, and that no other quantity has in as many parts; where none is, it has a fresh one.
+    """
+    solved = [solution for solution in solutions if solution.answer is not None]
+    fixed = {*fixed, *(name for solution in solved for name in solution.constants)}
+    found = quantities(solved, fixed)
+    naming = _Naming(solved, found, fixed)
+    names: list[dict[str, str]] = [{} for _ in solved]
+    for quantity in naming.ordered():
+        name = naming.named(quantity)
+        for part, old in quantity.members.items():
+            names[part][old] = name
+    told = iter([renamed(solution, given) for solution, given in zip(solved, names, strict=True)])
+    return [solution if solution.answer is None else next(told) for solution in solutions]
+
+
+class _Naming:
+    """The assignment of names to quantities."""
+
+    def __init__(self, solutions: Sequence[Solution], found: Sequence[NamedQuantity], fixed: Collection[str]) -> None:
+        self._found = found
+        self._taken = {canonical(name) for name in fixed}
+        self._used: list[frozenset[str]] = []
+        self._spoken: list[frozenset[str]] = []
+        goals = [solution.goal for solution in solutions]
+        for part, solution in enumerate(solutions):
+            earlier = [q for q in found if any(q.members.get(n) == goals[n] for n in range(part))]
+            steps = kept_steps(solution, {q.members[part] for q in earlier if part in q.members})
+            self._used.append(frozenset([*names_of(steps), solution.goal, *solution.stated]))
+            self._spoken.append(spoken(" ".join(step.text for step in steps)))
+
+    def ordered(self) -> Iterator[NamedQuantity]:
+        """Yield quantities in the order of choice: stated in the question, used in the texts, the others."""
+        texts = [q for q in self._found if any(name in self._used[part] for part, name in q.members.items())]
+        groups = [q for q in texts if q.stated], [q for q in texts if not q.stated]
+        yield from chain(*groups)
+        yield from (q for q in self._found if q not in texts)
+
+    def named(self, quantity: NamedQuantity) -> str:
+        """Choose a name, which is taken from then on."""
+        own = [*dict.fromkeys(quantity.members.values())]
+        free = [name for name in own if self._is_free(name, quantity)]
+        best = [name for name in free if len(own) == 1 or not self._is_needed(name, quantity)]
+        name = next(chain(best, free, (n for n in numbered(own[0]) if self._is_free(n, quantity))))
+        self._taken.add(canonical(name))
+        return name
+
+    def _is_free(self, name: str, quantity: NamedQuantity) -> bool:
+        """Return whether a name is not taken and no part uses it for something else."""
+        clash = any(
+            name != old and name in self._spoken[part] and not self._is_own(part, name)
+            for part, old in quantity.members.items()
+        )
+        return canonical(name) not in self._taken and not clash
+
+    def _is_own(self, part: int, name: str) -> bool:
+        return any(q.members.get(part) == name for q in self._found)
+
+    def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
+        """Return whether another quantity has a name in all its parts, at least as many as this one."""
+        least = [*quantity.members.values()].count(name)
+        others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
+        return any(len(q.members) >= least for q in others)
+
+
+LAWS = frozenset({"newton", "constraint", "normal"})  # kinds of steps whose equations hold by themselves
+SOLVED = frozenset({"solve"})
+
+
+def shortened(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Iterator[Solution]:
+    """Yield the solution of a later part with steps that need fewer intermediate results, the shortest first.
+
+    A name that follows from one law of the part, with what is given and what earlier parts found, needs no other.
+    """
+    known = {*known_from(solution, earlier, whole=True)}
+    found = [solution]
+    for place in reversed(range(len(solution.steps))):
+        direct = _direct(found[-1], place, known)
+        if direct is not None and _count(direct, known) < _count(found[-1], known):
+            found.append(direct)
+    yield from reversed(found[1:])
+
+
+def _count(solution: Solution, known: Collection[str]) -> int:
+    return sum(bool(step.gives) for step in kept_steps(solution, known) if step.kind not in LAWS)
+
+
+def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution | None:
+    """Return a solution in which one step takes its result from a single law; None if there is no such law."""
+    step = solution.steps[place]
+    results = [relation for relation in step.relations if relation.role == "result"]
+    if step.kind not in SOLVED or len(results) != 1 or step.gives != (results[0].left.latex(),):
+        return None
+    name = step.gives[0]
+    given = {r.left.latex() for held in solution.steps for r in held.relations if r.role == "given"}
+    if _is_direct(step, solution.steps[:place]):
+        return None
+    for source in solution.steps[:place]:
+        for law in source.relations if source.kind in LAWS else ():
+            if law.role != "law" or {*law.symbols()} - {name} - given - {*known} or name not in {*law.symbols()}:
+                continue
+            formula = _solved(name, law, solution)
+            if formula is not None:
+                new = _step(step, results[0], source, law, formula, solution)
+                return replace(solution, steps=(*solution.steps[:place], new, *solution.steps[place + 1 :]))
+    return None
+
+
+def _is_direct(step: Step, before: Sequence[Step]) -> bool:
+    """Return whether a step takes its result from one law already."""
+    labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
+    used = referred(step.text)
+    return len(used) == 1 and used[0] in labels
+
+
+def _solved(name: str, law: Relation, solution: Solution) -> Expression | None:
+    sides = (law.left, law.right) if name in {*law.left.symbols()} else (law.right, law.left)
+    if name in {*sides[1].symbols()}:
+        return None
+    found = solved_for(name, *sides, solution.values)
+    return None if isinstance(found, NumericRoot) else tidied(found, name, always=True)
+
+
+def _step(step: Step, result: Relation, source: Step, law: Relation, formula: Expression, solution: Solution) -> Step:
+    """Return the step that gives a name by one law, which it calls by its label if it has one."""
+    labels = {text: label for label, text in DEFINED.findall(source.text)}
+    label = labels.get(law.latex()[1:-1], "")
+    name, relation = step.gives[0], Relation(Symbol(step.gives[0]), formula, "result", result.unit)
+    where = f"From {label}, " if label else "So "
+    text = f"{where}{relation.latex(solution.values[name])}."
+    used = {held.id for held in solution.steps[: step.id] for other in held.gives if other in {*formula.symbols()}}
+    return replace(step, text=text, relations=(relation,), needs=tuple(sorted({source.id, *used})))
+
 
 UNCLEAR = "the names of its parts are not clear"
 

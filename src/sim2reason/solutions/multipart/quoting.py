@@ -1,4 +1,4 @@
-"""Equations of earlier parts quoted by their labels, not set up again, in the solution of all parts as one text."""
+"""References to equations of earlier parts, and equations that later parts do not use."""
 
 import re
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
@@ -124,7 +124,7 @@ class _Told:
         text = " ".join(step.text for step in left)
         defined = {label for label, _ in DEFINED.findall(text)}
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
-        by_label = {label: r for step in dropped for label, r in _equations(step)}
+        by_label = {label: r for step in dropped for label, r in _quoted_equations(step)}
         needed = {need for step in left for need in step.needs}
         names = spoken(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
         laws = [r for step in dropped if step.id in needed for r in step.relations if r not in by_label.values()]
@@ -176,7 +176,80 @@ def _items(text: str) -> list[str]:
     return [item for match in matches if match is not None for item in match["items"].split("; ")]
 
 
-def _equations(step: Step) -> Iterator[tuple[str, Relation]]:
+def _quoted_equations(step: Step) -> Iterator[tuple[str, Relation]]:
     """Yield the labels and equations of a step."""
     by_formula = {relation.latex()[1:-1]: relation for relation in step.relations}
     yield from ((label, by_formula[formula]) for label, formula in DEFINED.findall(step.text) if formula in by_formula)
+
+
+_HEADING = re.compile(r"(?:In numbers|With numbers for the coefficients): ")  # of one equation, and of those after it
+_UNLABELLED = frozenset(("constraint", "combine"))  # kinds of steps of one equation each
+
+
+def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> Solution:
+    """Return a part without the equations to which it does not refer and without which the check accepts it.
+
+    A solution that recalls no earlier result is returned unchanged.
+    """
+    if not any(step.kind == EARLIER for step in solution.steps):
+        return solution
+    steps = solution.steps
+    while (shorter := _shorter(steps, lambda trial: accepted(replace(solution, steps=trial)))) != steps:
+        steps = shorter
+    found = replace(solution, steps=_tidied(steps))
+    return found if accepted(found) else solution
+
+
+def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], bool]) -> tuple[Step, ...]:
+    """Return the steps without idle equations, from the last one on.
+
+    The text does not say on which equations those in numbers rest; where some remain, so do all before them.
+    """
+    for place in reversed(range(len(steps))):
+        headed = _HEADING.match(steps[place].text)
+        if headed and any(DEFINED.search(step.text) for step in steps[place + 1 :]):
+            break
+        for equation in reversed(_stated_equations(steps[place])):
+            others = (*steps[:place], *steps[place + 1 :])
+            if any(label in referred(step.text) for step in others for label, _ in DEFINED.findall(equation)):
+                continue
+            trial = (*steps[:place], _without(steps[place], equation), *steps[place + 1 :])
+            steps = trial if accepted(trial) else steps
+        if headed and steps[place].text:
+            break
+    return steps
+
+
+def _stated_equations(step: Step) -> list[str]:
+    """Return the equations of a step that may be left out, each with its label."""
+    sentences = SENTENCE.split(_HEADING.sub("", step.text))
+    return sentences if step.kind in _UNLABELLED or all(map(DEFINED.match, sentences)) else []
+
+
+def _without(step: Step, equation: str) -> Step:
+    """Return a step without one of its equations; one without a text if none is left."""
+    text = " ".join(each for each in _stated_equations(step) if each != equation)
+    return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
+
+
+def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """Return the steps that have a text, with givens and introductions of the names in use, and new labels."""
+    left = [step for step in steps if step.text]
+    rest = [step for step in left if step.kind not in ("givens", "names")]
+    used = spoken(" ".join(step.text for step in rest)) | {*names_of(rest)}
+    left = [_in_use(step, used) for step in left]
+    labels = dict.fromkeys(label for step in left for label, _ in DEFINED.findall(step.text))
+    names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
+    return renumbered([labelled(step, names) for step in left if step.text])
+
+
+def _in_use(step: Step, used: frozenset[str]) -> Step:
+    """Return a step that introduces names, given or in words, without those that are not in use."""
+    if step.kind == "givens":
+        return given_for(step, used)
+    if step.kind != "names":
+        return step
+    sentences = (
+        shortened(each, lambda item: not used.isdisjoint(introduced(item))) for each in SENTENCE.split(step.text)
+    )
+    return replace(step, text=" ".join(sentence for sentence in sentences if sentence))

@@ -2,8 +2,7 @@
 
 from abc import abstractmethod
 
-from sim2reason.dsl.triples import product
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, product
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.elimination import solved
@@ -13,8 +12,8 @@ from sim2reason.solutions.goals import Components
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.rolling_words import rim_inertia_words
 from sim2reason.solutions.laws.straight_way import STILL, Way
-from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.net_force import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.oscillations.tension_work import tension_work
 from sim2reason.solutions.setting import Setting, capital, joined

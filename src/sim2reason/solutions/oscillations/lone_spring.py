@@ -1,22 +1,23 @@
-"""A body on a level table on which one spring acts that is fixed at its other end."""
+"""Bodies on a level table at one spring, and where they are fastest."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from math import hypot
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import minus
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.functions import length_of
-from sim2reason.solutions.oscillations.greatest_value import greatest_target
+from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, length_of
+from sim2reason.solutions.oscillations.net_force import greatest_target
 from sim2reason.solutions.setting import LEVEL, Setting
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.letters import LETTERS
-from sim2reason.solutions.writing.magnitudes import of_magnitude
-from sim2reason.solutions.writing.steps import Book
-from sim2reason.solutions.writing.unit_latex import METRES
+from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import JOULES, LETTERS, METRES, of_magnitude
 
 PARTS = "stiffness", "length"
 
@@ -83,3 +84,92 @@ class LoneSpring:
             said = of_magnitude(said, quantity)
         name = self.book.fresh(LETTERS[quantity])
         return self.book.told("answer", said, name, formula, self.setting.unit)
+
+
+HALF = Number(0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """A body that is launched across a spring, with its velocity and with what writes its conserved quantities.
+
+    `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
+    """
+
+    body: LoneSpring
+    velocity: Sequence[Expression]
+    kept: Callable[[], tuple[Symbol, Expression]]
+
+
+def passed_words(launch: Launch, step: Writing) -> str:
+    """Return that a greatest value is taken at the natural length, and why that is passed; empty for no greatest value.
+
+    Raises:
+        UnsolvedError: nothing shows that it is passed.
+    """
+    query = launch.body.setting.query
+    if not isinstance(query, StretchQuery):
+        return ""
+    what = query.functional.partition(" ")[2]
+    passed = "" if isinstance(query.moment, NaturalLength) else f" {_why_passed(launch, step, query)}"
+    return f"The {what} is greatest where the spring stores no energy, at its natural length.{passed}"
+
+
+def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
+    """Return why the spring passes its natural length before it is stretched, or compressed, the most."""
+    body, (u, v) = launch.body, launch.velocity
+    book, (x, y) = body.book, body.apart
+    outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
+    lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
+    sides = (body.length, body.natural) if stretched else (body.natural, body.length)
+    relation = f"{body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}"
+    match query.moment:
+        case MostCompressed() if lengthens and not (stretched and known):
+            why = "and goes on to do so as long as it is compressed; in the end it is compressed"
+            return _passes(book, step, (outward, ZERO), f"{outward.latex()} > 0", "lengthens at first", why)
+        case MostCompressed() if stretched:
+            said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
+        case MostStretched() if not stretched:
+            said = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
+        case MostStretched() if not lengthens:
+            book.afterwards.append(lambda: _verify_reached(launch))
+            why = "and does not turn back before"
+            return _passes(book, step, (ZERO, outward), f"{outward.latex()} < 0", "shortens at first", why)
+        case _:
+            raise UnsolvedError("nothing shows that it passes its natural length")
+    if known or lengthens == stretched or book.is_hidden(outward):
+        return said
+    exceeds(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
+    state, way = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
+    less = f"${outward.latex()} {'>' if lengthens else '<'} 0$"
+    return f"{said} If it were {state} at first, it would be fastest at the start, as it {way} then, {less}."
+
+
+def _passes(
+    book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
+) -> str:
+    """Return that the spring passes its natural length, as it `begins` short or long and `ends` otherwise.
+
+    A `relation` in LaTeX says that the first of two `sides` is larger, which shows the beginning.
+    """
+    if not any(map(book.is_hidden, sides)):
+        exceeds(book, step, *sides)
+        return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."
+    book.afterwards.append(lambda: verify_assumed(book, *sides, relation))
+    return f"Assume that ${relation}$. Then the spring passes that length, as it {begins} {ends}."
+
+
+def _verify_reached(launch: Launch) -> None:
+    """Write that a spring that shortens at first does so until it has its natural length."""
+    body, (energy, swirl) = launch.body, launch.kept()
+    book = body.book
+    across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
+    step = book.open("verify")
+    exceeds(book, step, energy, across)
+    step.say(
+        "The energy at a turning point of the length, where the velocity is perpendicular to the spring, is a convex "
+        f"function of that length. It is less than ${energy.latex()}$ for ${body.length.latex()}$, where the spring "
+        f"shortens, and for ${body.natural.latex()}$, where it is {step.verified(name, across, JOULES)}; so the spring "
+        "does not turn back between these."
+    )
+    step.close()

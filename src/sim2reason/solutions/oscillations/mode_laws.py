@@ -9,10 +9,9 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.cramer import signed_permutations
 from sim2reason.solutions.algebra.evaluated import QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import over, signed_permutations
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion

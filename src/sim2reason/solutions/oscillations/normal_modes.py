@@ -1,8 +1,4 @@
-"""What the start of a motion excites of each of its normal modes.
-
-With x = Σ a ξ over the modes, each of the mass µ = aᵀM a and driven by q = aᵀQ at the start, µ ξ̈ = q − µ λ ξ. See
-Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
-"""
+"""Normal modes: their frequencies, and what the start of a motion excites of each."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,16 +8,59 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.cramer import cramer
+from sim2reason.questions.period_words import SPEEDS, PeriodQuery
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.oscillations.mode import Mode, place
 from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws, dotted
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.steps import Writing
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import (
+    ACCELERATION,
+    ANGULAR_SPEED,
+    KILOGRAMS,
+    METRES,
+    PER_SECOND_SQUARED,
+    SPEED,
+)
+
+SMALLER = {"slower": "smaller", "faster": "greater", "slowest": "smallest", "fastest": "greatest"}
+
+
+def natural_frequency(held: ModeLaws, query: PeriodQuery) -> Symbol:
+    """Write the angular frequency that a question asks about; UnsolvedError where the motion has no period."""
+    if not query.small and held.size - held.zeros > 1:
+        raise UnsolvedError("the motion as a whole has no period")
+    mode = held.modes[held.zeros + (query.rank if query.small else 0)]
+    said = "The angular frequency is"
+    if query.small and query.modes > 1:
+        which = SPEEDS[query.modes][query.rank > 0]
+        said = f"As each root is the square of an angular frequency, the {which} mode has the {SMALLER[which]} one:"
+        if held.size - held.zeros == PAIR and held.book.is_hidden(mode.square) and not held.book.in_symbols:
+            held.book.afterwards.append(lambda: _tell_other_root(held, mode, query))
+    name = held.book.fresh(r"\omega")
+    return held.book.told("rate", said, name, Root(mode.square), ANGULAR_SPEED)
+
+
+def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
+    """Write the root of the other mode, once all numbers are known, from the product of both."""
+    book, slower, square = held.book, query.rank == 0, mode.square
+    rest, _, leading = held.powers[held.zeros :]
+    formula = rest.expression() / (leading.expression() * square)
+    step, name = book.open("verify"), book.fresh(r"\lambda", r"\text{other}")
+    exceeds(book, step, *((formula, square) if slower else (square, formula)))
+    product = (
+        f"The product of both roots is the constant term divided by the coefficient of ${Power(square, 2).latex()}$"
+    )
+    step.say(f"{product}, so the other root is {step.verified(name, formula, PER_SECOND_SQUARED)}.")
+    size, which = ("greater", "slower") if slower else ("smaller", "faster")
+    step.say(f"It is {size}, so the given {query.measure} is that of the {which} mode.")
+    step.close()
+
 
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
 ACCELERATED = 2  # the order of an acceleration

@@ -1,19 +1,22 @@
-"""The way to one answer where one coordinate is free: all else comes as far as it does, in proportion."""
+"""Answers where one coordinate is free, or where momentum ties two coordinates together."""
 
 from abc import abstractmethod
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
 
 
 def signed(held: Expression) -> Polynomial:
@@ -99,3 +102,135 @@ class SingleWay(LinearWay):
         """Of the engine's values of all coordinates, that of the only free one."""
         i = self.motion.free[0]
         return self.newton.scale[i].here * float(row[i])
+
+
+class PairWay(SingleWay):
+    """A way for the relative motion, with what momentum says of the rest."""
+
+    @property
+    def at_rest(self) -> str:
+        """Return a clause about the instant at which the bodies do not move relative to each other."""
+        return "the relative velocity is zero"
+
+    def fastest(self, where: str) -> str:
+        """Return a clause about the place of the greatest relative velocity."""
+        return f"the relative velocity is greatest at {where}, where it is"
+
+    @property
+    def standing(self) -> str:
+        """Return the beginning of a sentence about a turning point of the relative motion."""
+        return "The relative motion turns back"
+
+    @property
+    def motion(self) -> RelativeMotion:
+        """The relative motion."""
+        return self._relative
+
+    @cached_property
+    def _relative(self) -> RelativeMotion:
+        return RelativeMotion(self.linear, self.book)
+
+    def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
+        """Where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
+        held = self._relative
+        if {*held.ratios[k]} == {*held.free}:
+            return super().share(k)
+        if self.kept:
+            return None
+        shared, both, _ = held.masses
+        own, other = held.ratio(k, held.free[0]), held.ratio(k, held.other)
+        found = shared.scaled(own) - both.scaled(other)
+        return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
+
+    def moved_to(self, moment: Moved) -> Expression:
+        """Told, where the momentum has a part in it."""
+        formula = super().moved_to(moment)
+        if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
+            return formula
+        said = f"{self._relative.words.still}. The relative displacement is then"
+        return self.book.told("momentum", said, self.name, formula, METRES)
+
+    def first(self, i: int) -> Polynomial:
+        """The rate at the start: of the relative motion, or of what is shared."""
+        held = self._relative
+        mine = self.first_speeds.get(i, NIL)
+        if i == held.other:
+            return mine
+        return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
+
+    def seen(self, row: Array) -> float:
+        """Return the relative rate, in SI units, by the rates of all coordinates."""
+        held, scale = self._relative, self.newton.scale
+        i, j = held.free[0], held.other
+        return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
+
+    def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
+        """Write the name of the relative displacement."""
+        held, step = self._relative, self.book.open("names")
+        ((i, name),) = names.items()
+        who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
+        apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
+        step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
+        step.close()
+        frame = held.words.frame if self.kept else f"{held.words.zero}, so"
+        held.called = name.name
+        held.recoils = f"{frame} the velocity of {other} {self.towards(held.other)} is"
+
+    @property
+    def kept(self) -> Polynomial:
+        """The momentum."""
+        held = self._relative
+        return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
+
+    # ---- what both share
+
+    def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
+        """From: mass times what is shared + mass times what is relative = a total."""
+        if kind in self._told:
+            return self._told[kind]
+        shared, both, _ = self._relative.masses
+        mark = self.setting.mark(self.mechanism.coordinates[self._relative.other].body)
+        step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
+        left = shared * Polynomial.of(name) + both * self.along(kind)
+        law = step.law(left.collected([name.name]), total.expression())
+        found = step.result(name, solved(left - total, name.name), unit)
+        whose = f"of {self._partner()} {self.towards(self._relative.other)}"
+        step.say(f"{said} ${name.latex()}$ {whose}: {law}, so {found}.")
+        step.close()
+        self._told[kind] = Polynomial.of(name)
+        return self._told[kind]
+
+    @cached_property
+    def _told(self) -> dict[str, Polynomial]:
+        return {}
+
+    def _partner(self) -> str:
+        return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
+
+    def place(self, i: int) -> Polynomial:
+        """Return how far a coordinate has come, in m: the relative one, or that of the centre of mass."""
+        if i != self._relative.other:
+            return self.along("s")
+        total = self.kept
+        if total:
+            total = total * Polynomial.of(self.clock())
+        if not total and not self.along("s"):
+            return NIL
+        said = self._relative.words.drifts if self.kept else self._relative.words.still
+        said = f"{said}; with the displacement"
+        return self._balanced("s", METRES, total, said)
+
+    def speed(self, i: int) -> Polynomial:
+        """Return the rate of a coordinate, in m/s: of the relative one, or the shared velocity."""
+        if i != self._relative.other:
+            return self.along("v")
+        if not self.kept and not self.along("v"):
+            return NIL
+        return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """Return the acceleration of a coordinate, in m/s²: the relative one, or the shared one."""
+        if i != self._relative.other:
+            return self.along("a")
+        said = f"{self._relative.words.unaccelerated}; with the acceleration"
+        return self._balanced("a", ACCELERATION, NIL, said)

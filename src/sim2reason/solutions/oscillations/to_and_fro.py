@@ -1,18 +1,183 @@
-"""A motion to and fro between the places where it turns back."""
+"""Motions between turning points: the first move, the first rest, and strings that stay taut."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import pi
 
 import numpy as np
 
 from sim2reason.simulation.trace import Trace
-from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.algebra.functions import summed
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import PI, Call, Power, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.laws.turning_back import later_words
+from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.linear_way import LinearWay
-from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTONS, SECONDS
+
+
+def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> None:
+    """State the initial direction of a motion from rest without friction, by the net force at the start."""
+    (i,), book = motion.free, way.book
+    if isinstance(motion, RelativeMotion) or any(motion.laws.rough.values()) or way.first(i):
+        return
+    load, who = motion.load(i), way.who(i)
+    forward = load.value(motion.givens) > 0.0
+    size, towards = (load if forward else load.scaled(-1.0)).factored(), way.towards(i, forward=forward)
+    step = book.open("verify")
+    if book.is_hidden(size):
+        step.say(f"{capital(who)} first moves {towards}.")
+    else:
+        net = book.fresh("F", "0")
+        book.know(net.name, book.value(size))
+        told = step.verified(net, size, NEWTONS)
+        step.say(f"The net force along the motion at the start, {told}, sets {who} in motion {towards}.")
+    step.close()
+
+
+def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -> Symbol:
+    """Write when the velocity is first zero, `span` seconds after the start, and give back the `name` of that time."""
+    book, rate, begun, rest = way.book, held.rate, held.begun, held.rest
+    step, phase = book.open("time"), rate * name
+    velocity = rest * rate * Call("sin", phase) + held.first.expression() * Call("cos", phase)
+    who, law = way.who(held.motion.free[0]), step.law(velocity, ZERO)
+    step.say(f"{capital(who)} first comes to rest when its velocity, the derivative of the displacement")
+    step.say(f"${held.swinging(phase).latex()}$, is zero: {law}, so {step.derived(Call('tan', phase), begun / -rest)}.")
+    early = held.numbers[0] * span < 0.5 * pi
+    sign = f"{rest.latex()} {'<' if book.value(rest) < 0.0 else '>'} 0"
+    between = f"${phase.latex()}$ is {'less' if early else 'greater'} than ${(Number(0.5) * PI).latex()}$"
+    formula = held.angle_of_turning(span) / rate
+    found = step.result(name, formula, SECONDS)
+    if not book.is_hidden(rest):
+        step.say(f"As ${sign}$, {between}, and {found}.")
+    elif book.in_symbols:
+        plain = "-" not in book.formulas.get(rest.latex(), rest).latex().removeprefix("-")  # all terms of one sign
+        lead = "As" if plain else "For"
+        step.say(f"{lead} ${sign}$, {between}, and {found}.")
+    else:
+        step.say(f"Assume that ${sign}$; then {between}, and {found}.")
+        book.afterwards.append(lambda: _tell_sign(way, rest, sign, (phase, early)))
+    step.close()
+    return name
+
+
+def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
+    """Write that a body would come to rest only beyond a place, so that friction is constant; in symbols, assume it.
+
+    It comes to rest for the first time, or `later`.
+    """
+    book, step, who = way.book, way.book.open("verify"), way.who(held.motion.free[0])
+    there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
+    when = "next" if later else "first"
+    if book.in_symbols:
+        step.say(f"Assume that {who} gets to ${there}$ before it {when} comes to rest.")
+        step.close()
+        return
+    name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
+    far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
+    exceeds(book, step, far, near)
+    told = step.verified(name, turning, METRES)
+    step.say(f"{capital(who)} would {when} come to rest at {told}, beyond ${there}$,")
+    step.say("so friction is constant until then.")
+    step.close()
+
+
+def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
+    """Write that the net force is zero on the side that was assumed, as the phase `reached` requires."""
+    step, (phase, early), right = way.book.open("verify"), reached, Number(0.5) * PI
+    greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
+    exceeds(way.book, step, greater, less)
+    exceeds(way.book, step, *((right, phase) if early else (phase, right)))
+    wrong = f"${phase.latex()}$ would be {'greater' if early else 'less'} than ${right.latex()}$"
+    step.say(f"Indeed ${sign}$, as was assumed; on the other side of ${rest.latex()} = 0$, {wrong}.")
+    step.close()
+
+
+def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool) -> None:
+    """Write that half an oscillation, of a `formula` or a known symbol `half`, takes longer than the time `left`."""
+    if book.in_symbols:
+        return
+    if book.is_hidden(formula) or book.is_hidden(left):
+        book.afterwards.append(lambda: tell_rest_only_later(book, formula, left, half, again=again))
+        return
+    step = book.open("verify")
+    exceeds(book, step, left, ZERO)
+    if half is not None:
+        exceeds(book, step, half, left)
+        step.rest_on(half.name)
+        step.say(
+            f"As ${left.name} < {half.name}$, it does not come to rest{' again' if again else ''} within this time."
+        )
+    else:
+        rest = "next" if again else "first"
+        step.say(f"It would {rest} come to rest {later_words(book, step, formula, left)}.")
+    step.close()
+
+
+@dataclass(frozen=True)
+class _Held:
+    """A body that a string pulls against its weight: its coordinate, the line, its mass, and how it would fall."""
+
+    k: int
+    line: int
+    mass: Expression
+    falling: Expression  # its acceleration without the string, m/s²
+
+
+def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
+    """Write, in the end, that no body that hangs on a string ever falls freely; nothing where numbers do not tell."""
+    held = max(_with_earlier(held), key=lambda swing: swing.size)
+    motion = held.motion
+    if book.in_symbols or not isinstance(motion, LinearMotion):
+        return
+    for body in _hanging(motion):
+        ratio = abs(motion.ratio(body.k, motion.free[0]))
+        if 0.0 < ratio * held.numbers[0] ** 2 * held.size < body.falling.value(motion.givens).real:
+            book.afterwards.append(lambda body=body, r=ratio: _write(setting, book, held, body, r))
+
+
+def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
+    """Yield a half-oscillation and all earlier half-oscillations, which are wider if there is friction."""
+    earlier: Harmonic | None = held
+    while earlier is not None:
+        yield earlier
+        earlier = earlier.like
+
+
+def _hanging(motion: LinearMotion) -> Iterator[_Held]:
+    """Yield the bodies on which one string and, against it, their weight act alone."""
+    for k in motion.ratios:
+        row = motion.laws.newton(k)
+        names = [n for n in row.zero.names() if n[0] in "TNSf" and n[1:].isdigit()]
+        if len(names) != 1 or names[0][0] != "T":
+            continue
+        pull, mass = row.forces.without(names), row.inertia.coefficient(f"q{k}")
+        along, weight = row.forces.coefficient(names[0]).number or 0.0, pull.value(motion.givens)
+        if mass and not row.inertia.without((f"q{k}",)) and along * weight < 0.0:
+            falling = over(pull if weight > 0.0 else pull.scaled(-1.0), mass)
+            yield _Held(k, int(names[0][1:]), mass.factored(), falling)
+
+
+def _write(setting: Setting, book: Book, held: Harmonic, body: _Held, ratio: float) -> None:
+    greatest = Power(held.rate, 2) * held.amplitude
+    formula = greatest if ratio == 1.0 else Number(ratio) * greatest
+    step, name, least = book.open("verify"), book.fresh("a", r"\text{max}"), book.fresh("T", r"\text{min}")
+    exceeds(book, step, body.falling, formula)
+    who = setting.called(setting.mechanism.coordinates[body.k].body)
+    string = setting.lines[held.motion.laws.lines[body.line].name]
+    step.say(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")
+    step.say(f"less than ${body.falling.latex()}$, so {string} stays taut. Its tension is at least")
+    step.say(f"{step.verified(least, body.mass * (body.falling - name), NEWTONS)}.")
+    step.close()
+
 
 EARLY = 1e-6  # of the stretch: what turns back at its end does not count
 SCAN = 2001

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from sim2reason.dsl.frames import start
-from sim2reason.dsl.triples import Number as Quantity
+from sim2reason.dsl.vectors import Number as Quantity
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough

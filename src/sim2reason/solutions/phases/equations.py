@@ -12,8 +12,7 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided, total
 from sim2reason.solutions.goals import Components
-from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion, Names
-from sim2reason.solutions.laws.recorded_equations import phase_at
+from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion, Names, phase_at
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.lexicon import Both

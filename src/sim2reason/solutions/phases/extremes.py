@@ -1,17 +1,96 @@
-"""Greatest and least values within a motion: the formula that vanishes where a quantity is extreme."""
+"""Extreme values and accumulated quantities within phases, and phases that are integrated numerically."""
 
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from math import radians
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Elastic
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.simulation.engines.exact.motion import Motion
-from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Happening
+from sim2reason.simulation.engines.exact.motion import Motion, Segment
+from sim2reason.simulation.trace import Event, Trace
+from sim2reason.solutions.algebra.digits import DIGITS
+from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import Components
+from sim2reason.solutions.phases.conditions import size
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import Integration, with_unit
+from sim2reason.solutions.writing.steps import STATE_DIGITS, Book, UnsolvedError, Writing
+
+HALF = Number(0.5)
+
+
+def value_of(functional: str, name: str, trace: Trace, end: float) -> float:
+    """Return the value of a functional from the start to a time (s) in the motion of the engine.
+
+    Raises:
+        UnsolvedError: it has none.
+    """
+    found = FUNCTIONALS[functional].value(trace, name, end)
+    if found is None:
+        raise UnsolvedError(f"the motion has no {functional}")
+    return radians(found) if FUNCTIONALS[functional].unit == "deg" else found
+
+
+def rate_of(functional: str, name: str, equations: PhaseEquations) -> Expression:
+    """Return the rate at which a functional of a subject grows during a phase.
+
+    Raises:
+        UnsolvedError: no rate is known for the functional.
+    """
+    rate = ACCUMULATION_RATES.get(functional)
+    if rate is None:
+        raise UnsolvedError(f"no rate is known for {functional}")
+    return rate(equations, name)
+
+
+def _path(equations: PhaseEquations, name: str) -> Expression:
+    return size(equations.triple("velocity", name))
+
+
+def _tension(equations: PhaseEquations, name: str) -> Expression:
+    rows = [row for row in equations.rows if equations.kind(row).name == name]
+    if rows:
+        return equations.force("row", rows[0]).expression()
+    return Number(0.0)
+
+
+def _dashpot(equations: PhaseEquations, name: str) -> Expression:
+    law = equations.mechanism.line[name].law
+    assert isinstance(law, Elastic)
+    rate = equations.length(name, "rate").expression()
+    return multiplied(equations.law(name, "damping").expression(), Power(rate, 2))
+
+
+def _friction(equations: PhaseEquations, name: str) -> Expression:
+    face = equations.mechanism.face_number[name]
+    if not equations.rough.get(face, 0):
+        return Number(0.0)
+    force = equations.kinetic_friction(face).expression()
+    return multiplied(force, Absolute(equations.slip(face).expression()))
+
+
+def _angle(equations: PhaseEquations, name: str) -> Expression:
+    return Absolute(equations.names.rates[equations.hinge(name)])
+
+
+ACCUMULATION_RATES: Mapping[str, Callable[[PhaseEquations, str], Expression]] = {
+    "distance travelled": _path,
+    "impulse of a tension": _tension,
+    "energy dissipated by a dashpot": _dashpot,
+    "energy dissipated by friction": _friction,
+    "total angle": _angle,
+}
+
 
 SAMPLES = 4000  # instants at which the quantity is looked at
 ROUNDS = 60  # bisections of an interval with the zero of a rate
@@ -39,9 +118,9 @@ def rate_formulas(equations: PhaseEquations, functional: str, name: str) -> list
         UnsolvedError: no formula is known for its quantity.
     """
     quantity = "height" if functional == "greatest height" else quantity_of(functional)
-    if quantity not in RATES:
+    if quantity not in EXTREME_RATES:
         raise UnsolvedError(f"no rate is known for the quantity {quantity}")
-    return RATES[quantity](equations, name)
+    return EXTREME_RATES[quantity](equations, name)
 
 
 def refined(equations: PhaseEquations, formula: Expression, near: float, width: float) -> float:
@@ -95,7 +174,7 @@ def _hinge(equations: PhaseEquations, name: str, symbols: str) -> list[Expressio
     return [getattr(equations.names, symbols)[equations.hinge(name)]]
 
 
-RATES: Mapping[str, Callable[[PhaseEquations, str], list[Expression]]] = {
+EXTREME_RATES: Mapping[str, Callable[[PhaseEquations, str], list[Expression]]] = {
     "velocity": _speed,
     "kinetic energy": _speed,
     "displacement": _displacement,
@@ -104,3 +183,118 @@ RATES: Mapping[str, Callable[[PhaseEquations, str], list[Expression]]] = {
     "spring energy": _extension,
     "angular velocity": lambda equations, name: _hinge(equations, name, "accelerations"),
 }
+
+
+LONG = 900  # characters of an equation: a longer one is not written
+ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+
+
+def tell_problem(book: Book, step: Writing, integration: Integration, *, first: bool, letter: str) -> None:
+    """Write the equations and initial values of a phase; roots that occur several times get a name."""
+    sides = [side for law in integration.equations for side in (law.left, law.right)]
+    count = Counter(root for side in sides for root in _roots(side))
+    named = {root: book.fresh(letter) for root, times in count.items() if times > 1}
+    laws = [f"${_with(law.left, named).latex()} = {_with(law.right, named).latex()}$" for law in integration.equations]
+    if any(len(law) > LONG for law in laws):
+        raise UnsolvedError("the equations of motion are too long to be written")
+    where = [f"${name.name} = {root.latex()}$" for root, name in named.items()]
+    equations = "equations of motion are" if len(laws) > 1 else "equation of motion is"
+    step.say(f"The {equations} {joined(laws)}{f', where {joined(where)}' if where else ''}.")
+    begun = [f"${c.place} = {c.initial_place.latex()}$" for c in integration.coordinates]
+    begun += [f"${c.rate} = {c.initial_rate.latex()}$" for c in integration.coordinates]
+    step.say(f"{'Initially' if first else 'The phase begins with'} {joined(begun)}.")
+    if integration.accumulated:
+        (held,) = integration.accumulated
+        rate, begun = held.rate.latex(), held.initial.latex()
+        step.say(rf"Along with them, $\dot{{{held.name}}} = {rate}$ from ${begun}$ is integrated.")
+
+
+def tell_end(book: Book, integration: Integration, said: str, used: frozenset[str]) -> str:
+    """Return the sentence about the end of a phase, with those values on which something later rests."""
+    condition = integration.until
+    kept = [name for _, name in integration.ends if name in used]
+    begins = {name for step in book.steps if step.integration is not None for name in step.integration.symbols()}
+    digits = {name: STATE_DIGITS if name in begins else DIGITS for name in kept}
+    values = [f"${name} = {with_unit(book.values[name], book.units[name], digits[name])}$" for name in kept]
+    if not values:
+        raise UnsolvedError("nothing rests on the state to which the motion is integrated")
+    later = 1 < condition.occurrence < len(ORDINALS)
+    which = f" for the {ORDINALS[condition.occurrence]} time" if later else ""
+    when = f"{said}, that is, until {_equation(condition.expression)}" if said else _equation(condition.expression)
+    first = " for the first time" if not said and condition.occurrence == 1 and not condition.direction else ""
+    return f"Numerical integration until {when}{which or first}{',' if said else ''} gives {joined(values)}."
+
+
+def _equation(formula: Expression) -> str:
+    """Return the equation that a formula is zero, in LaTeX with dollars; a symbol that is subtracted stands right."""
+    if isinstance(formula, Sum) and isinstance(last := -formula.terms[-1], Symbol):
+        return f"${reduce(added, formula.terms[:-1]).latex()} = {last.name}$"
+    return f"${formula.latex()} = 0$"
+
+
+def _roots(formula: Expression) -> Iterator[Root]:
+    if isinstance(formula, Root):
+        yield formula
+    for part in formula.parts:
+        yield from _roots(part)
+
+
+def _with(formula: Expression, named: dict[Root, Symbol]) -> Expression:
+    """Return a formula with names in place of roots."""
+    if isinstance(formula, Root) and formula in named:
+        return named[formula]
+    return formula.built_of([_with(part, named) for part in formula.parts]) if formula.parts else formula
+
+
+MOST_PHASES = 8  # a longer solution would not be read
+SAME_TIME = 1e-9  # relative: an event so close to the moment asked is that moment
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A segment of the motion with the time, s, and the events that end it."""
+
+    segment: Segment
+    ends: float
+    events: tuple[Event, ...]
+
+
+def asked_time(setting: Setting) -> float:
+    """Return the time, s, at which the answer is decided; for an extreme value only about."""
+    query = setting.query
+    if query.kind == "extremum" and isinstance(query, StretchQuery):
+        return top(setting.motion, query.functional, query.name, setting.time)
+    return query.moment.side(setting.time) if query.moment is not None else setting.time
+
+
+def stretches(setting: Setting, time: float) -> list[Stretch]:
+    """Return the stretches up to a time, s.
+
+    Raises:
+        UnsolvedError: there is none, there are too many, or one ends without an event.
+    """
+    motion, moment = setting.motion, setting.query.moment
+    segments = [s for s in motion.segments if s.start < time or s.start == 0.0]
+    ends_at_event = moment is not None and moment.event and setting.query.kind != "extremum"
+    found: list[Stretch] = []
+    for segment, following in zip(segments, [*segments[1:], None], strict=True):
+        ends = following.start if following is not None else time
+        near = SAME_TIME * max(ends, SAME_TIME)
+        events = tuple(e for e in motion.events if e.changes_motion and abs(e.time - ends) <= near)
+        if following is None and not ends_at_event:
+            events = ()
+        if following is not None and not events:
+            raise UnsolvedError("the equations change where no event is recorded")
+        found.append(Stretch(segment, ends, events))
+    if not found or len(found) > MOST_PHASES:
+        raise UnsolvedError(f"the motion has {len(found)} phases")
+    return found
+
+
+def moment_words(setting: Setting) -> str:
+    """Return what happens at the moment asked about, as a statement; empty if the question has no words for it."""
+    moment = setting.query.moment
+    if setting.query.kind == "extremum" or not isinstance(moment, Happening):
+        return ""
+    clause = moment.clause(setting.words)
+    return clause.statement if clause is not None else ""

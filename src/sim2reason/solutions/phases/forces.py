@@ -1,10 +1,20 @@
-"""Symbols for the forces that the equations of a phase determine; a force keeps its symbol in all phases."""
+"""Symbols of forces in a phase, initial rates, and jumps of velocity at events."""
+
+from collections.abc import Sequence
+
+import numpy as np
 
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.phases.equations import LETTERS
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.simulation.trace import Event
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.phases.equations import LETTERS, PhaseEquations
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import Relation
+from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.unit_latex import IMPULSE
 
 
 class ForceSymbols:
@@ -61,3 +71,153 @@ class ForceSymbols:
             if kind != "string"
             else f"the tension in {setting.lines[name]}"
         )
+
+
+def initial_rates(lexicon: Lexicon, senses: Sequence[float]) -> list[Expression]:
+    """Return the initial rate of each coordinate, which counts in one of two `senses`, 1 or -1.
+
+    Raises:
+        UnsolvedError: the text gives one neither as a number nor by a simple function of numbers.
+    """
+    pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, senses, strict=True)
+    return [_speed(lexicon, Both(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
+
+
+def _speed(lexicon: Lexicon, speed: Both) -> Expression:
+    """Return an initial rate in the numbers of the text; an angular one may be a speed over a length."""
+    for length in (None, *lexicon.lengths):
+        try:
+            if length is None:
+                return lexicon.read(speed).expression()
+            return lexicon.read(speed * length).expression() / lexicon.read(length).expression()
+        except UnreadError:
+            continue
+    raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")
+
+
+AGREES = 1e-8  # relative: how well the velocities after an impact agree with those of the engine
+CONTINUOUS = 1e-9  # relative: a velocity that changes by less at an event is continuous
+
+
+class Jump:
+    """The relations between the velocities just before and just after an event, all in the symbols of its instant."""
+
+    def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
+        """`before` are the equations of the ended phase at its end; `after` are the symbols of the new rates."""
+        self._before, self._after, self._events = before, after, events
+
+    def relations(self, rows: Sequence[int], impulses: Sequence[Symbol]) -> list[Relation]:
+        """Return conservation laws for all coordinates, then what each impulse does.
+
+        `rows` are the strings that are taut during the event; `impulses` has a symbol for each collision, then for
+        each of these rows.
+        """
+        motion, names = self._before.motion, self._before.names
+        size, pairs = range(len(self._after)), self.pairs
+        changes = [
+            (Polynomial.of(self._after[k]) - Polynomial.of(names.rates[k])).scaled(names.senses[k]) for k in size
+        ]
+        along = [[self._gap(number, k) for k in size] for number in pairs]
+        along += [[motion.pull(row, k).scaled(-1.0) for k in size] for row in rows]
+        found: list[tuple[Expression, Expression]] = []
+        for k in size:
+            sense = names.senses[k]
+            left = total(motion.mass(k, j) * changes[j] for j in size).scaled(sense)
+            right = total(
+                ways[k] * Polynomial.of(impulse) for ways, impulse in zip(along, impulses, strict=True)
+            ).scaled(sense)
+            if left or right:
+                found.append((left.expression(), right.expression()))
+        rates = [Polynomial.of(symbol).scaled(names.senses[k]) for k, symbol in enumerate(self._after)]
+        for ways, number in zip(along, pairs, strict=False):
+            after = total(way * rate for way, rate in zip(ways, rates, strict=True))
+            before = total(way * names.rate(k) for k, way in enumerate(ways))
+            found.append((after.expression(), (self._restitution(number) * before).scaled(-1.0).expression()))
+        taut = along[len(pairs) :]
+        found += [(total(w * rate for w, rate in zip(ways, rates, strict=True)).expression(), ZERO) for ways in taut]
+        return [Relation(left, right, "law") for left, right in found]
+
+    @property
+    def pairs(self) -> list[int]:
+        """Return the numbers of the pairs that collide."""
+        hit = [set(event.subjects) for event in self._events if event.kind == "collision"]
+        return [n for n, held in enumerate(self._before.mechanism.meetings) if set(held.names) in hit]
+
+    def _gap(self, number: int, k: int) -> Polynomial:
+        return self._before.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).along.get(k, 0.0))
+
+    def _restitution(self, number: int) -> Polynomial:
+        lexicon = self._before.lexicon
+        pair = Both(lexicon.mechanism.meetings[number].restitution, lexicon.twin.meetings[number].restitution)
+        return self._before.motion.number(pair)
+
+
+def write_jump(
+    before: PhaseEquations, following: Segment, events: Sequence[Event], number: int
+) -> tuple[Symbol, ...] | None:
+    """Write what changes at an event, and return the symbols of the new rates; None if all velocities are continuous.
+
+    Raises:
+        UnsolvedError: the laws do not give the velocities with which the engine goes on.
+    """
+    book, names, segment = before.book, before.names, before.segment
+    old = [book.values[rate.name] for rate in names.rates]
+    new = [sense * v for sense, v in zip(names.senses, following.v, strict=True)]
+    largest = max(map(abs, (*old, *new)), default=0.0)
+    if all(abs(a - b) <= CONTINUOUS * largest for a, b in zip(old, new, strict=True)):
+        return None
+    after = tuple(_fresh(book, rate, value) for rate, value in zip(names.rates, new, strict=True))
+    jump = Jump(before, after, events)
+    rows = [row for row in range(len(segment.kinds)) if _taut(segment, following, row)]
+    impulses = [book.fresh("P", str(number + 1)) for _ in (*jump.pairs, *rows)]
+    relations = jump.relations(rows, impulses)
+    found = _impulses(relations, [impulse.name for impulse in impulses], dict(book.values))
+    for name, value in found.items():
+        book.know(name, value, book.unit_in_text(IMPULSE))
+    step = book.open("event")
+    step.say(_said(jump, impulses))
+    laws = [step.law(relation.left, relation.right) for relation in relations]
+    step.say(f"{joined(laws)}.")
+    for symbol in after:
+        step.label(symbol.name)
+    step.say(f"Just after it, {joined([step.stated(symbol, book.units[symbol.name]) for symbol in after])}.")
+    step.close()
+    return after
+
+
+def _said(jump: Jump, impulses: Sequence[Symbol]) -> str:
+    names = joined([f"${impulse.name}$" for impulse in impulses])
+    whose = f"impulse{'s' if len(impulses) > 1 else ''} {names}"
+    if jump.pairs:
+        return f"In the collision, with the {whose}, momentum and the coefficient of restitution require"
+    return f"The string becomes taut with a jerk, whose {whose} takes away the velocity along it:"
+
+
+def _fresh(book: Book, rate: Symbol, value: float) -> Symbol:
+    base, mark = split(rate.name)
+    name = book.after(base, mark)
+    book.know(name.name, value, book.units[rate.name])
+    return name
+
+
+def _taut(segment: Segment, following: Segment, row: int) -> bool:
+    """Return whether a constraint acts during the event: it acts before or after it."""
+    after = (
+        row < len(following.kinds) and following.kinds[row] == segment.kinds[row] and following.found.mode.acting[row]
+    )
+    return segment.found.mode.acting[row] or after
+
+
+def _impulses(relations: Sequence[Relation], unknowns: Sequence[str], values: dict[str, float]) -> dict[str, float]:
+    """Solve the relations of an event for the impulses, with the velocities of the engine after it."""
+
+    def excess(at: dict[str, float]) -> list[float]:
+        return [float((r.left.value(at) - r.right.value(at)).real) for r in relations]
+
+    zero = values | dict.fromkeys(unknowns, 0.0)
+    base = np.array(excess(zero))
+    matrix = np.array([np.array(excess(zero | {name: 1.0})) - base for name in unknowns]).T
+    found, _, rank, _ = np.linalg.lstsq(matrix, -base, rcond=1e-12)
+    if rank < len(unknowns) or np.abs(matrix @ found + base).max() > AGREES * max(1.0, np.abs(base).max()):
+        raise UnsolvedError("the laws of the impact do not lead to the velocities after it")
+    return dict(zip(unknowns, map(float, found), strict=True))

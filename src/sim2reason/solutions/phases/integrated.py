@@ -13,21 +13,25 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.laws.equations_of_motion import UNREAD, Names
-from sim2reason.solutions.phases.accumulated import RATES, rate_of, value_of
-from sim2reason.solutions.phases.asked_quantity import write_quantity
 from sim2reason.solutions.phases.conditions import event_condition, located, moment_conditions, said
-from sim2reason.solutions.phases.contacts import with_used_contacts
 from sim2reason.solutions.phases.coordinates import HINGE_UNITS, SLIDE_UNITS, choose
+from sim2reason.solutions.phases.end_state import formula_of, write_quantity
 from sim2reason.solutions.phases.equations import PhaseEquations, amid
-from sim2reason.solutions.phases.extremes import rate_formulas, refined
-from sim2reason.solutions.phases.forces import ForceSymbols
-from sim2reason.solutions.phases.initial_rates import initial_rates
-from sim2reason.solutions.phases.jumps import write_jump
-from sim2reason.solutions.phases.numerical import tell_end, tell_problem
-from sim2reason.solutions.phases.pruning import pruned
-from sim2reason.solutions.phases.steady import SteadyPhase
-from sim2reason.solutions.phases.stretches import Stretch, asked_time, moment_words, stretches
-from sim2reason.solutions.phases.values import formula_of
+from sim2reason.solutions.phases.extremes import (
+    ACCUMULATION_RATES,
+    Stretch,
+    asked_time,
+    moment_words,
+    rate_formulas,
+    rate_of,
+    refined,
+    stretches,
+    tell_end,
+    tell_problem,
+    value_of,
+)
+from sim2reason.solutions.phases.forces import ForceSymbols, initial_rates, write_jump
+from sim2reason.solutions.phases.steady import SteadyPhase, pruned, with_used_contacts
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
@@ -247,7 +251,7 @@ class IntegratedPhases:
     def _adds_up(self) -> bool:
         """Return whether the question asks for something that adds up over the motion."""
         query = self.setting.query
-        return isinstance(query, StretchQuery) and query.functional in RATES
+        return isinstance(query, StretchQuery) and query.functional in ACCUMULATION_RATES
 
     def _accumulated(self, inner: PhaseEquations, ends: float) -> tuple[Accumulated, ...]:
         query = self.setting.query

@@ -1,20 +1,186 @@
-"""Phases of constant acceleration: solved in closed form instead of integrated."""
+"""Phases of constant acceleration: their contacts, their closed form, and the laws that the answer needs."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
 
+import numpy as np
+
+from sim2reason.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import put, solved_for
 from sim2reason.solutions.laws.equations_of_motion import Names
-from sim2reason.solutions.phases.contacts import tell_contacts
 from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.phases.explicit import explicit
-from sim2reason.solutions.phases.pruning import LAWS, STATE, laws_text, state_text
-from sim2reason.solutions.setting import capital
-from sim2reason.solutions.solution import Relation
+from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.solution import Relation, Step, with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import SECONDS
+
+LAWS, STATE = "steady laws", "steady state"  # the kinds of steps of which parts may be left out
+HELD = 1e-9  # of the largest weight: rounding
+
+
+def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
+    """Return the sentences about laws, and what they lead to where they do not give it by themselves."""
+    laws = [relation for relation in relations if relation.role == "law"]
+    found = [r for r in relations if r.role != "law" and values[_name(r)]]
+    turns = any(split(name)[0] == r"\alpha" for law in laws for name in law.symbols())
+    by = "By Newton's second law and the law of torques" if turns else "By Newton's second law"
+    text = f"{by}, the accelerations are constant: {joined([law.latex() for law in laws])}."
+    if not found or all(isinstance(law.left, Symbol) for law in laws):
+        return text
+    return f"{text} Hence {joined([_told(r, values[_name(r)]) for r in found])}."
+
+
+def _told(found: Relation, value: float) -> str:
+    """Return a name with its number, and with the formula that it has."""
+    if isinstance(found.right, Number):
+        return f"${_name(found)} = {with_unit(value, found.unit)}$"
+    return found.latex(value)
+
+
+def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
+    """Return the sentence about the state at the end of a phase."""
+    if not relations:
+        return ""
+    return f"At that instant, {joined([relation.latex(values[_name(relation)]) for relation in relations])}."
+
+
+def pruned(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
+    """Return the steps without what the goal does not rest on; their numbers stay."""
+    used, found = {goal}, list[Step]()
+    for step in reversed(steps):
+        kept = step
+        if step.kind == STATE:
+            relations = tuple(r for r in step.relations if _name(r) in used)
+            kept = replace(
+                step,
+                relations=relations,
+                gives=tuple(_name(r) for r in relations),
+                text=state_text(relations, values),
+            )
+        elif step.kind == LAWS:
+            kept = _with_needed_laws(step, used, values)
+        used |= {*kept.symbols()}
+        found.append(kept)
+    return found[::-1]
+
+
+def _with_needed_laws(step: Step, used: AbstractSet[str], values: Mapping[str, float]) -> Step:
+    """Return a step with the laws that determine what is used, and no others."""
+    laws = [relation for relation in step.relations if relation.role == "law"]
+    wanted = [name for name in step.gives if name in used]
+    matrix = _coefficients(laws, step.gives, values)
+    targets = np.array([[float(name == goal) for name in step.gives] for goal in wanted]).reshape(-1, len(step.gives))
+    if not _determines(matrix, targets):
+        return step
+    kept = [*range(len(laws))]
+    for number in range(len(laws)):
+        fewer = [n for n in kept if n != number]
+        if _determines(matrix[fewer], targets):
+            kept = fewer
+    own = [laws[n] for n in kept]
+    named = {name for law in own for name in law.symbols()}
+    told = [r for r in step.relations if r.role != "law" and _name(r) in used]
+    relations = (*own, *told)
+    text = laws_text(relations, values) if own else ""
+    return replace(step, relations=relations, gives=tuple(n for n in step.gives if n in named), text=text)
+
+
+def _coefficients(laws: Sequence[Relation], unknowns: Sequence[str], values: Mapping[str, float]) -> Array:
+    """Return what stands before each unknown in each law, (laws, unknowns); laws are linear in them."""
+
+    def excess(at: Mapping[str, float]) -> Array:
+        return np.array([float((law.left.value(at) - law.right.value(at)).real) for law in laws])
+
+    zero = {**values, **dict.fromkeys(unknowns, 0.0)}
+    return np.array([excess({**zero, name: 1.0}) - excess(zero) for name in unknowns]).reshape(-1, len(laws)).T
+
+
+def _determines(matrix: Array, targets: Array) -> bool:
+    """Return whether every target is a linear combination of the rows of a matrix."""
+    if not len(targets):
+        return True
+    if not len(matrix):
+        return False
+    weights = np.linalg.lstsq(matrix.T, targets.T, rcond=1e-12)[0]
+    return bool(np.abs(matrix.T @ weights - targets.T).max() <= HELD)
+
+
+def _name(relation: Relation) -> str:
+    return relation.left.name if isinstance(relation.left, Symbol) else ""
+
+
+CONTACT = "contact"  # the kind of these steps, each about one face
+_NAMED = re.compile(r"\$([^$]*)\$")
+
+
+def tell_contacts(inner: PhaseEquations, book: Book, forces: Mapping[str, Symbol]) -> None:
+    """Write for each rough face what slips or sticks there, the direction of friction, and what forces are called."""
+    for face, side in inner.rough.items():
+        step, who = book.open(CONTACT), inner.setting.called(inner.mechanism.faces[face].subject)
+        step.say(_slipping(inner, face, side, who, forces) if side else _sticking(inner, face, who, forces))
+        turning = inner.turning_inertia(face)
+        if turning:
+            step.say(f"The moment of inertia of {who} about its axis is ${turning}$.")
+        step.close()
+
+
+def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Mapping[str, Symbol]) -> str:
+    """Return the directions of slip and of friction, and the name of the normal force."""
+    ways, under = [_way(inner, face, sign) for sign in (side, -side)], _under(inner, face)
+    slides, where = ("slips", " at the point of contact") if inner.is_round(face) else ("slides", "")
+    normal = f"the normal force on {who} is ${forces[f'normal{face}'].latex()}$."
+    if not all(ways):
+        return capital(normal)
+    return f"{capital(who)} {slides} {ways[0]}{where}{under}, so the friction on it acts {ways[1]}; {normal}"
+
+
+def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, Symbol]) -> str:
+    """Return that nothing slips, and the name of the static friction, with the direction in which it is positive."""
+    way, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
+    counted = f", counted positive {way}," if way else ""
+    return f"{capital(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
+
+
+def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
+    """Return steps without contacts whose forces the laws that follow do not have."""
+    found: list[Step] = []
+    for number, step in enumerate(steps):
+        if step.kind == CONTACT:
+            laws = next((held for held in steps[number:] if held.kind == LAWS), None)
+            used = {*laws.symbols()} if laws is not None else set[str]()
+            if used.isdisjoint(_NAMED.findall(step.text)):
+                step = replace(step, text="")  # noqa: PLW2901
+        found.append(step)
+    return found
+
+
+def _way(inner: PhaseEquations, face: int, sense: int) -> str:
+    """Return the direction in which a body slips on a face, in words; empty if it has none."""
+    m = inner.mechanism
+    slides = [(m.number[name], part) for name, part in m.faces[face].slip]
+    slides = [(k, part) for k, part in slides if m.coordinates[k].kind == "slide"]
+    if not slides:
+        return ""
+    k, part = slides[0]
+    sign = 1.0 if sense * part > 0.0 else -1.0
+    x, y, z = m.coordinates[k].axis
+    body = m.coordinates[k].body
+    return inner.setting.towards((sign * x, sign * y, sign * z), on=m.body[body].parent)
+
+
+def _under(inner: PhaseEquations, face: int) -> str:
+    """Return a reminder that the surface moves, too, if it does."""
+    m = inner.mechanism
+    slides = [name for name, _ in m.faces[face].slip if m.coordinates[m.number[name]].kind == "slide"]
+    return " relative to the surface under it" if len(slides) > 1 else ""
+
 
 Start = tuple[Expression, Sequence[Expression], Sequence[Expression]]
 """The time at which a phase begins, the coordinates and the rates there."""

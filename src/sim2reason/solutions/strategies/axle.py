@@ -16,12 +16,8 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.asked import by_energy, straight, turns_back, unasked
-from sim2reason.solutions.swings.axle_force import AxleForces
-from sim2reason.solutions.swings.components import BOTH
-from sim2reason.solutions.swings.small_oscillations import small_oscillations
-from sim2reason.solutions.swings.total_angle import swept
-from sim2reason.solutions.swings.where_extreme import Ends
+from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unasked
+from sim2reason.solutions.swings.total_angle import AxleForces, small_oscillations, swept
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,

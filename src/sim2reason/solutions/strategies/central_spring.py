@@ -15,9 +15,15 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares
-from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
-from sim2reason.solutions.oscillations.lone_spring import LoneSpring, ends, lone_spring, quantity_of
-from sim2reason.solutions.oscillations.natural_passed import Launch, passed_words
+from sim2reason.solutions.oscillations.lone_spring import (
+    Launch,
+    LoneSpring,
+    ends,
+    lone_spring,
+    passed_words,
+    quantity_of,
+)
+from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way

@@ -15,8 +15,7 @@ from sim2reason.solutions.laws.nested import (
     with_changed_scene,
     with_other_value,
 )
-from sim2reason.solutions.laws.second_case import reuse_first_case, shorten_second_case
-from sim2reason.solutions.laws.still_holds import verify_again
+from sim2reason.solutions.laws.second_case import reuse_first_case, shorten_second_case, verify_again
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError

@@ -17,11 +17,9 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.stage import Stage
-from sim2reason.solutions.laws.stage_end import End
-from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs
+from sim2reason.solutions.laws.stage import End, Stage
+from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs, verify_still_sliding
 from sim2reason.solutions.laws.sticking import tell_slipping_on
-from sim2reason.solutions.laws.still_sliding import verify_still_sliding
 from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.laws.turning_back import verify_farther, verify_remaining
 from sim2reason.solutions.setting import Setting, capital

@@ -19,19 +19,18 @@ from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.oscillations.fastest_place import fastest_place
-from sim2reason.solutions.oscillations.friction_words import first_friction
-from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
+from sim2reason.solutions.oscillations.fastest_place import RestChecks, fastest_place, first_friction
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
 from sim2reason.solutions.oscillations.net_force import (
     collected,
+    greatest_target,
     law_words,
     net_force,
     tell_extreme_end,
+    time_of_greatest,
     told_extensions,
     work,
 )
-from sim2reason.solutions.oscillations.rest_checks import RestChecks
 from sim2reason.solutions.oscillations.single_way import SingleWay, signed
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy

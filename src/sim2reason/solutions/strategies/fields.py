@@ -17,8 +17,7 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import Turning
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
-from sim2reason.solutions.fields.reach import REACHES
-from sim2reason.solutions.fields.turns import TURNED, FieldTurn
+from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn
 from sim2reason.solutions.goals import GOALS, Components, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.laws.newton import Newton

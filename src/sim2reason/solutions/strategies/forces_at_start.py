@@ -2,8 +2,7 @@
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.dsl.triples import minus, product
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio

@@ -16,12 +16,10 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.first_rest import tell_beyond, tell_rest_only_later, told_first_rest
-from sim2reason.solutions.oscillations.friction_words import swing_words
+from sim2reason.solutions.oscillations.fastest_place import RestChecks, swing_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
-from sim2reason.solutions.oscillations.rest_checks import RestChecks
-from sim2reason.solutions.oscillations.to_and_fro import Rubbing
+from sim2reason.solutions.oscillations.to_and_fro import Rubbing, tell_beyond, tell_rest_only_later, told_first_rest
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back

@@ -17,13 +17,17 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, a
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.legs import Impact, Leg
-from sim2reason.solutions.collisions.nearer import tell_nearer
-from sim2reason.solutions.collisions.oblique import Flights
+from sim2reason.solutions.collisions.oblique import Flights, tell_side
 from sim2reason.solutions.collisions.order import CollisionOrder
-from sim2reason.solutions.collisions.sides import tell_side
-from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
-from sim2reason.solutions.collisions.tops import at_top, height_at_rest, tell_top
-from sim2reason.solutions.collisions.uninvolved import tell_uninvolved
+from sim2reason.solutions.collisions.tops import (
+    FlightPart,
+    StruckBodies,
+    at_top,
+    height_at_rest,
+    tell_nearer,
+    tell_top,
+    tell_uninvolved,
+)
 from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way

@@ -11,8 +11,8 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
-from sim2reason.solutions.algebra.cramer import cramer
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.oscillations.linear_motion import nonlinear

@@ -5,7 +5,7 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions.algebra.expressions import ZERO, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL
-from sim2reason.solutions.oscillations.pair_way import PairWay
+from sim2reason.solutions.oscillations.single_way import PairWay
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import strategy
 from sim2reason.solutions.strategies.energy import EnergyWay, WorkAndEnergy

@@ -16,13 +16,12 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
 from sim2reason.solutions.oscillations.linear_motion import fewest_free
 from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
-from sim2reason.solutions.oscillations.natural_frequency import natural_frequency
-from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes
+from sim2reason.solutions.oscillations.net_force import time_of_greatest
+from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes, natural_frequency
 from sim2reason.solutions.oscillations.to_and_fro import Travelled, turning_times
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy

@@ -20,15 +20,12 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS, Stretch
-from sim2reason.solutions.oscillations.first_move import tell_first_move
-from sim2reason.solutions.oscillations.greatest_value import greatest_target
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.oscillations.pair_way import PairWay
-from sim2reason.solutions.oscillations.single_way import SingleWay, signed
-from sim2reason.solutions.oscillations.taut import verify_taut
-from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
+from sim2reason.solutions.oscillations.net_force import greatest_target
+from sim2reason.solutions.oscillations.single_way import PairWay, SingleWay, signed
+from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled, tell_first_move, verify_taut
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError

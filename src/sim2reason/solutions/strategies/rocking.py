@@ -4,8 +4,8 @@ from collections.abc import Callable
 from math import hypot, inf
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.shape import Shape
-from sim2reason.dsl.triples import applied, product
+from sim2reason.dsl.solids import Shape
+from sim2reason.dsl.vectors import applied, product
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.period_words import PeriodQuery

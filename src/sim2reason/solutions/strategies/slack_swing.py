@@ -15,15 +15,20 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import UP
-from sim2reason.solutions.swings.asked import EXTREMES, quantity_of
-from sim2reason.solutions.swings.change_of_velocity import change, size_of, tell_flight, tell_velocities
+from sim2reason.solutions.swings.asked import EXTREMES, quantity_of, where_extreme
 from sim2reason.solutions.swings.pendulum import pivot
-from sim2reason.solutions.swings.slack_chain import FLIES, ON_CIRCLE, Instant, SlackChain
-from sim2reason.solutions.swings.where_extreme import where_extreme
-from sim2reason.solutions.writing.letters import LETTERS
-from sim2reason.solutions.writing.magnitudes import of_magnitude
+from sim2reason.solutions.swings.slack_chain import (
+    FLIES,
+    ON_CIRCLE,
+    Instant,
+    SlackChain,
+    change,
+    size_of,
+    tell_flight,
+    tell_velocities,
+)
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
+from sim2reason.solutions.writing.unit_latex import LETTERS, SECONDS, SPEED, of_magnitude
 
 MOMENTS = (AtTime, HighestPoint, Stopped, WentTaut)
 AT_ONCE = 1e-9  # relative, of times

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.solutions.algebra.cramer import cramer, determinant
 from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.fractions import cramer, determinant
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.oscillations.linear_motion import nonlinear

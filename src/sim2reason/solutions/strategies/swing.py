@@ -9,12 +9,10 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.swings.asked import unasked
-from sim2reason.solutions.swings.components import BOTH
+from sim2reason.solutions.swings.asked import BOTH, Ends, unasked
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.state import SwingState
 from sim2reason.solutions.swings.total_angle import swept
-from sim2reason.solutions.swings.where_extreme import Ends
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
 

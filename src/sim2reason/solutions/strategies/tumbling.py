@@ -15,14 +15,19 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, square
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings import prism_words
-from sim2reason.solutions.swings.asked import quantity_of
-from sim2reason.solutions.swings.components import BOTH, of_components
+from sim2reason.solutions.swings.asked import BOTH, of_components, quantity_of
 from sim2reason.solutions.swings.times import SwingTime
-from sim2reason.solutions.writing.letters import LETTERS
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, DEGREES, INERTIA, SECONDS
+from sim2reason.solutions.writing.unit_latex import (
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    DEGREES,
+    INERTIA,
+    LETTERS,
+    SECONDS,
+    of_magnitude,
+)
 
 MOMENTS = (AtStart, AtTime, HighestPoint, TurnedThrough)
 HALF, TWO, FOUR, SIX = Number(0.5), Number(2.0), Number(4.0), Number(6.0)

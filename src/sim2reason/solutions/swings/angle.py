@@ -16,16 +16,21 @@ from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.oscillations.greatest_value import is_slow_at_greatest
+from sim2reason.solutions.oscillations.net_force import is_slow_at_greatest
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.swings.asked import EXTREMES, PLACES, quantity_of
-from sim2reason.solutions.swings.components import BOTH, of_components
+from sim2reason.solutions.swings.asked import (
+    BOTH,
+    EXTREMES,
+    PLACES,
+    Ends,
+    of_components,
+    quantity_of,
+    tell_other_end,
+    where_extreme,
+)
 from sim2reason.solutions.swings.times import SwingTime
-from sim2reason.solutions.swings.where_extreme import Ends, tell_other_end, where_extreme
-from sim2reason.solutions.writing.letters import LETTERS
-from sim2reason.solutions.writing.magnitudes import of_magnitude
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
+from sim2reason.solutions.writing.unit_latex import DEGREES, LETTERS, SECONDS, of_magnitude
 
 SLOW, STRAIGHT = 1e-5, 1e-6  # of its greatest speed: none; rad
 TWO = Number(2.0)

@@ -8,10 +8,9 @@ import numpy as np
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Shape
 from sim2reason.dsl.state import Array
-from sim2reason.dsl.triples import applied, minus, product
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, applied, minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol

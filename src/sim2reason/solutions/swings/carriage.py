@@ -6,7 +6,7 @@ from math import copysign
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.functions import summed

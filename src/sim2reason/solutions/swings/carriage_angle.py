@@ -8,7 +8,7 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, squares
-from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
+from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.swings.angle import STRAIGHT, SwingAngle
 from sim2reason.solutions.swings.carriage import Carriage

@@ -4,7 +4,7 @@ from math import acos, hypot
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Inextensible, Mechanism, Rigid
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import minus
 
 
 def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | None:

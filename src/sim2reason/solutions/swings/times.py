@@ -7,7 +7,7 @@ k ω₀ t = F(θ, 1/k).
 from math import sin
 
 from sim2reason.lazy import cached_property
-from sim2reason.solutions.algebra.elliptic import Amplitude, CompleteElliptic, IncompleteElliptic, SpecialFunction
+from sim2reason.solutions.algebra.evaluated import Amplitude, CompleteElliptic, IncompleteElliptic, SpecialFunction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

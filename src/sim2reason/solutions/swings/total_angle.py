@@ -1,17 +1,186 @@
-"""Through which angle something swings in all, to and fro, from one place where it turns back to the next."""
+"""Total angles of swings, small oscillations of rigid bodies, and forces of a fixed axle."""
 
+from abc import abstractmethod
 from collections.abc import Callable
 from math import ceil, pi
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number
-from sim2reason.solutions.algebra.functions import PI
+from sim2reason.lazy import cached_property
+from sim2reason.quantities.subjects.axles import ACROSS
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.swings.angle import SwingAngle
-from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.swings.angle import UP, SwingAngle
+from sim2reason.solutions.swings.arm import Arm
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, latex
+
+FORCE, MASS = latex("N"), latex("kg")
+LEVEL = 1e-12  # the cosine of an angle that is a right one
+LINE = "the line from the centre of mass to the axle"
+TOWARDS = f"By Newton's second law for the centre of mass, along {LINE}, the axle exerts the force component"
+UPWARDS = "Perpendicular to that line and upwards, against the tangential acceleration, it exerts the component"
+STRAIGHT = (
+    "With the centre of mass straight below or above the axle, gravity has no tangential component; by Newton's second "
+    "law, the axle exerts the vertical force"
+)
+SIDEWAYS = (
+    f"At rest, with {LINE} level, the axle exerts no force along this line; by Newton's second law, perpendicular to "
+    "it, it exerts the force"
+)
+RIGHT_ANGLE = "The two components are perpendicular to each other, so the magnitude of the force is"
+UPWARD = (
+    "By Newton's second law, with the weight and with the upward parts of the centripetal and the tangential "
+    "acceleration of the centre of mass, the upward component of the force is"
+)
+RIGHTWARD = (
+    "The axle exerts the only horizontal force, so by Newton's second law, with the parts to the right of the "
+    "centripetal and the tangential acceleration of the centre of mass, the rightward component is"
+)
+
+
+class AxleForces(SwingAngle):
+    """A body that swings about a fixed axle, with the force that the axle exerts.
+
+    Who makes one sets `arm` and `gravity`, its acceleration of free fall.
+    """
+
+    arm: Arm
+    gravity: Expression
+    senses = UP, ACROSS
+
+    @cached_property
+    @abstractmethod
+    def rate(self) -> Expression:
+        """The angular speed at the moment."""
+
+    @cached_property
+    def angular_acceleration(self) -> Expression:
+        """The angular acceleration, of its size: torque over moment of inertia."""
+        if self.sine == ZERO:
+            return ZERO
+        moment = self.arm.moment
+        size = self.book.magnitude(moment)
+        formula = size * self.gravity * self.sine / self.arm.inertia
+        said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+
+    # ---- all bodies as one
+
+    @cached_property
+    def whole(self) -> Expression:
+        """The mass of all bodies together."""
+        masses = [self.arm.piece(body).mass for body in self.arm.bodies]
+        if len(masses) == 1:
+            return masses[0]
+        total: Expression = ZERO
+        for mass in masses:
+            total = total + mass
+        return self.book.told("mass", "The total mass is", self.book.fresh("M"), total, MASS)
+
+    @cached_property
+    def lever(self) -> Expression:
+        """The distance of their common centre of mass from the axle."""
+        if len(self.arm.bodies) == 1:
+            place = self.arm.piece(self.arm.bodies[0]).place
+            return self.book.magnitude(place)
+        moment = self.arm.moment
+        formula = (moment if self.falls else -moment) / self.whole
+        said = "The distance of the common centre of mass from the axle is"
+        return self.book.told("place", said, self.book.fresh("d", r"\text{cm}"), formula, METRES)
+
+    @property
+    def _below(self) -> Expression:
+        """The cosine of the angle of the line to the centre of mass; zero for a right angle that is known."""
+        cosine = self.cosine if self.falls else -self.cosine
+        return ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < LEVEL else cosine
+
+    # ---- components
+
+    @cached_property
+    def _inward(self) -> Expression:
+        """F_r, in N."""
+        bend = self.lever * squares([self.rate])
+        return self.whole * (self.gravity * self._below + bend)
+
+    @cached_property
+    def _aside(self) -> Expression:
+        """F_t, in N."""
+        if self.sine == ZERO:
+            return ZERO
+        return self.whole * (self.gravity * self.sine - self.lever * self.angular_acceleration)
+
+    @cached_property
+    def _both(self) -> tuple[Symbol, Symbol]:
+        """F_r and F_t, each in a step of its own."""
+        inward, aside = self._inward, self._aside
+        one = self.book.told("force", TOWARDS, self.book.fresh("F", "r"), inward, FORCE)
+        other = self.book.told("force", UPWARDS, self.book.fresh("F", "t"), aside, FORCE)
+        return one, other
+
+    @property
+    def _projected(self) -> bool:
+        """Return whether a component along an axis of the room is asked for."""
+        target = self.setting.query.target
+        return target is not None and target.sense is not None
+
+    def axle_force(self) -> Expression:
+        """Return the size of the force, or the component that is asked for, in N."""
+        if self._projected:
+            return self._upward() if self.vertical else self._rightward()
+        if ZERO in (self._inward, self._aside):
+            return self._inward + self._aside
+        inward, aside = self._both
+        return Root(Power(inward, 2) + Power(aside, 2))
+
+    @property
+    def _moment(self) -> Expression:
+        """M d, in kg m."""
+        return self.arm.moment if self.falls else -self.arm.moment
+
+    def _upward(self) -> Expression:
+        rises = squares([self.rate]) * self._below - self.angular_acceleration * self.sine
+        return self.whole * self.gravity + self._moment * rises
+
+    def _rightward(self) -> Expression:
+        """Return the horizontal part, in which M appears only within M d."""
+        inward = self._moment * (squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
+        first_on_right = (self.now >= 0.0) == self.arm.begins_right
+        return -inward if first_on_right == self.falls else inward
+
+    def said_of_axle(self) -> str:
+        """Return the words before the formula of the force."""
+        if self._projected and not self.vertical:
+            return RIGHTWARD
+        if self.sine == ZERO:
+            return STRAIGHT
+        if self._projected:
+            return UPWARD
+        return SIDEWAYS if self._inward == ZERO else RIGHT_ANGLE
+
+
+HARMONIC = "This is the moment of inertia times the angular acceleration, so"
+
+
+def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
+    """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
+    size = book.magnitude(arm.moment)
+    torque, inertia, angle = size * arm.gravity, arm.inertia, book.fresh(r"\varphi")
+    step, exact, near = book.open("torque"), -(torque * Call("sin", angle)), -(torque * angle)
+    step.say(
+        f"At the angle ${angle.name}$ from the stable equilibrium the torque of gravity is ${exact.latex()}$, nearly "
+        f"${near.latex()}$ where the angle is small."
+    )
+    step.close()
+    said = f"{HARMONIC} the oscillation is harmonic with the angular frequency"
+    rate = book.told("oscillation", said, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
+    return measured_period(book, query, rate)
+
 
 SAMPLES = 48  # of a period of small swings, at least
 TWICE = 2

@@ -10,8 +10,7 @@ from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
-from sim2reason.solutions.writing.fresh_names import FreshNames
-from sim2reason.solutions.writing.labels import Labels
+from sim2reason.solutions.writing.subscripts import FreshNames, Labels
 from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, SECONDS, latex
 
 STATE_DIGITS = 8  # of numbers on which an integration rests

@@ -1,6 +1,9 @@
-"""Units as solutions write them, in LaTeX."""
+"""Units in LaTeX, letters for quantities, and sentences about magnitudes."""
 
 import re
+
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.functionals import FUNCTIONALS
 
 DEGREES = r"^\circ"
 
@@ -40,3 +43,61 @@ PER_SECOND_SQUARED = latex("1/s^2")
 LENGTHS = "m", "m^2", "m/s", "m/s^2", "m^2/s", "m^3/s^2"
 MECHANICAL = (*LENGTHS, "s", "kg", "N", "J", "N s", "J s", "kg m/s", "1/s", "rad/s")
 CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
+
+
+LETTERS = {
+    "acceleration": "a",
+    "angle rolled": r"\phi",
+    "angle turned": r"\phi",
+    "angular acceleration": r"\alpha",
+    "angular momentum": "L",
+    "angular velocity": r"\omega",
+    "axle force": "F",
+    "deflection": r"\phi",
+    "displacement": "s",
+    "distance": "r",
+    "distance travelled": "d",
+    "electric potential energy": "U",
+    "energy dissipated by friction": "Q",
+    "energy lost in a collision": "Q",
+    "energy lost in a jerk": "Q",
+    "extension": "e",
+    "extension rate": "u",
+    "height": "h",
+    "impulse of the net force": "J",
+    "kinetic energy": "K",
+    "moment of inertia": "I",
+    "momentum": "p",
+    "net force": "F",
+    "potential energy": "U",
+    "relative speed": "v",
+    "rod force": "T",
+    "rotational kinetic energy": "K",
+    "spring energy": "U",
+    "spring force": "F",
+    "spring length": r"\ell",
+    "tension": "T",
+    "torque": "M",
+    "total angle": r"\Phi",
+    "translational kinetic energy": "K",
+    "velocity": "v",
+    "work of a tension": "W",
+}
+"""By quantity, or by functional where that is not one of a quantity."""
+
+
+def unit_of_quantity(name: str) -> str:
+    """The unit of a quantity or a functional, in LaTeX."""
+    declared = QUANTITIES[name] if name in QUANTITIES else FUNCTIONALS[name]
+    return latex(declared.unit)
+
+
+def of_magnitude(said: str, quantity: str) -> str:
+    """Reword the text before a formula, such as *The momentum is*, so that its subject is the magnitude of a vector.
+
+    Text that does not name `quantity` is replaced; text about a scalar is unchanged.
+    """
+    if quantity not in QUANTITIES or not QUANTITIES[quantity].vector:
+        return said
+    found, count = re.subn(rf"\b([Tt])he {quantity}\b", rf"\1he magnitude of the {quantity}", said, count=1)
+    return found if count else f"The magnitude of the {quantity} is"

@@ -10,8 +10,8 @@ import pytest
 from sim2reason.dsl.builder import Builder, Frame
 from sim2reason.dsl.fields import Law, Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import ZERO, Attraction, Mechanism, X, Y, Z
-from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.dsl.state import Array
+from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Event, Trace
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.simulation.engines.exact.approach import Approach, crossing, halt
+from sim2reason.simulation.engines.exact.glide import Approach, crossing, halt
 from sim2reason.simulation.engines.exact.linear import solve
 from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 

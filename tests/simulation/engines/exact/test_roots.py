@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.simulation.engines.exact.roots import bracketed_root
+from sim2reason.simulation.engines.exact.crossings import bracketed_root
 
 
 @given(root=st.floats(0.001, 0.999), slope=st.floats(1e-9, 1e9), bend=st.floats(-0.9, 0.9))

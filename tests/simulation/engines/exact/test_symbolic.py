@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.dsl.triples import Number
-from sim2reason.simulation.engines.exact.symbolic import eliminated
+from sim2reason.dsl.vectors import Number
+from sim2reason.simulation.engines.exact.linear import eliminated
 from sim2reason.simulation.engines.exact.tape import Tape
 
 

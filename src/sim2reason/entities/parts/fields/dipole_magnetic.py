@@ -8,7 +8,7 @@ from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.authoring import LEAST, Law, Measure, Range, Vector, add, either
-from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, product, times
+from sim2reason.dsl.vectors import Maths, Number, Triple, cross, minus, product, times
 from sim2reason.entities.parts.fields import MagneticField, along, force_field
 
 DipoleStrength = Annotated[float, LEAST, Le(1e6), Measure("dipole strength", "T m^3", "b"), Range(1.0, 5.0)]

@@ -1,13 +1,14 @@
-"""Questions for the impulse of the blow that sets a body moving at the start."""
+"""Questions for the impulse that starts a motion, and for the period of small oscillations."""
 
 import re
 
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.kinds.period import PENDULUM
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.structured import START, StructuredQuestion
+from sim2reason.questions.ordinary.reading import Reader, Reading, Understood
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.structured import EQUILIBRIUM, START, StructuredQuestion
 from sim2reason.questions.words import Words
 
 _BLOW = "(?:blow|kick|hammer|push)"
@@ -15,15 +16,15 @@ _REST = "(?:standing still|at rest|stationary|motionless|standing)"
 _BEFORE = (
     rf"(?P<s>@\d+@|it) (?:was|were|had been|had|is) {_REST} (?:just |immediately )?before(?: (?:{_BLOW}|start|that))?"
 )
-_ASK = "(?:how large (?:was|is)|what (?:was|is)|find|determine|calculate|how great (?:was|is))"
+_ASK_IMPULSE = "(?:how large (?:was|is)|what (?:was|is)|find|determine|calculate|how great (?:was|is))"
 _IMPULSE = (
     rf"(?:magnitude of )?impulse (?:that )?(?:(?P<t>@\d+@|it) (?:received|was given|got)|of {_BLOW}"
     rf"|(?:given|imparted) to (?P<u>@\d+@|it)(?: by {_BLOW})?|{_BLOW} (?:gave|imparted to) (?P<v>@\d+@|it))"
 )
-PATTERNS = (
-    rf"(?:if|given that|assuming(?: that)?|supposing(?: that)?) {_BEFORE} , {_ASK} {_IMPULSE}",
-    rf"{_ASK} {_IMPULSE}(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}",
-    rf"(?P<s>@\d+@|it) (?:was|had been) {_REST} before {_BLOW}\. {_ASK} {_IMPULSE}",
+BLOW_PATTERNS = (
+    rf"(?:if|given that|assuming(?: that)?|supposing(?: that)?) {_BEFORE} , {_ASK_IMPULSE} {_IMPULSE}",
+    rf"{_ASK_IMPULSE} {_IMPULSE}(?: ,)? (?:if|given that|assuming(?: that)?) {_BEFORE}",
+    rf"(?P<s>@\d+@|it) (?:was|had been) {_REST} before {_BLOW}\. {_ASK_IMPULSE} {_IMPULSE}",
     (
         rf"(?:if|given that|assuming(?: that)?) {_BEFORE} , what impulse (?:did|must|does) {_BLOW} (?:have"
         rf" )?(?:given?|impart(?:ed)?)(?: to)?"
@@ -38,7 +39,7 @@ PATTERNS = (
 
 def of_blow(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the question for the impulse of the blow that sets a body off from rest: its momentum at the start."""
-    found = next(filter(None, (re.fullmatch(told, heard.text) for told in PATTERNS)), None)
+    found = next(filter(None, (re.fullmatch(told, heard.text) for told in BLOW_PATTERNS)), None)
     if found is None or words.released:
         return None
     groups = found.groupdict()
@@ -48,3 +49,104 @@ def of_blow(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) 
     if said not in bodies or len(tokens) > 1:
         return None
     return reader.first_of([Reading(StructuredQuestion("momentum", bodies[said], START))], motion, words)
+
+
+_MEASURE = "(?P<q>period|frequency|angular frequency)"
+_SMALL = (
+    "(?:(?:very )?small (?:oscillations?|swings?|vibrations?|angles?|amplitudes?|displacements?)"
+    "|small-amplitude oscillations?)"
+)
+_ABOUT = (
+    r"(?: ?(?:about|around) (?:its |@\d+@ 's |position of )?(?:equilibrium(?: position)?|lowest position"
+    r"|rest position|lowest point))"
+)
+_OF = r"(?: of (?:this |that )?(?:@\d+@|pendulum|system))?"
+_ASK = "(?:what is|find|determine|calculate)"
+_WITH = "(?:with|at) which"
+_SWING = "(?:oscillate|swing|vibrate)"
+_OSCILLATES = f"@0@ (?:would )?{_SWING}s?"
+_SLIGHTLY = f"(?:(?:through|with|at) {_SMALL}|slightly)"
+OSCILLATION_PATTERNS = (
+    rf"(?:what would|what is|find|determine|calculate) {_MEASURE} (?:be )?(?:of|for) {_SMALL}{_OF}{_ABOUT}",
+    rf"what would be {_MEASURE} (?:of|for) {_SMALL}{_OF}{_ABOUT}?",
+    rf"what would {_MEASURE}{_OF} be (?:for|with|in case of) {_SMALL}{_OF}{_ABOUT}?",
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |pendulum |system )?(?:were|was) (?:only |just"
+        rf" )?(?:swinging|oscillating|vibrating)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+    (
+        rf"what would (?:be )?{_MEASURE}{_OF} (?:be )?if (?:@\d+@ |it )?(?:only )?(?:swung|oscillated|vibrated)"
+        rf" (?:(?:only )?(?:through|with) {_SMALL}|only slightly){_ABOUT}?"
+    ),
+)
+OF_MOTION = (
+    rf"{_ASK} {_MEASURE} (?:of|for) {_SMALL}{_OF}",
+    rf"{_ASK} {_MEASURE} of @0@ 's {_SMALL}{_ABOUT}?",
+    rf"{_ASK} {_MEASURE} {_WITH} {_OSCILLATES} {_SLIGHTLY}{_ABOUT}?",
+    rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} {_SLIGHTLY}{_ABOUT}?",
+    (
+        rf"with what {_MEASURE} (?:does|would|will) @0@ {_SWING} if (?:its |their )?(?:amplitude|angle|swings?"
+        r"|oscillations?) (?:were|was|is|are) (?:very |only )*small"
+    ),
+    rf"{_ASK} small(?:-angle|-amplitude)? {_MEASURE} of (?:@0@ 's (?:oscillations?|swings?|motion)|@0@)",
+)
+"""Patterns that presume that the motion in the scene is itself a small oscillation, unlike `OSCILLATION_PATTERNS`."""
+_LONG = "(?:how long|of what length|what length)"
+_SIMPLE = "(?:simple|mathematical) pendulum"
+_SAME = (
+    "(?:swing|oscillate|vibrate|have|keep|move)(?: (?:with|at|in))?(?: same)?(?: small-?oscillation)? "
+    r"(?:period|frequency|time|step)(?: (?:as|with) (?:that of )?(?:this |that )?(?:@\d+@|one|system|body|pendulum))"
+)
+_SMALLER = rf"(?:(?: ,)? (?:when|if|for|in case of|provided) (?:its |their |both )?(?:swings|{_SMALL})(?: are small)?)?"
+PENDULUMS = (
+    (
+        rf"{_LONG} (?:would|must|should|does) {_SIMPLE} (?:have to |need to )?be (?:to|in order to|so that it"
+        rf"|if it is to|for it to) {_SAME}{_SMALLER}"
+    ),
+    (
+        rf"{_ASK} length of {_SIMPLE} (?:that|which) (?:would )?(?:{_SAME}|(?:swings|has|oscillates)[a-z ]* (?:period|"
+        rf"frequency) (?:as|with) (?:that of )?(?:this |that )?@0@){_SMALLER}"
+    ),
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? for its (?:period|frequency) to"
+        r" (?:equal|be equal to|be same as) (?:that|period) of (?:small (?:swings|oscillations) of )?(?:this )?@\d+@"
+    ),
+    rf"(?:how long is|{_ASK} length of) {_SIMPLE} with same (?:period|frequency)(?: of small (?:oscillations|swings))?",
+    (
+        rf"what length (?:would|must|should|does) {_SIMPLE} (?:need|have)(?: to have)? (?:to|in order to|so that it"
+        rf"|if it is to) (?:{_SAME}|(?:have|swing with) same (?:period|frequency)){_SMALLER}"
+    ),
+    (
+        rf"{_ASK} length of {_SIMPLE} (?:with|of) same (?:small )?(?:period|frequency)(?: of small oscillations)?"
+        rf"(?: as (?:this |that )?@\d+@)?{_SMALLER}"
+    ),
+    rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",
+)
+"""Patterns of questions for the length of the simple pendulum whose small swings have the same period."""
+SMALL = 20.0  # degrees: what swings farther than that does not swing through small angles
+
+
+def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
+    """Return whether a body swings, and only through small angles."""
+    asked = Reading(StructuredQuestion("greatest deflection"))
+    meant = reader.first_of([asked], motion, words)
+    return meant is not None and (meant.followed.answer or SMALL) < SMALL and "deg" in meant.posed.unit(words)
+
+
+def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
+    if any(re.fullmatch(told, heard.text) for told in PENDULUMS):
+        return _in_one_mode(PENDULUM, motion, words, reader)
+    for number, told in enumerate((*OSCILLATION_PATTERNS, *OF_MOTION)):
+        found = re.fullmatch(told, heard.text)
+        if found is not None and (number < len(OSCILLATION_PATTERNS) or _is_small(motion, words, reader)):
+            return _in_one_mode(found["q"], motion, words, reader)
+    return None
+
+
+def _in_one_mode(measure: str, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+    """Return the question for a measure of small oscillations if there is only one mode of them; else None."""
+    meant = reader.first_of([Reading(StructuredQuestion(measure, "", EQUILIBRIUM))], motion, words)
+    query = meant.posed.query if meant is not None else None
+    return meant if isinstance(query, PeriodQuery) and query.modes == 1 else None

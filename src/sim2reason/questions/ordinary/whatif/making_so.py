@@ -1,17 +1,21 @@
-"""Understanding of questions for a number that brings something about: *what mass must B have for A to slip*."""
+"""Questions for a number that brings something about: *what mass must B have for A to slip*."""
 
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import isclose, isfinite
 
+import numpy as np
+
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
 from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import ALL, Heard
-from sim2reason.questions.ordinary.meaning import Reader, Understood
+from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
 from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
@@ -20,18 +24,49 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
     by_outcome,
     moves_nevertheless,
     on_the_other_side,
+    slips_nevertheless,
 )
 from sim2reason.questions.ordinary.whatif.plainer import plainer
-from sim2reason.questions.ordinary.whatif.special_outcomes import slips_nevertheless
+from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 from sim2reason.questions.ordinary.whatif.told_direction import directed, told_direction, told_values
 from sim2reason.questions.ordinary.whatif.understanding import of_all
-from sim2reason.questions.ordinary.whatif.weights import with_weights
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.variation import words_in
 from sim2reason.questions.words import Words
+
+_MULTIPLE = f"(?P<mult>{'|'.join(MULTIPLES)}|#\\d+# times)"
+_WEIGHT = re.compile(
+    rf"\b(?P<be>be|is|become|reach|equal|with) (?:just |exactly |only |equal to )*(?:{_MULTIPLE} )?"
+    r"(?:(?P<own>@\d+@ 's|its|ball 's) (?:own )?weight|weight of (?P<of>@\d+@|ball))\b"
+)
+_CHANGES = re.compile(r"\b(?:mass|heavy|heavier|g|gravity)\b")
+
+
+def with_weights(heard: Heard, scene: Scene, words: Words) -> Heard:
+    """Return a sentence with a number in newtons for each weight that it names; none if it asks for a mass or for g."""
+    found = _WEIGHT.search(heard.text)
+    if found is None or _CHANGES.search(heard.text) or scene.units.spell("N") != "N":
+        return heard
+    token = re.search(r"@\d+@", found["own"] or found["of"] or "")
+    bodies = words.called(Bodies())
+    said = heard.subject(token[0]) if token is not None else next(iter(bodies.values())) if len(bodies) == 1 else ""
+    name = next((name for name, phrase in bodies.items() if phrase == said), "")
+    if not name:
+        return heard
+    weight = words.mechanism.body[name].mass * float(np.linalg.norm(words.mechanism.gravity))
+    value = f"{_factor(found['mult'] or '', heard) * weight:.15g} N"
+    text = f"{heard.text[: found.start()]}{found['be']} #{len(heard.numbers)}#{heard.text[found.end() :]}"
+    return replace(heard, text=text, numbers=(*heard.numbers, value))
+
+
+def _factor(said: str, heard: Heard) -> float:
+    if said.startswith("#"):
+        return float(heard.number(said.partition(" ")[0]).partition(" ")[0])
+    return next((value for told, value in MULTIPLES.items() if re.fullmatch(told, said)), 1.0)
+
 
 SAME = 1e-6  # relative: a result that differs by less is the stated one
 TRIED = 6  # values of a number, to see whether a question has an answer with any

@@ -1,4 +1,4 @@
-"""Questions about what follows when a string is cut, a hand lets go or a field is switched off during the motion."""
+"""Questions about what follows when a string is cut, a hand lets go or a field is switched off."""
 
 import re
 from collections.abc import Iterator
@@ -7,13 +7,88 @@ from math import isclose
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.whatif.removed_things import moment_of, named_things, time_of
-from sim2reason.questions.posing import VALUE
+from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.reading import Reader, Understood
+from sim2reason.questions.posing import VALUE, posed
+from sim2reason.questions.removal import FIELDS, removable
+from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.variation import SceneChange, words_in
 from sim2reason.questions.words import Words
+
+_STRINGS = frozenset({"string", "rope", "cord", "thread"})
+_MOVES = re.compile(
+    r"(?P<s>@\d+@) (?:is|are|was|were|has been) (?:just )?(?P<verb>moving|sliding|rising|falling|going up|going down"
+    r"|climbing|sinking)(?P<way> up(?:wards)?(?: \w+)?| down(?:wards)?(?: \w+)?)? (?:at|with)"
+    r"(?: speed of)? (?P<n>#\d+#)"
+)
+_REACHES = re.compile(r"(?P<s>@\d+@) (?:reaches|has reached|attains|has) (?:speed of )?(?P<n>#\d+#)")
+_UP_REMOVED = re.compile(r"rising|up|climbing")
+_DOWN = re.compile(r"falling|down|sinking")
+
+
+def named_things(said: str, heard: Heard, words: Words) -> tuple[str, ...]:
+    """Return the names of the lines or the field that a phrase of a sentence means; none if it is not clear.
+
+    *string* alone means the only string, and *@0@ 's string* the only one that ends at a body.
+    """
+    things = removable(words)
+    lines = words.mechanism.lines
+    owner = re.match(r"(@\d+@) 's ", said)
+    if owner is not None:
+        body = _body(heard.subject(owner[1]), words)
+        sites = {site.name for site in words.mechanism.site.values() if site.body == body}
+        found = {line.whole for line in lines if sites & {line.through[0], line.through[-1]}}
+    elif said.startswith("@"):
+        found = {name for name, phrase in things.items() if phrase == heard.subject(said)}
+    elif said in _STRINGS:
+        found = {line.whole for line in lines}
+    elif said == "hand":
+        found = {line.whole for line in words.mechanism.pulls}
+    else:
+        found = {name for name, phrase in things.items() if phrase in FIELDS.values() and phrase == f"the {said}"}
+    return tuple(found) if len(found) == 1 and found <= {*things, *(line.whole for line in lines)} else ()
+
+
+def _body(phrase: str, words: Words) -> str:
+    return next((name for name, said in words.called(Bodies()).items() if said == phrase), "")
+
+
+def time_of(stated: str, heard: Heard, words: Words) -> float | None:
+    """Return the time, in the scene's unit of it, that the token of a number stands for; None if it is no time."""
+    try:
+        return measured("question", heard.number(stated), words.units.spell("s"))
+    except TextError:
+        return None
+
+
+def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> float | None:
+    """Return the time of the moment that a clause such as *A has slid 2 m* names; None if it is not understood."""
+    moving = _MOVES.fullmatch(clause) or _REACHES.fullmatch(clause)
+    if moving is not None:
+        return _time_of_speed(moving, heard, motion, words)
+    found = reader.read(replace(heard, text=f"how long is it until {clause}"), motion, words)
+    return found.followed.answer if found is not None and found.asked.find == "time" else None
+
+
+def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, words: Words) -> float | None:
+    """Return the first time at which a body has a stated speed, s; None if it does not then move as is said."""
+    phrase = heard.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
+    body = _body(phrase, words)
+    way = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
+    try:
+        asked = StructuredQuestion("time", when=f"speed of {body} = {heard.number(moving['n'])}")
+        followed = posed(asked, motion, words).followed(motion)
+    except TextError:
+        return None
+    if followed.answer is None:
+        return None
+    rising = float(Velocity.evaluate(followed.study.trace.at(followed.answer), body)[0, 2])
+    wrong = (_UP_REMOVED.search(way) and rising <= 0.0) or (_DOWN.search(way) and rising >= 0.0)
+    return None if wrong else followed.answer
+
 
 SAME = 1e-6  # relative: answers that differ by less are one
 SHARES = 0.31, 0.47, 0.83  # of the horizon, at which something is removed if the sentence does not say when
@@ -65,7 +140,9 @@ _OF_OLD = re.compile(
 )
 _LATER = re.compile(r" (#\d+#) after start$")  # as a number of seconds *later* is heard
 _FIXED = re.compile(r"^(?:with what|what is|what would|at what|how fast|find|determine|calculate) ")
-_UP = re.compile(r"^how far up (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b")
+_HOW_FAR_UP = re.compile(
+    r"^how far up (?P<do>does|will|would|do) (?P<s>@\d+@) (?:get|go|rise|climb|move|slide|come)s?\b"
+)
 
 
 class RemovedThings(NamedTuple):
@@ -171,7 +248,7 @@ def _of_what_follows(question: str) -> str:
     follows = plain != question or (_FIXED.match(question) is not None and not numbers)
     if not follows or _OF_OLD.search(_LATER.sub("", plain)):
         return ""
-    return _plainly(_UP.sub(r"how far \g<do> \g<s> rise", plain))
+    return _plainly(_HOW_FAR_UP.sub(r"how far \g<do> \g<s> rise", plain))
 
 
 def _plainly(question: str) -> str:

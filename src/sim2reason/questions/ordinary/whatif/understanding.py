@@ -11,13 +11,12 @@ from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
-from sim2reason.questions.ordinary.addresses import addresses
 from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.meaning import Reader, Understood
-from sim2reason.questions.ordinary.whatif.comparisons import ChangedQuestion, changed_questions
+from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
-from sim2reason.questions.ordinary.whatif.suppositions import Supposition
+from sim2reason.questions.ordinary.whatif.suppositions import ChangedQuestion, Supposition, changed_questions
+from sim2reason.questions.ordinary.whens import addresses
 from sim2reason.questions.posing import RATIO
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured

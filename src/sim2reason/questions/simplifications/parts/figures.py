@@ -7,8 +7,7 @@ from typing import ClassVar
 from sim2reason.dsl.ablation import with_bodies
 from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.shape import Overlooked, Shape
-from sim2reason.dsl.solids import Solid, composed, transposed
+from sim2reason.dsl.solids import Overlooked, Shape, Solid, composed, transposed
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import Simplification
 from sim2reason.questions.simplifications.parts.which import solid

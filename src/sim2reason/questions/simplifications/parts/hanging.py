@@ -7,7 +7,7 @@ from math import hypot
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, RigidBody
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.vectors import minus
 
 UPRIGHT = 1.0 - 1e-9  # cosine of the angle between what is upright and the vertical
 PLAIN = Inextensible()

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, Dynamics, State
-from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import minus, product
 from sim2reason.simulation.trace import Trace
 
 SQUARE = 1e-9  # cosine of a right angle

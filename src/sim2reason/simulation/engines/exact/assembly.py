@@ -9,9 +9,20 @@ from collections.abc import Mapping, Sequence
 
 from sim2reason.dsl.frames import BodyFrame, Frames
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
-from sim2reason.dsl.points import Point, distance
-from sim2reason.dsl.triples import Maths, Number, Triple, applied, cross, minus, plus, product, times
-from sim2reason.dsl.vectors import Tensor
+from sim2reason.dsl.vectors import (
+    Maths,
+    Number,
+    Point,
+    Tensor,
+    Triple,
+    applied,
+    cross,
+    distance,
+    minus,
+    plus,
+    product,
+    times,
+)
 from sim2reason.simulation.engines.exact.lengths import (
     ORIGIN,
     PathLength,

@@ -10,8 +10,7 @@ from itertools import product
 from math import prod
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.exact.linear import Row, dot, solve
-from sim2reason.simulation.engines.exact.problem import Forces, Mode, Problem, RoughContact, Solution
+from sim2reason.simulation.engines.exact.linear import Forces, Mode, Problem, RoughContact, Row, Solution, dot, solve
 from sim2reason.simulation.engines.exact.redundant_supports import bearing
 
 TOLERANCE = 1e-10  # of the largest load or velocity: what still counts as zero

@@ -1,8 +1,15 @@
-"""Where within a step a margin is used up: also where it only dips, or first rises from nothing."""
+"""Integrator steps with dense output, and the roots of margins within them."""
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from math import sqrt
 from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.simulation.engines.exact import dop853
+from sim2reason.simulation.engines.exact.dop853 import Rate, Values
+from sim2reason.simulation.engines.exact.margins import Formulas
 
 ARMED = 1e-9  # what a margin that begins at zero must exceed before it can be due
 DRIFT = 1e-7  # how far below zero a margin may begin, as integration and impacts leave it
@@ -122,3 +129,119 @@ def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
         if value > ARMED:
             return [(x, value)]
     return []
+
+
+class FlowStep:
+    """One integrator step with dense output."""
+
+    __slots__ = ("_polynomial", "formulas", "length", "new", "stages", "time", "values")
+
+    def __init__(
+        self, formulas: Formulas, time: float, length: float, values: dop853.Values, to: dop853.Advance
+    ) -> None:
+        """`values` are coordinates, then rates, at its beginning."""
+        self.formulas, self.time, self.length, self.values = formulas, time, length, values
+        self.new, self.stages = to.values, to.stages
+        self._polynomial: tuple[dop853.Values, ...] | None = None
+
+    @property
+    def polynomial(self) -> tuple[dop853.Values, ...]:
+        """The coefficients of its unknowns."""
+        if self._polynomial is None:
+            rate = self.formulas.rate
+            self._polynomial = dop853.dense(rate, self.time, self.values, self.length, self.new, self.stages)
+        return self._polynomial
+
+    def at(self, x: float) -> dop853.Values:
+        """Coordinates and rates at a fraction of the step."""
+        return dop853.interpolated(self.values, self.polynomial, x)
+
+    def margins(self, x: float) -> tuple[float, ...]:
+        """All margins at a fraction of the step."""
+        return self.formulas.margins(self.time + x * self.length, self.at(x))
+
+    def closing(self, x: float) -> tuple[float, ...]:
+        """Return the closing speeds and distances of points that may pass each other, at a fraction of the step."""
+        return self.formulas.closing(self.time + x * self.length, self.at(x))
+
+
+class StepTable:
+    """All steps of a flow in arrays; the polynomials of those that were looked at."""
+
+    def __init__(self, steps: Sequence[FlowStep]) -> None:
+        """The flow is at its end."""
+        self.starts = np.array([step.time for step in steps])
+        self.lengths = np.array([step.length for step in steps])
+        self.values = np.array([step.values for step in steps])
+        self.polynomials = np.empty((dop853.COEFFICIENTS, *self.values.shape))
+        self._filled = set[int]()
+
+    def fill(self, steps: Sequence[FlowStep], numbers: set[int]) -> None:
+        """Look at some steps."""
+        new = sorted(numbers - self._filled)
+        if new:
+            self._filled.update(new)
+            self.polynomials[:, new] = np.array([steps[number].polynomial for number in new]).transpose(2, 0, 1)
+
+
+SMALL = 1e-3  # m or rad: what moves by more has size 1
+NONE = 1e-12  # m or rad: what moves by less is at rest, but for rounding
+STEP = 1e-8  # m or rad: of the differences that derivatives are taken by
+
+
+def magnitude(rate: Rate, time: float, values: Values, first: Values) -> float:
+    """Return how far what is small moves, in m or rad, as far as one instant tells; 1 if it is not small.
+
+    Where forces depend on place, motions have a time of their own, τ = 1/√|∂a/∂q|. In this time speed and acceleration
+    lead as far as v τ and a τ². For a circular orbit that is the radius, for an oscillation the amplitude.
+    """
+    n = len(values) // 2
+    stiffest = 0.0
+    for number in range(n):
+        moved = list(values)
+        moved[number] += STEP
+        there = rate(time, tuple(moved))
+        stiffest = max(stiffest, *(abs(after - now) / STEP for after, now in zip(there[n:], first[n:], strict=True)))
+    if not stiffest > 0.0:
+        return 1.0
+    speed, acceleration = (max(map(abs, part), default=0.0) for part in (values[n:], first[n:]))
+    size = max(speed / sqrt(stiffest), acceleration / stiffest)
+    return size if NONE < size < SMALL else 1.0
+
+
+ROUNDS = 200
+PATIENCE = 4  # rounds in which the interval should at least be halved
+EPSILON = 2.3e-16
+
+
+def bracketed_root(function: Callable[[float], float], low: float, high: float) -> float:
+    """A root between `low`, where the function is positive, and `high`, where it is not.
+
+    Regula falsi, in the form that halves the value of an end that stays (Illinois): M. Dowell, P. Jarratt, A modified
+    regula falsi method for computing the root of an equation (1971); and by bisection where that is slow.
+    """
+    if low == high:
+        return low
+    above, below = function(low), function(high)
+    if above <= 0.0:
+        return low
+    side, width = 0, high - low
+    for number in range(ROUNDS):
+        middle = (low * below - high * above) / (below - above)
+        slow = number % PATIENCE == PATIENCE - 1 and high - low > 0.5 * width  # one end never moves at a flat root
+        if slow or not low < middle < high:
+            middle = 0.5 * (low + high)
+        if number % PATIENCE == PATIENCE - 1:
+            width = high - low
+        value = function(middle)
+        if value > 0.0:
+            low, above = middle, value
+            below = 0.5 * below if side == 1 else below
+            side = 1
+        else:
+            high, below = middle, value
+            above = 0.5 * above if side == -1 else above
+            side = -1
+        if value == 0.0 or high - low <= 4.0 * EPSILON * max(abs(low), abs(high)):
+            break
+    return high

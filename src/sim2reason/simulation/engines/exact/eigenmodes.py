@@ -13,8 +13,8 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
-from sim2reason.simulation.engines.exact.damped_modes import REST, SOUND, DampedModes, found_damped
 from sim2reason.simulation.engines.exact.dop853 import Values
+from sim2reason.simulation.engines.exact.eigenpairs import REST, SOUND, DampedModes, found_damped
 
 TURNED = 1e-9  # of the largest eigenvalue: an imaginary part that is none
 STILL = 1e-13  # of the largest eigenvalue: less is none

@@ -4,12 +4,11 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.lazy import cached_property
-from sim2reason.simulation.engines.exact.approach import STILL, halt
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.event_log import BEGINS, STOPS, TIE
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.glide import SteadyEquations
+from sim2reason.simulation.engines.exact.glide import STILL, SteadyEquations, halt
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.engines.exact.settling import REST, Settling

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.lengths import RowKind
-from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
+from sim2reason.simulation.engines.exact.linear import Mode, RoughContact
 from sim2reason.simulation.trace import EVENT_KINDS, Event
 
 CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once

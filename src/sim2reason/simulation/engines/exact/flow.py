@@ -10,14 +10,18 @@ from sim2reason.errors import SimulationError
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.balance import Balance
-from sim2reason.simulation.engines.exact.crossings import Crossing, Watch
+from sim2reason.simulation.engines.exact.crossings import (
+    Crossing,
+    FlowStep,
+    StepTable,
+    Watch,
+    bracketed_root,
+    magnitude,
+)
 from sim2reason.simulation.engines.exact.eigenmodes import Stretch, found_modes, pieces, stretch, turns
-from sim2reason.simulation.engines.exact.flow_steps import FlowStep, StepTable
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
-from sim2reason.simulation.engines.exact.magnitude import magnitude
 from sim2reason.simulation.engines.exact.margins import StopReason
-from sim2reason.simulation.engines.exact.roots import bracketed_root
 from sim2reason.simulation.engines.exact.system import Instant
 
 ABSOLUTE = 1e-2  # times the relative error that a step may have, in m or rad and their rates

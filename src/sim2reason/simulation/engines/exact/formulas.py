@@ -11,15 +11,12 @@ from math import inf
 
 from sim2reason.dsl.constancy import straight
 from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.triples import Number, minus, product
+from sim2reason.dsl.vectors import Number, minus, product
 from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
-from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.margins import Margin
-from sim2reason.simulation.engines.exact.mode_code import Formulas
-from sim2reason.simulation.engines.exact.problem import Mode
-from sim2reason.simulation.engines.exact.symbolic import FreeForces, Unknowns, eliminated
+from sim2reason.simulation.engines.exact.linear import FreeForces, Mode, Row, Unknowns, eliminated
+from sim2reason.simulation.engines.exact.margins import Formulas, Margin
 from sim2reason.simulation.engines.exact.system import Instant, System
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 

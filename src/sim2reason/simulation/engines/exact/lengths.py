@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import Mechanism, Rigid
-from sim2reason.dsl.points import Gradient, Point, relative
-from sim2reason.dsl.triples import Number, Triple, product
+from sim2reason.dsl.vectors import Gradient, Number, Point, Triple, product, relative
 
 
 class Phase(NamedTuple):

@@ -1,11 +1,13 @@
-"""Small linear systems, of about ten unknowns, that may be singular.
+"""Small linear systems that may be singular, and the linear complementarity problem of one instant."""
 
-Plain lists beat arrays at this size, above all since most rows are nearly empty, and elimination by hand
-says what a library call hides: which unknowns the equations leave free.
-"""
-
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import inf
 from operator import mul
+from typing import NamedTuple
+
+from sim2reason.dsl.vectors import Number
+from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.engines.exact.tape import value_of
 
 Row = list[float]
 NEGLIGIBLE = 1e-11  # of a row's largest entry: what rounding leaves of a pivot that should be zero
@@ -47,7 +49,7 @@ def solve(rows: list[Row]) -> Solved:
         pending = [_freed(row, best, column) if row[column] else row for row in pending if row is not best]
         pivots.append((column, best))
     consistent = all(abs(row[size]) <= 100.0 * NEGLIGIBLE * (1.0 + abs(row[size + 1])) for row in pending)
-    x = _substituted(pivots, [0.0] * size, 1.0)
+    x = _substituted_back(pivots, [0.0] * size, 1.0)
     return Solved(x, [_null(pivots, size, column) for column in free], consistent)
 
 
@@ -70,7 +72,7 @@ def _freed(row: Row, pivot: Row, column: int) -> Row:
     return freed
 
 
-def _substituted(pivots: list[tuple[int, Row]], x: Row, load: float) -> Row:
+def _substituted_back(pivots: list[tuple[int, Row]], x: Row, load: float) -> Row:
     size = len(x)
     for column, row in reversed(pivots):
         x[column] = (load * row[size] - dot(x, row)) / row[column]
@@ -80,4 +82,178 @@ def _substituted(pivots: list[tuple[int, Row]], x: Row, load: float) -> Row:
 def _null(pivots: list[tuple[int, Row]], size: int, column: int) -> Row:
     x = [0.0] * size
     x[column] = 1.0
-    return _substituted(pivots, x, 0.0)
+    return _substituted_back(pivots, x, 0.0)
+
+
+@dataclass(slots=True)
+class Gradient:
+    """How a length changes with the coordinates, and with the rises of the contacts."""
+
+    along: Row  # (n,)
+    lift: Row  # (c,)
+    terms: tuple[tuple[int, float], ...]  # the entries of `along` that are not zero
+
+    def rate(self, values: Row) -> float:
+        """The rate of change, from velocities or accelerations."""
+        total = 0.0
+        for number, factor in self.terms:
+            total += factor * values[number]
+        return total
+
+
+def gradient(along: Row, lift: Row) -> Gradient:
+    """A gradient with its terms."""
+    return Gradient(along, lift, tuple([(number, part) for number, part in enumerate(along) if part]))
+
+
+@dataclass(frozen=True, slots=True)
+class RoughContact:
+    """A rough contact: its number among the contacts, the gradient of its slip, and its coefficients of friction."""
+
+    contact: int
+    slip: Gradient
+    friction: float
+    coordinate: int = -1  # where the slip is the rate of one coordinate and nothing else
+    both: bool = False  # the face holds both ways, so that a negative normal force rubs as well
+    holds: float = 0.0  # the coefficient of static friction
+
+    @property
+    def never(self) -> bool:
+        """Whether its friction has no bound, so that it never slips; what rounding leaves of its slip is none."""
+        return self.friction == inf
+
+    def side(self, slip: float, least: float = 0.0) -> int:
+        """The side to which it slips at a speed of which `least` is still none."""
+        return 0 if self.never else (slip > least) - (slip < -least)
+
+
+class Mode(NamedTuple):
+    """Which rows act, and how each rough contact rubs: 0 sticks, ±1 slips to that side."""
+
+    acting: tuple[bool, ...]
+    rubbing: tuple[int, ...]
+
+
+@dataclass(slots=True)
+class Problem:
+    """One instant's loads, rows and rough contacts."""
+
+    mass: list[Row]
+    lifted: list[Row]
+    force: Row
+    press: Row
+    rows: tuple[Gradient, ...]
+    targets: Row
+    grips: tuple[RoughContact, ...]
+    sliding: tuple[int, ...]  # the side to which a contact slips already, which no search may change; else 0
+    held: tuple[bool, ...]  # the rows that act whatever the sign of λ
+    follows: tuple[int, ...]  # the row with which each row acts or not, or −1
+    guided: tuple[int, ...]  # the contacts that hold both ways
+    budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
+    load: float = field(init=False)  # the largest of what is given to act
+
+    def __post_init__(self) -> None:
+        """Find the largest load."""
+        self.load = max(map(abs, (*self.force, *self.press)), default=0.0)
+
+
+class Forces(NamedTuple):
+    """The multipliers of one solution, or of one way to change it."""
+
+    rows: Row
+    friction: Row
+    normal: Row
+
+
+@dataclass(slots=True)
+class Solution:
+    """x and what acts, for one mode; `spare` are force patterns that could be added without effect."""
+
+    mode: Mode
+    x: Row
+    forces: Forces
+    spare: list[Forces]
+    loose: bool  # a massless part that nothing holds: its x means nothing
+    consistent: bool = True
+
+
+Equation = list[Number]  # coefficients, the right side last
+
+
+class Unknowns(NamedTuple):
+    """The solution of one mode; `pivots` are what was divided by, `free` how forces can change without effect."""
+
+    x: list[Number]
+    rows: dict[int, Number]  # multipliers of the acting rows
+    friction: dict[int, Number]  # of the rough contacts that stick
+    pivots: list[Number]
+    free: "tuple[FreeForces, ...]" = ()
+
+
+class FreeForces(NamedTuple):
+    """One way in which forces can change that no motion shows."""
+
+    rows: dict[int, Number]
+    friction: dict[int, Number]
+
+
+def eliminated(equations: list[Equation], size: int, active: list[int], sticking: list[int]) -> Unknowns:
+    """Solve for `size` accelerations, then the multipliers of `active` rows, then the friction of `sticking` contacts.
+
+    An unknown that the equations leave free, since something is held twice, is zero.
+    """
+    width = len(equations[0]) - 1 if equations else 0
+    scales = [max((abs(value_of(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
+    pending = list(zip(equations, scales, strict=True))
+    solved: list[tuple[int, Equation]] = []
+    left: list[int] = []
+    for column in range(width):
+        best = max(pending, key=lambda item, c=column: abs(value_of(item[0][c])) / item[1], default=None)
+        if best is None or abs(value_of(best[0][column])) / best[1] <= NEGLIGIBLE:
+            left.append(column)
+            continue
+        pending = [item for item in pending if item is not best]
+        for row, _ in pending:
+            _reduce(row, best[0], column)
+        solved.append((column, best[0]))
+    found = _symbols_substituted(solved, [0.0] * width, load=True)
+    free = [_symbols_substituted(solved, [float(i == column) for i in range(width)], load=False) for column in left]
+    free = [numbers for column, numbers in zip(left, free, strict=True) if column >= size]
+    rows, friction = _named(found, size, active, sticking)
+    spare = tuple(FreeForces(*_named(numbers, size, active, sticking)) for numbers in free)
+    return Unknowns(found[:size], rows, friction, [row[column] for column, row in solved], spare)
+
+
+def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:
+    """All unknowns, given the free ones; without the `load` the right sides are zero."""
+    width = len(found)
+    for column, row in reversed(solved):
+        total: Number = row[width] if load else 0.0
+        for other in range(column + 1, width):
+            if not _is_zero(row[other]) and not _is_zero(found[other]):
+                total = total - row[other] * found[other]
+        found[column] = total / row[column]
+    return found
+
+
+def _named(
+    found: list[Number], size: int, active: list[int], sticking: list[int]
+) -> tuple[dict[int, Number], dict[int, Number]]:
+    """Multipliers by row, and friction by rough contact."""
+    rows = dict(zip(active, found[size : size + len(active)], strict=True))
+    return rows, dict(zip(sticking, found[size + len(active) :], strict=True))
+
+
+def _reduce(row: Equation, pivot: Equation, column: int) -> None:
+    """Free a row of the unknown that the pivot settles."""
+    if _is_zero(row[column]):
+        return
+    factor = row[column] / pivot[column]
+    row[column] = 0.0
+    for other in range(column + 1, len(row)):
+        if not _is_zero(pivot[other]):
+            row[other] = row[other] - factor * pivot[other]
+
+
+def _is_zero(entry: Number) -> bool:
+    return type(entry) is float and entry == 0.0

@@ -9,16 +9,14 @@ from math import inf
 from sim2reason.dsl.constancy import ALIGNED, changing, steady
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
-from sim2reason.dsl.points import Distance
 from sim2reason.dsl.start_speeds import check_speeds
-from sim2reason.dsl.triples import Number, Triple, minus, product
+from sim2reason.dsl.vectors import Distance, Number, Triple, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds
-from sim2reason.simulation.engines.exact.linear import Row, solve
-from sim2reason.simulation.engines.exact.problem import Gradient, RoughContact, gradient
+from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
 
 TOUCHING = 1e-9  # m; two lengths that differ by less are one length
 

@@ -19,8 +19,7 @@ from sim2reason.dsl.mechanism import (
     RigidBody,
 )
 from sim2reason.dsl.state import Array, Dynamics, State
-from sim2reason.dsl.triples import Maths, Number, Triple, times
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, times
 from sim2reason.simulation.trace import Event, Trace
 
 LEAST = 1e-15  # kg: MuJoCo takes a mass or an inertia below that for nothing

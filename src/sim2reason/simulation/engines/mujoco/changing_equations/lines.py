@@ -8,7 +8,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import ZERO, Line
 from sim2reason.dsl.state import Array
-from sim2reason.dsl.triples import Triple
+from sim2reason.dsl.vectors import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 

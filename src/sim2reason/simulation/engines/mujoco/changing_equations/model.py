@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.dsl.constancy import steady
 from sim2reason.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
 from sim2reason.dsl.state import Array
-from sim2reason.dsl.triples import Triple
+from sim2reason.dsl.vectors import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
