@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.benchmarks import benchmark_from, items_of
-from sim2reason.benchmarks.synthetic import benchmark_item
+from sim2reason.benchmarks.own import benchmark_item
 from sim2reason.datasets.items import item
 from sim2reason.errors import EvaluationError
 

@@ -12,7 +12,7 @@ from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.benchmarks.scoring.parts.answers import boxes, parts
 from sim2reason.benchmarks.scoring.parts.killable import Killable
 from sim2reason.benchmarks.scoring.parts.matching import paired
-from sim2reason.benchmarks.scoring.physics import JUDGED
+from sim2reason.benchmarks.scoring.single_answers import JUDGED
 from sim2reason.errors import MissingExtraError
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.score import Refused

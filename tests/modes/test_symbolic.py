@@ -35,8 +35,7 @@ from sim2reason.filters.answers import Degenerate
 from sim2reason.filters.well_known import FewSymbols
 from sim2reason.grading import formula
 from sim2reason.modes.parts import formula_validity
-from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol, Variation
 from sim2reason.modes.parts.variations import EACH, Variations
 from sim2reason.prose.formula_numbers import counted_in, said_in
 from sim2reason.quantities.subjects.rods import SwingingLines

@@ -23,7 +23,7 @@ from sim2reason.entities.two_d_collision_plane import PairRestitution
 from sim2reason.errors import DrawError, SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
-from sim2reason.parsing.ordinary.forms import forms
+from sim2reason.parsing.ordinary.content import forms
 from sim2reason.parsing.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.prose.description import Description, describe
 from sim2reason.quantities import QUANTITIES

@@ -19,8 +19,7 @@ from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.errors import SceneError
 from sim2reason.prose import describe
 from sim2reason.prose.closings import closings
-from sim2reason.prose.naming import letter_at
-from sim2reason.prose.phrases import another, join
+from sim2reason.prose.phrases import another, join, letter_at
 from sim2reason.prose.voices import hiding, symbolic, voice_of
 
 SLIDE = Scene(

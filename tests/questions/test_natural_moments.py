@@ -12,7 +12,7 @@ from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.prose.description import describe
-from sim2reason.questions.functionals.parts.encounter import encounter
+from sim2reason.questions.functionals.parts.integral import encounter
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.springs import MostStretched

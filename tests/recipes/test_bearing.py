@@ -4,7 +4,7 @@ import pytest
 
 from sim2reason.bodies.round_bodies import Sphere
 from sim2reason.entities.parts.pieces import RoundPiece
-from sim2reason.recipes.parts.bearing import LEAST, idle
+from sim2reason.recipes.parts.ideas import LEAST, idle
 
 
 def inertia(piece: RoundPiece) -> tuple[float]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.recipes.parts.floors import leads_below_floor
+from sim2reason.recipes.parts.grow import leads_below_floor
 from sim2reason.scene_files import load
 
 SCENE = """

@@ -14,7 +14,7 @@ from sim2reason.errors import EvaluationError
 from sim2reason.reports.comparison import compare
 from sim2reason.reports.correlation import correlate
 from sim2reason.reports.evaluation import evaluate
-from sim2reason.reports.statistics import wilson
+from sim2reason.reports.results import wilson
 from told_policy import Told
 
 Made = Callable[..., Evaluation]

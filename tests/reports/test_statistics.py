@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.reports.statistics import difference, mean_of_items, pass_at, rank_correlation, wilson
+from sim2reason.reports.results import difference, mean_of_items, pass_at, rank_correlation, wilson
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.benchmarks.synthetic import benchmark_item
+from sim2reason.benchmarks.own import benchmark_item
 from sim2reason.datasets.items import item
 from sim2reason.errors import TrainingError, UnknownNameError
 from sim2reason.training.problem import Problem

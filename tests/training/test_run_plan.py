@@ -12,8 +12,7 @@ from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.rl.folder import TrainingFolder
 from sim2reason.training.run_plan import RL_PLAN, SFT_PLAN, claim
-from sim2reason.training.sft.config import fine_tuning_from
-from sim2reason.training.sft.folder import SftFolder
+from sim2reason.training.sft.config import SftFolder, fine_tuning_from
 
 Settings = dict[str, Any]
 MODEL = {"kind": "pretrained"}

@@ -14,8 +14,7 @@ import pytest
 
 from sim2reason.errors import DatasetError, MissingExtraError, TrainingError, UnknownNameError
 from sim2reason.training.sft.by_length import batches_by_length
-from sim2reason.training.sft.config import FineTuning, fine_tuning_from
-from sim2reason.training.sft.folder import SftFolder
+from sim2reason.training.sft.config import FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.run import NEEDED, train_sft
 from sim2reason.training.train import train
 

@@ -114,8 +114,7 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
-    from sim2reason.reports.held_out import answer_before
-    from sim2reason.reports.training import report_training
+    from sim2reason.reports.held_out import answer_before, report_training
     from sim2reason.training.extras import is_main_process, quiet
     from sim2reason.training.rl.config import reinforcement_learning_from
     from sim2reason.training.rl.run import prepare_rl, train_rl

@@ -7,7 +7,7 @@ from pydantic import AfterValidator, BaseModel
 
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.plan import ALL
-from sim2reason.policies.parts.words import held_to
+from sim2reason.policies.parts.settings import held_to
 
 __all__ = ["Chosen"]
 

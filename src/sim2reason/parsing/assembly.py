@@ -12,8 +12,7 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import FieldType, M, Model, field_types
 from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import TextError
-from sim2reason.parsing.declarations import thing_at
-from sim2reason.parsing.parse_state import ParsedConnection, ParseState
+from sim2reason.parsing.parse_state import ParsedConnection, ParseState, thing_at
 from sim2reason.scene_files.mistakes import explained
 
 MOST = 2  # numbers that a text leaves unknown: one that it asks for, and one whose limit it gives

@@ -9,9 +9,8 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
 from sim2reason.dsl.model import FieldType, field_types
 from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, variants, wordings
-from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.matcher import Matcher
-from sim2reason.parsing.parse_state import MANY, ParseState
+from sim2reason.parsing.parse_state import MANY, ParseState, thing_at
 from sim2reason.parsing.string_routes import InnerRoute
 from sim2reason.parsing.tables import parse_table
 

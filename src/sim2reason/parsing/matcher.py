@@ -9,11 +9,19 @@ from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
 from sim2reason.errors import TextError
-from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
-from sim2reason.parsing.numbers import NUMBER, SYMBOL, meanings
-from sim2reason.parsing.parse_state import MANY, ParseState
-from sim2reason.prose.naming import listed
-from sim2reason.prose.phrases import BODIES, introductions
+from sim2reason.parsing.parse_state import (
+    MANY,
+    NUMBER,
+    SYMBOL,
+    ParseState,
+    Thing,
+    canonical,
+    joined,
+    meanings,
+    part_word,
+    thing_at,
+)
+from sim2reason.prose.phrases import BODIES, introductions, listed
 
 MAX_STEPS = 200_000
 NONE_GIVEN: Mapping[str, str] = {}

@@ -1,15 +1,20 @@
-"""What a text has told so far: a frozen value, so that many readings can be followed at once."""
+"""The state of a reading: numbers, symbols and declarations that the text has stated so far."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection, Link, Told
-from sim2reason.dsl.model import M, Model
-from sim2reason.dsl.template import Topic
-from sim2reason.prose.naming import Names, called, letter_at
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Measure
+from sim2reason.dsl.model import M, Model, field_types
+from sim2reason.dsl.template import Topic, Word
+from sim2reason.dsl.units import coherent
+from sim2reason.prose.phrases import Names, called, letter_at
 
 MANY = 8  # members of a variable-length part that a text can count
 
@@ -141,3 +146,77 @@ def _moved(address: str, moved: Mapping[str, str]) -> str:
         return moved[address]
     owner, dot, name = address.rpartition(".")
     return moved[owner] + dot + name if owner in moved else address
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
+
+    measure: Measure | None = None
+    word: Word | None = None
+    choices: tuple[str, ...] = ()
+    several: bool = False
+    models: tuple[type[Model], ...] = ()
+
+
+def thing_at(state: ParseState, address: str) -> Thing:
+    """What the declarations say about an address; KeyError for one that leads nowhere."""
+    if address in state.kinds:
+        return Thing(models=(state.kinds[address],))
+    owner, _, step = address.rpartition(".")
+    held = thing_at(state, owner) if owner else Thing()
+    if step.isdigit():
+        return replace(held, several=False)
+    for model in held.models:
+        if issubclass(model, Body) and step in model.words:
+            return Thing(word=model.words[step])
+        if step in field_types(model):
+            kind = field_types(model)[step]
+            return Thing(kind.measure, None, kind.words, kind.count is not None, kind.models)
+    raise KeyError(address)
+
+
+def joined(owner: str, path: str) -> str:
+    """The address of a path below an owner."""
+    return f"{owner}.{path}" if owner else path
+
+
+def part_word(state: ParseState, owner: str, path: str) -> Word | None:
+    """A word of the part or the connection at an address."""
+    kind = state.kinds.get(owner)
+    return kind.words.get(path) if kind is not None and issubclass(kind, Part | Connection) else None
+
+
+def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
+    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
+    address = address.replace(".first.", ".0.")
+    owner, _, step = address.rpartition(".")
+    if step == "first":
+        yield f"{owner}.0", state
+    elif step == "last":
+        low, high = state.size_range(owner)
+        for count in range(max(low, 1), high + 1):
+            then = state.with_count(owner, count, count)
+            if then is not None:
+                yield f"{owner}.{count - 1}", then
+    else:
+        yield address, state
+
+
+POWER = " \N{MULTIPLICATION SIGN} 10^"
+NUMBER = re.compile(
+    "\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?"
+    f"(?:e[+\N{MINUS SIGN}]?[0-9]{{1,3}}|{re.escape(POWER)}\N{MINUS SIGN}?[0-9]{{1,3}})?"
+)
+SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
+
+
+def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
+    """The units that may stand behind a number, each with the number's value in `unit`.
+
+    What is declared in km/s may be told in m/s, too.
+    """
+    number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
+    bare, size = coherent(unit)
+    told = [(unit, float(number))]
+    return told if size == 1 else [*told, (bare, float(Decimal(number) / size))]

@@ -20,8 +20,7 @@ from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.description import Description
-from sim2reason.prose.naming import letters
-from sim2reason.prose.phrases import spoken
+from sim2reason.prose.phrases import letters, spoken
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Writer
 

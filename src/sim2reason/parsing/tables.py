@@ -7,9 +7,8 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.measures import Measure, join_unit, show_unit
 from sim2reason.dsl.model import field_types
 from sim2reason.parsing.matcher import Matcher
-from sim2reason.parsing.numbers import NUMBER, SYMBOL
-from sim2reason.parsing.parse_state import ParseState
-from sim2reason.prose.tables import LEAD_INS, headings, introduced, shared_start
+from sim2reason.parsing.parse_state import NUMBER, SYMBOL, ParseState
+from sim2reason.prose.phrases import LEAD_INS, headings, introduced, shared_start
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,8 +14,7 @@ from sim2reason.lazy import cached_property
 from sim2reason.optional import optional
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.policies.parts.decoding import Decoder
-from sim2reason.policies.parts.hub import explained, loading
-from sim2reason.policies.parts.quiet import quiet
+from sim2reason.policies.parts.hub import explained, loading, quiet
 
 __all__ = ["LocalModel"]
 

@@ -9,8 +9,7 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
 from sim2reason.errors import SceneError
-from sim2reason.prose.naming import Names, letters
-from sim2reason.prose.phrases import paragraphs
+from sim2reason.prose.phrases import Names, letters, paragraphs
 from sim2reason.prose.voices import Voice, VoiceName, numeric, voice_of
 from sim2reason.prose.writer import Writer
 from sim2reason.scene_files import SceneLike, scene_of

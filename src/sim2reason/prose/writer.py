@@ -27,11 +27,8 @@ from sim2reason.dsl.template import (
     wordings,
 )
 from sim2reason.prose.closings import Closing, closings
-from sim2reason.prose.naming import Names
-from sim2reason.prose.phrases import BODIES, alike, canonical, resolved, spoken
-from sim2reason.prose.tables import table
-from sim2reason.prose.terms import Terms
-from sim2reason.prose.voices import Voice
+from sim2reason.prose.phrases import BODIES, Names, alike, canonical, resolved, spoken, table
+from sim2reason.prose.voices import Terms, Voice
 
 TABLE_FROM = 3  # like bodies; two are always prose
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.prose.description import Description
-from sim2reason.prose.naming import symbols
-from sim2reason.prose.phrases import join
+from sim2reason.prose.phrases import join, symbols
 from sim2reason.questions import KINDS, Formula, Question, Words
 from sim2reason.questions.shapes import SHAPES
 

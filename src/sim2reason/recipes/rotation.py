@@ -30,7 +30,7 @@ from sim2reason.entities.parts.pieces import (
 from sim2reason.entities.pendulums import RotationEntity
 from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
-from sim2reason.recipes.parts.bearing import idle
+from sim2reason.recipes.parts.ideas import idle
 from sim2reason.recipes.parts.ranges import SIZES
 
 NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size

@@ -7,8 +7,8 @@ from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError
 from sim2reason.reports.markdown import table
 from sim2reason.reports.own_folder import own_folder
+from sim2reason.reports.results import Estimate, difference
 from sim2reason.reports.scores import PolicyScores, scores_of
-from sim2reason.reports.statistics import Estimate, difference
 
 __all__ = ["PairedDifference", "compare"]
 

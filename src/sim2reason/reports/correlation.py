@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sim2reason.benchmarks.synthetic import SYNTHETIC
+from sim2reason.benchmarks.own import SYNTHETIC
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError, MissingExtraError
 from sim2reason.figures.evaluation_plots import Bar, Point, scatter
 from sim2reason.reports.markdown import table
 from sim2reason.reports.own_folder import own_folder
+from sim2reason.reports.results import Estimate, mean_of_items, rank_correlation
 from sim2reason.reports.scores import PolicyScores, all_scores
-from sim2reason.reports.statistics import Estimate, mean_of_items, rank_correlation
 
 __all__ = ["RankCorrelation", "correlate"]
 

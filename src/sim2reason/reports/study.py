@@ -12,15 +12,14 @@ import numpy as np
 from pydantic import JsonValue
 
 from sim2reason.benchmarks import BenchmarkItem, items_of
-from sim2reason.benchmarks.saved import Saved
+from sim2reason.benchmarks.own import Saved
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
 from sim2reason.figures.training_plots import curves
-from sim2reason.reports.held_out import AFTER, BEFORE, RESPONSES, answered, best_constant
+from sim2reason.reports.held_out import AFTER, BEFORE, PANELS, PLOT, RESPONSES, answered, best_constant, corpora_of
 from sim2reason.reports.markdown import table
+from sim2reason.reports.results import Estimate, difference, mean_of_items
 from sim2reason.reports.scores import scores_of
-from sim2reason.reports.statistics import Estimate, difference, mean_of_items
-from sim2reason.reports.training import PANELS, PLOT, corpora_of
 from sim2reason.training.gspo.step_log import StepLog
 from sim2reason.training.rl.folder import TrainingFolder
 from sim2reason.training.study.config import Arm, TrainingStudy

@@ -22,11 +22,10 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import SceneError
 from sim2reason.registry import nearest
-from sim2reason.scene_files.mistakes import explained
+from sim2reason.scene_files.mistakes import check_position, explained, plain_name, respelled
 from sim2reason.scene_files.question_parts import parts_from
 from sim2reason.scene_files.schema import is_many, snake
 from sim2reason.scene_files.source_text import source_text
-from sim2reason.scene_files.spellings import check_position, plain_name, respelled
 from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
 from sim2reason.scene_files.wording import Wording, wording_from
 from sim2reason.scene_files.yaml_text import Lines, Plain, parse, shown, write

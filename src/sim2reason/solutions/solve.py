@@ -7,7 +7,7 @@ from math import radians
 
 import numpy as np
 
-from sim2reason.prose.naming import Names
+from sim2reason.prose.phrases import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
 from sim2reason.questions import KINDS, Study

@@ -17,8 +17,7 @@ from sim2reason.datasets.plan import ALL, MAKER, TRAIN
 from sim2reason.datasets.request import LARGEST, SI
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.exports import EXPORTS, Export, Place
-from sim2reason.policies.parts.settings import settings_in
-from sim2reason.policies.parts.words import first_fault
+from sim2reason.policies.parts.settings import first_fault, settings_in
 
 __all__ = ["LazyRows", "LazySettings", "Rows"]
 

@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 
+from sim2reason.benchmarks.own import benchmark_item
 from sim2reason.benchmarks.runs.outcomes import Ending, ending_of
 from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.benchmarks.synthetic import benchmark_item
 from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item, Record

@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.benchmarks.runs.config import evaluation_from
-from sim2reason.benchmarks.runs.copied_answers import copy_answers
-from sim2reason.benchmarks.runs.folder import RunFolder
+from sim2reason.benchmarks.runs.folder import RunFolder, copy_answers
 from sim2reason.benchmarks.runs.run import run
 from sim2reason.policies.samples.journal import finished
 

@@ -6,9 +6,8 @@ import pytest
 
 from plain_scenes import ramp
 from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.modes.parts.counterexample import CLOSEST, SCATTERED, SIMULATED, counterexample
-from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.corners import CLOSEST, SCATTERED, SIMULATED, counterexample
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol, Variation
 from sim2reason.modes.parts.variations import Variations
 from sim2reason.questions import Query
 from sim2reason.questions.moments.distances import Moved

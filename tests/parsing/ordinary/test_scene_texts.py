@@ -7,7 +7,7 @@ import pytest
 import sim2reason
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
-from sim2reason.parsing.ordinary.forms import forms
+from sim2reason.parsing.ordinary.content import forms
 from sim2reason.parsing.ordinary.nearest import nearest
 from sim2reason.parsing.ordinary.recast import recast
 from sim2reason.prose.description import describe

@@ -7,8 +7,7 @@ import pytest
 from motions import light_rod, spring_block, string_pendulum
 from resting import RESTFUL, rests
 from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
-from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
-from sim2reason.simulation.rest.witness import disagreement, unrest
+from sim2reason.simulation.rest.oscillation import Oscillations, disagreement, oscillations, unrest
 from states import altered
 
 

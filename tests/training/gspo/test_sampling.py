@@ -6,7 +6,7 @@ from math import nan
 import pytest
 
 from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill, round_size, spread
-from sim2reason.training.gspo.stream import Drawn, Row
+from sim2reason.training.gspo.settings import Drawn, Row
 
 GOOD, BAD = [0.0, 1.0], [1.0, 1.0]
 

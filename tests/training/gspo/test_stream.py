@@ -6,7 +6,7 @@ import pytest
 
 from gspo_run import Numbers
 from sim2reason.errors import TrainingError
-from sim2reason.training.gspo.stream import draw
+from sim2reason.training.gspo.settings import draw
 
 
 class Given(Numbers):

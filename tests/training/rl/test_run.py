@@ -16,7 +16,7 @@ from short_run import PROBLEMS, settings
 from sim2reason.errors import TrainingError
 from sim2reason.policies.local_model import LocalModel
 from sim2reason.reports import held_out
-from sim2reason.reports.training import report_training
+from sim2reason.reports.held_out import report_training
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import reinforcement_learning_from

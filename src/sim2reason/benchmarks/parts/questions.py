@@ -9,8 +9,8 @@ from sim2reason.benchmarks import BenchmarkItem
 from sim2reason.benchmarks.parts.file_benchmark import FileBenchmark
 from sim2reason.benchmarks.parts.files import Row
 from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.benchmarks.scoring.numeric import TOLERANCE
-from sim2reason.benchmarks.scoring.parts.numbers import read, unit_or_none
+from sim2reason.benchmarks.scoring.parts.answers import read, unit_or_none
+from sim2reason.benchmarks.scoring.single_answers import NUMERIC_TOLERANCE
 
 __all__ = ["ASKED", "QuestionFile"]
 
@@ -34,7 +34,7 @@ class QuestionFile(FileBenchmark):
     """It has something in it where a problem needs its figure."""
     scoring: str = "numeric"
     """The registered rule."""
-    tolerance: Annotated[float, Ge(0.0), Lt(1.0)] = TOLERANCE
+    tolerance: Annotated[float, Ge(0.0), Lt(1.0)] = NUMERIC_TOLERANCE
     """Relative, where the rule knows one."""
     instruction: str = ASKED
     """What stands behind each question."""

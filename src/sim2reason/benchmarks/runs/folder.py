@@ -1,6 +1,7 @@
-"""The folder of a run: what was planned, what is asked, and where answers stand."""
+"""The folder of an evaluation run: its plan, its problems and its answers."""
 
 import json
+import shutil
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
@@ -15,7 +16,7 @@ from sim2reason.datasets.plan import SHAPING
 from sim2reason.errors import EvaluationError
 from sim2reason.policies import POLICIES, Policy
 
-__all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord"]
+__all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord", "copy_answers"]
 
 RUN, PROBLEMS, SAMPLES, JUDGED, REPORT = "run.json", "problems", "samples", "judged", "report"
 
@@ -220,3 +221,33 @@ def _benchmark(evaluation: Evaluation, benchmark: Benchmark, items: list[Benchma
         items=len(items),
         data=data_hash(items),
     )
+
+
+PARTIAL = ".part"
+
+
+def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
+    """Begin in `out` a run with what policies of `model` have answered in `run`, as answers of its copy at `copied`.
+
+    Nothing is begun if there are none. EvaluationError if there is no run.
+    """
+    found = RunFolder(run)
+    policies = {name: plan for name, plan in found.record.policies.items() if plan.decisive.get("model") == model}
+    if not policies:
+        return
+    partial = out.with_name(out.name + PARTIAL)
+    shutil.rmtree(partial, ignore_errors=True)
+    shutil.copytree(run / PROBLEMS, partial / PROBLEMS)
+    for name in policies:
+        if (run / SAMPLES / name).is_dir():
+            shutil.copytree(run / SAMPLES / name, partial / SAMPLES / name)
+    plans = {name: _of(plan, copied) for name, plan in policies.items()}
+    record = found.record.model_copy(update={"policies": plans, "judge": None})
+    put_text(partial / RUN, canonical(record.model_dump(mode="json")), partial)
+    partial.rename(out)
+
+
+def _of(plan: PolicyPlan, model: str) -> PolicyPlan:
+    """The same policy of a model at another place."""
+    settings, decisive = ({**held, "model": model} for held in (plan.settings, plan.decisive))
+    return plan.model_copy(update={"settings": settings, "decisive": decisive})

@@ -1,11 +1,205 @@
-"""What is drawn to scale as one piece of an arranged drawing: strings run to its ports."""
+"""Pieces of a drawing to scale, with the numbers that the text states about them."""
 
-from sim2reason.figures.paths import PathKnot
-from sim2reason.figures.pieces import DrawingPlan, Piece
-from sim2reason.figures.scaled.setting import Setting
-from sim2reason.figures.scaled.sketch import scaled
-from sim2reason.figures.shapes import LineShape, Sketch, outline
-from sim2reason.figures.vectors import Polygon, hull
+from cmath import phase
+from collections.abc import Iterator
+from math import degrees, dist
+
+from sim2reason.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
+from sim2reason.dsl.mechanism import RigidBody
+from sim2reason.figures.paths import PathKnot, owner_of
+from sim2reason.figures.pieces import DrawingPlan, Piece, around
+from sim2reason.figures.scaled import bodies
+from sim2reason.figures.scaled.arrows import deflections, heights, speeds, spins
+from sim2reason.figures.scaled.grounds import grounds
+from sim2reason.figures.scaled.lines import beside, lines, pieces_on
+from sim2reason.figures.scaled.pushes import fields, pushes
+from sim2reason.figures.scaled.setting import SLAB, Setting, vector
+from sim2reason.figures.scaled.tabletop import axes
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
+from sim2reason.figures.vectors import Polygon, box, dot, hull, unit
+from sim2reason.quantities.subjects.paths import rim_of
+
+CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
+NONE = 1e-6  # degrees
+ARC = 0.35  # units beyond the body at which an angle is marked
+
+
+def stated(setting: Setting) -> Sketch:
+    """All of them."""
+    found = Sketch()
+    if not setting.view.level:
+        for body in setting.members:
+            _pieces(setting, body, found)
+            _bearing(setting, body, found)
+        for site, wheel in _turned(setting):
+            _leaving(setting, site, wheel, found)
+        for upper, lower in setting.stacked.items():
+            _rubbing(setting, upper, lower, found)
+    return found
+
+
+def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
+    """The distance of each of several pieces from the axle of their arm, beside it, the nearest one innermost."""
+    pieces = pieces_on(setting, arm)
+    if len(pieces) < 2:
+        return  # its one distance stands at the arm itself
+    pivot = setting.view.at(vector(setting.frames[arm.name].origin))
+    first = unit(setting.at(pieces[0]) - pivot)
+    out = first * (1j if (first * 1j).real >= 0.0 else -1j)
+    aside = max(setting.radius(piece) for piece in pieces) + CLEAR
+    for piece in sorted(pieces, key=lambda name: abs(setting.at(name) - pivot)):
+        end, far = setting.at(piece), dist(setting.place(piece), vector(setting.frames[arm.name].origin))
+        text = setting.stated(owner_of(piece), setting.mechanism.units.length, far)
+        if text:
+            _dimension(pivot, end, aside * out, text, piece, found)
+            aside += APART
+
+
+def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, found: Sketch) -> None:
+    """A double arrow beside what it measures, with fine lines to both ends."""
+    middle = 0.5 * (start + end) + by
+    found.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
+    found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
+    places = beside(start + by, end + by, text, SMALL, far=0.08)
+    found.labels.append(Wanted(text, tuple(places), subject, SMALL, name=False))
+
+
+def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
+    """Draw the angle between the vertical and the line from a body's centre to its hole, if the text states it."""
+    look = setting.look(body.name)
+    if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
+        return
+    at = setting.view.at(vector(setting.frames[body.name].origin))
+    way = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
+    if abs(way) < 0.5:
+        return
+    turn = degrees(phase(unit(way))) % 360.0
+    value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
+    text = setting.once(owner_of(body.name), "deg", value) if value > NONE else ""
+    if not text:
+        return
+    radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
+    arc, middle = 0.35 * radius, 1j ** ((low + 0.5 * value) / 90.0)
+    found.shapes += [
+        LineShape((at, at + 1.25 * radius * 1j), "hair", dashed=True),
+        LineShape((at, at + radius * unit(way)), "hair", dashed=True),
+        Arc(at, arc, low, low + value, weight="thin"),
+    ]
+    wide = 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    places = tuple(at + (far + wide) * middle for far in (arc + 0.1, arc + 0.4, radius + 0.15, radius + 0.5))
+    found.labels.append(Wanted(text, places, body.name, SMALL, name=False))
+
+
+def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
+    """Where strings leave a body for a point of its entity in the room round which they turn."""
+    for line in setting.mechanism.lines:
+        for one, other in ((line.through[:2]), line.through[:-3:-1]):
+            ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
+            turns = len(line.through) > 2 and ends[0] is not None and ends[1] is None
+            if turns and setting.owns(one) and owner_of(one) == owner_of(other):
+                yield one, other
+
+
+def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
+    """How far a point is to which a string leads, and the angle of the string to the level, if both are stated."""
+    start, end = setting.site(site), setting.site(wheel)
+    way, owner = unit(end - start), owner_of(site)
+    text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
+    rim = setting.edge(site, way)
+    if text:
+        found.labels.append(Wanted(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
+    raised = degrees(phase(way if way.real >= 0.0 else complex(-way.real, way.imag)))
+    angle = setting.stated(owner, "deg", abs(raised))
+    if not angle:
+        return
+    level = 0.0 if way.real >= 0.0 else 180.0
+    turn = sorted((level, raised if way.real >= 0.0 else 180.0 - raised))
+    radius = max(abs(rim - start), 0.5 * setting.sizes(setting.mechanism.site[site].body or "")[0]) + ARC
+    middle = 1j ** (0.5 * sum(turn) / 90.0)
+    beyond = radius + 0.1 + 0.5 * width(angle, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    found.shapes.append(Arc(start, radius, *turn, weight="thin"))
+    places = tuple(start + (beyond + 0.12 * n) * middle for n in range(5))
+    found.labels.append(Wanted(angle, places, wheel, SMALL, name=False))
+
+
+def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
+    """The friction between two slabs, at either end of the face where they touch."""
+    names = sorted(setting.plan.name(address) for address in (upper, lower))
+    letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
+    text = setting.plan.rubbing(owner_of(upper), setting.mechanism.contacts[upper], letter)
+    if not text:
+        return
+    along, at = setting.along(upper), setting.at(upper)
+    normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
+    foot, half = at - 0.5 * SLAB * normal, 0.5 * setting.sizes(upper)[0]
+    ends = tuple(foot + side * half * along for side in (-1.0, 1.0))
+    found.labels.append(Wanted(text, (), upper, SMALL, name=False, anchors=ends))
+
+
+WHEEL = 0.16  # units, the least radius of a pulley
+ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # drawn where the mechanism shows them, not at a place of their own
+
+
+def scaled(setting: Setting) -> Sketch:
+    """Entities and connections, drawn to scale in one piece."""
+    found, front = Sketch(), Sketch()
+    found.extend(fields(setting))
+    found.extend(axes(setting))
+    found.extend(grounds(setting))
+    found.extend(lines(setting, front))
+    for address, body in setting.bodies.items():
+        if isinstance(body.look, PulleyWheel):
+            found.extend(_pulley(setting, address))
+        elif address not in setting.drawn and not isinstance(body.look, ELSEWHERE) and setting.stands(address):
+            found.extend(bodies.body(setting, address, setting.along(address)))
+    found.extend(front)
+    found.extend(deflections(setting))
+    found.extend(stated(setting))
+    found.extend(pushes(setting))
+    found.extend(speeds(setting))
+    found.extend(spins(setting))
+    found.extend(heights(setting))
+    _strangers(setting, found)
+    _legend(setting, found)
+    return found
+
+
+def _pulley(setting: Setting, address: str) -> Sketch:
+    """A wheel between the two points of its rim, with its axle and its name."""
+    sides = rim_of(setting.mechanism, address)
+    if sides is None:
+        return Sketch()
+    left, right = (setting.site(site) for site in sides)
+    middle, radius = 0.5 * (left + right), max(WHEEL, 0.5 * abs(right - left))
+    look = setting.bodies[address].look
+    solid = isinstance(look, PulleyWheel) and look.solid
+    shapes: list[Shape] = [Arc(middle, radius, fill="disc" if solid else ""), dot_at(middle, 0.05)]
+    text = setting.plan.caption(address)
+    size = SIZE if text == setting.plan.name(address) else SMALL
+    setting.drawn.add(address)
+    return Sketch(shapes, [Wanted(text, around(middle, radius + 0.1, width(text, size), start=1 + 1j), address, size)])
+
+
+def _strangers(setting: Setting, found: Sketch) -> None:
+    """What a text names and nothing above has drawn, below everything else."""
+    left, low, _, _ = box([point for shape in found.shapes for point in outline(shape)] or [0j])
+    named = {wanted.subject for wanted in found.labels if wanted.name}
+    missing = [a for a, body in setting.bodies.items() if body.letters and a not in named]
+    missing += [a for a, body in setting.bodies.items() if body.look is None and a not in named and a not in missing]
+    for number, address in enumerate(missing):
+        found.extend(bodies.stranger(setting, address, complex(left + 1.0 + 2.4 * number, low - 0.9)))
+
+
+def _legend(setting: Setting, found: Sketch) -> None:
+    """The scale of the velocities, below the right end of everything."""
+    if setting.legend is None:
+        return
+    long, text = setting.legend
+    left, low, right, _ = box(point for shape in found.shapes for point in outline(shape))
+    low = min([low, *(wanted.places[0].imag for wanted in found.labels)])
+    start = complex(max(left, right - long - 0.3 - width(text, SMALL)), low - 0.55)
+    found.shapes.append(LineShape((start, start + long), "thin", arrow=True))
+    found.labels.append(Wanted(text, (start + long + 0.2 + 0.5 * width(text, SMALL),), "", SMALL, name=False))
 
 
 class ScaledPiece(Piece):

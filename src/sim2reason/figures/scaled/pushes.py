@@ -1,18 +1,22 @@
-"""Constant forces on single bodies, with their sizes and directions where the text states them."""
+"""Forces on single bodies, and fields of force with the regions in which they act."""
 
+import math
 from cmath import phase
+from collections.abc import Iterator
 from math import degrees, hypot
 
 from sim2reason.dsl.body import Small
-from sim2reason.dsl.fields import Push
-from sim2reason.dsl.mechanism import Force
-from sim2reason.dsl.vectors import scale
+from sim2reason.dsl.fields import Law, Push
+from sim2reason.dsl.mechanism import ZERO, Force
+from sim2reason.dsl.vectors import BoxRegion as Slab
+from sim2reason.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import Setting, vector
-from sim2reason.figures.shapes import SMALL, LineShape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, unit
+from sim2reason.figures.scaled.tabletop import spread
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, dot_at, width
+from sim2reason.figures.vectors import RIGHT, Polygon, dot, unit
 
 LONG, BASE = 1.3, 1.1  # units: an arrow, and the line from which its angle is counted
 FLAT = 1e-6  # deg or units: none
@@ -64,3 +68,137 @@ def _bases(setting: Setting, name: str) -> list[complex]:
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
     ways = [unit(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
     return [sign * way for way in (*ways, RIGHT) for sign in (1.0, -1.0)]
+
+
+PITCH, MARK, ARROW = 1.15, 0.09, 0.55  # units between marks, half the size of a cross, the length of an arrow
+CIRCLE = 48
+FAR = 1e3  # units: beyond every drawing
+NEGATIVE = "\N{MINUS SIGN}"
+SOON, FAINT = 1e-3, 1e-12  # s, and what is no field
+
+
+def fields(setting: Setting) -> Sketch:
+    """The regions, and the marks of every field that has a direction."""
+    found = Sketch()
+    for region, _ in setting.regions():
+        outline = border(setting, region)
+        if outline:
+            found.shapes.append(Area(outline, "field", weight="thin", dashed=True))
+    letters: set[str] = set()
+    number = 0
+    for force in (f for f in setting.mechanism.forces if setting.owns(f.body) and not is_push(setting, f)):
+        shift = complex(0.5, 0.5) * PITCH * (number % 2)
+        number += _marks(setting, force, shift, found, letters)
+    return found
+
+
+def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
+    """A field's marks on a grid, and its letter at one of them; whether there are any."""
+    places = _grid(spread(setting), shift)
+    inside = [at for at in places if force.region is None or _inside(setting, force.region, at)]
+    shown = [mark for at in inside if (mark := mark_at(setting, force, at)) is not None]
+    found.shapes += [shape for _, shapes in shown for shape in shapes]
+    letter = shown[0][0] if shown else ""
+    if shown and letter not in letters:
+        letters.add(letter)
+        spots = tuple(at + complex(0.34, 0.3) for at in sorted(inside, key=lambda p: (-p.imag, -p.real)))
+        found.labels.append(Wanted(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
+    return bool(shown)
+
+
+def _grid(area: tuple[float, float, float, float], shift: complex) -> Iterator[complex]:
+    left, low, right, high = area
+    columns, rows = int((right - left) / PITCH), int((high - low) / PITCH)
+    for row in range(rows + 1):
+        for column in range(columns + 1):
+            at = complex(left + PITCH * (column + 0.5), low + PITCH * (row + 0.5)) + shift
+            if at.real < right - 0.5 * ARROW and at.imag < high - 0.5 * ARROW:
+                yield at
+
+
+def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shape]] | None:
+    """The letter of a field and its mark at a place; None where it is zero, or has no direction of its own."""
+    sign = _charged(setting, force.body)
+    unit_charge = -1.0 if sign == NEGATIVE else 1.0
+    for time in (0.0, SOON):  # of a field that grows from nothing, the way in which it points next
+        still, magnetic = (scale(unit_charge, part) for part in parts(setting, force.law, place(setting, at), time))
+        for letter, strength in (("E" if sign else "F", still), ("B", magnetic)):
+            if math.hypot(*strength) > FAINT:
+                return letter, _symbol(setting, strength, at)
+    return None
+
+
+def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
+    """What a law does to what rests, and the field square to the velocity of what moves, as far as it has one.
+
+    From F = v × B for v along the two sides of the page and out of it, drag having no part square to v:
+    B = (y·F(z), z·F(x), x·F(y)), where x, y, z are the three directions.
+    """
+    x, y, z = setting.view.right, setting.view.up, setting.view.towards
+
+    def across(velocity: Vector, way: Vector) -> float:
+        moved, rests = (law.force(where, v, time, math) for v in (velocity, ZERO))
+        return inner(way, vector(moved)) - inner(way, vector(rests))
+
+    field = add(scale(across(z, y), x), scale(across(x, z), y), scale(across(y, x), z))
+    return vector(law.force(where, ZERO, time, math)), field
+
+
+def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
+    """A cross into the page, a dot out of it, else an arrow."""
+    out, way = inner(setting.view.towards, strength), setting.view.way(strength)
+    if abs(way) > abs(out):
+        half = 0.5 * ARROW * unit(way)
+        return [LineShape((at - half, at + half), "hair", arrow=True)]
+    if out > 0.0:
+        return [Arc(at, MARK, weight="hair"), dot_at(at, 0.035)]
+    a, b = MARK * complex(1, 1), MARK * complex(1, -1)
+    return [LineShape((at - a, at + a), "hair"), LineShape((at - b, at + b), "hair")]
+
+
+def _charged(setting: Setting, body: str) -> str:
+    """The sign of the charge of a body; empty if it has none."""
+    look = setting.look(body)
+    return look.mark if isinstance(look, Small) else ""
+
+
+def place(setting: Setting, at: complex) -> Vector:
+    """The place of the room that a point of the page shows."""
+    view = setting.view
+    return add(scale(at.real / view.scale, view.right), scale(at.imag / view.scale, view.up))
+
+
+def _inside(setting: Setting, region: Region, at: complex) -> bool:
+    return all(float(margin) * setting.view.scale > 0.3 for margin in region.margins(place(setting, at), math))
+
+
+def border(setting: Setting, region: Region) -> Polygon:
+    """The outline of a region on the page, as far as the drawing goes; empty for a kind of region that is not known."""
+    view, (left, low, right, high) = setting.view, spread(setting)
+    page: Polygon = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
+    if isinstance(region, DiscRegion):
+        turns = (2.0 * math.pi * n / CIRCLE for n in range(CIRCLE))
+        return tuple(
+            view.at(region.center) + view.scale * region.radius * complex(math.cos(t), math.sin(t)) for t in turns
+        )
+    if isinstance(region, HalfSpace):
+        return _cut(page, view.way(region.normal), view.scale * region.offset)
+    if isinstance(region, Slab):
+        for axis, least, most in region.sides:
+            way = view.way(axis)
+            page = _cut(page, way, view.scale * least)
+            page = _cut(page, -way, -view.scale * most)
+        return page
+    return ()
+
+
+def _cut(polygon: Polygon, normal: complex, offset: float) -> Polygon:
+    """The part of a convex polygon where normal·r ≥ offset."""
+    found: list[complex] = []
+    for a, b in zip(polygon, (*polygon[1:], *polygon[:1]), strict=True):
+        one, other = dot(normal, a) - offset, dot(normal, b) - offset
+        if one >= 0.0:
+            found.append(a)
+        if (one > 0.0 > other) or (one < 0.0 < other):
+            found.append(a + (b - a) * one / (one - other))
+    return tuple(found)

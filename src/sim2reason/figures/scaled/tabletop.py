@@ -1,10 +1,14 @@
-"""Outline and bounding walls of a table seen from above."""
+"""Tables seen from above, with their walls and axes."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from math import ceil
 
+from sim2reason.dsl.body import Tabletop
+from sim2reason.dsl.measures import show_unit
+from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.setting import Setting, corners
-from sim2reason.figures.shapes import Shape, hatched
-from sim2reason.figures.vectors import Box, Polygon, box, unit
+from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Shape, Sketch, Wanted, hatched, width
+from sim2reason.figures.vectors import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit
 
 
 def sheet(setting: Setting, area: Box) -> Polygon:
@@ -51,3 +55,131 @@ def bounding_walls(setting: Setting, area: Box) -> list[Shape]:
         half = way * 1j * (abs(size.imag) if way.real else abs(size.real))
         found += hatched(foot - half, foot + half)
     return found
+
+
+TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
+MARGIN = 0.15  # between the number of a tick and what ends the axis, and between a tick and an arrow
+BELOW, LINED = 0.55, 1e-6  # units from a body on a track down to the axis of x, and from a line to what is on it
+CROSS = 1.0  # length of an axis without numbers
+
+
+def axes(setting: Setting) -> Sketch:
+    """Nothing where no coordinate is called x or y."""
+    found = Sketch()
+    labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
+    if not {"x", "y"} & labels.keys():
+        if _placed(setting):
+            _beside_track(setting, found)
+        return found
+    origin = setting.view.at(setting.origin(next(o for o in sorted(setting.owners) if "." not in o)))
+    if _placed(setting):
+        area = spread(setting)
+        if any(isinstance(body.look, Tabletop) for body in setting.bodies.values()):
+            found.shapes.append(Area(sheet(setting, area), "table", weight="thin"))
+            found.shapes += bounding_walls(setting, area)
+        _full(setting, found, area, origin)
+        return found
+    left, low, _, _ = box(setting.at(body.name) for body in setting.members)
+    corner = complex(left - 2.9, min(low, origin.imag) + 0.3)
+    for name in ("x", "y"):
+        way = labels.get(name)
+        if way is not None and abs(way) > 0.5:
+            found.shapes.append(LineShape((corner, corner + CROSS * way), "thin", arrow=True))
+            found.labels.append(Wanted(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
+    return found
+
+
+def _beside_track(setting: Setting, found: Sketch) -> None:
+    """Draw an x axis below the bodies if all of them move along one straight track."""
+    slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
+    ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
+    if len(ways) != 1:
+        return
+    way = unit(ways.pop())
+    down = (0.5 * setting.plan.sizes.height + BELOW) * (way * -1j if way.real > 0.0 else way * 1j)
+    owner = next(o for o in sorted(setting.owners) if "." not in o)
+    origin = setting.view.at(setting.origin(owner)) + down
+    ends = [((setting.at(body.name) + down - origin) / way).real for body in setting.members]
+    ends += [((end + down - origin) / way).real for end in _walls(setting, way)]
+    start, stop = min([0.0, *ends]) - 0.4, max([0.0, *ends]) + 0.6
+    scaled = not any(setting.plan.leaves_open(o, setting.mechanism.units.length) for o in setting.owners)
+    found.shapes.append(LineShape((origin + start * way, origin + stop * way), "thin", arrow=True))
+    text = f"x ({show_unit(setting.mechanism.units.length)})" if scaled else "x"
+    place = origin + (stop + 0.15) * way + 0.5 * width(text, SMALL) * RIGHT
+    found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
+    if scaled:
+        _ticks(setting, found, (origin, way, start, stop), [], zero=True)
+
+
+def _walls(setting: Setting, way: complex) -> Iterator[complex]:
+    """Yield the points at which walls cross the line through the bodies of a track."""
+    for meeting in setting.mechanism.meetings:
+        if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
+            normal = setting.view.way(meeting.normal)
+            if abs(cross(normal, way)) < LINED:
+                at = setting.at(meeting.b)
+                yield at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
+
+
+def _placed(setting: Setting) -> bool:
+    """Whether the text states positions as coordinates."""
+    names = {p.measure.name for p in setting.plan.scene.parameters if setting.owns(p.path)}
+    return "position" in names
+
+
+def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
+    """Both axes through the origin, with numbers if the text gives all lengths."""
+    scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
+    left, low, right, high = area
+    metre = show_unit(setting.mechanism.units.length)
+    covered = [(setting.at(body.name), setting.radius(body.name) + 0.15) for body in setting.members]
+    ends = (
+        ("x", RIGHT, left - origin.real, right - origin.real),
+        ("y", UP, low - origin.imag, high - origin.imag),
+    )
+    for name, way, start, stop in ends:
+        found.shapes.append(LineShape((origin + (start + 0.15) * way, origin + (stop + 0.5) * way), "thin", arrow=True))
+        text = f"{name} ({metre})" if scaled else name
+        beyond = 0.12 + 0.5 * width(text, SMALL) if way == RIGHT else 0.3
+        place = origin + (stop + 0.5 + beyond) * way
+        found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
+        if scaled:
+            _ticks(setting, found, (origin, way, start, stop), covered)
+
+
+def _ticks(
+    setting: Setting,
+    found: Sketch,
+    axis: tuple[complex, complex, float, float],
+    covered: list[tuple[complex, float]],
+    *,
+    zero: bool = False,
+) -> None:
+    """Draw ticks with numbers at round distances, except under bodies and arrows and near the ends of the axis.
+
+    At the origin only where that is wanted: two axes cross there.
+    """
+    origin, way, start, stop = axis
+    scale = setting.view.scale
+    arrows = [
+        shape.points for shape in speeds(setting, headings=False).shapes if isinstance(shape, LineShape) and shape.arrow
+    ]
+    step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
+    for number in range(ceil(start / (scale * step)), int(stop / (scale * step)) + 1):
+        at, across = origin + number * step * scale * way, way * 1j
+        if (not number and not zero) or any(abs(at - spot) < reach for spot, reach in covered):
+            continue
+        text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
+        half = 0.5 * (width(text, TINY) if abs(way.real) > abs(way.imag) else TINY) + MARGIN
+        if not start + half < number * step * scale < stop - half or any(_is_near(at, arrow) for arrow in arrows):
+            continue
+        found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
+        level = abs(way.real) > abs(way.imag)
+        aside = 0.3 if level else 0.17 + 0.5 * width(text, TINY)
+        sides = (-1.0, 1.0) if level else (1.0, -1.0)
+        found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
+
+
+def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
+    """Whether a tick would stand on a straight arrow, or touch it."""
+    return from_segment(at, arrow[0], arrow[-1]) < MARGIN + TICK

@@ -6,10 +6,8 @@ from itertools import chain, combinations
 
 import numpy as np
 
-from sim2reason.modes.parts.corners import Margin, leaving
-from sim2reason.modes.parts.counterexample import counterexample
-from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.corners import Margin, counterexample, leaving
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol, Variation
 from sim2reason.modes.parts.variations import Variations
 from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes

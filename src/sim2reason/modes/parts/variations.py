@@ -13,9 +13,8 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.modes.parts.likely_answers import likely_answer
-from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol, Variation, answered
 from sim2reason.modes.parts.signs import sign_of, sums_in, turns
-from sim2reason.modes.parts.variation import Variation, answered
 from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST

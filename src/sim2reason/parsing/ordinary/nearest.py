@@ -6,8 +6,7 @@ from functools import cache
 
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.units import coherent
-from sim2reason.parsing.ordinary.content import Content, Told, content
-from sim2reason.parsing.ordinary.forms import Form, forms
+from sim2reason.parsing.ordinary.content import Content, Form, Told, content, forms
 from sim2reason.parsing.ordinary.vocabulary import NOUNS
 
 LEAST = 0.2  # of all words of two sentences that they share, for one to be shown as near the other

@@ -7,10 +7,8 @@ from itertools import islice, product
 
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.scene import World
-from sim2reason.parsing.ordinary.content import Content, content
-from sim2reason.parsing.ordinary.forms import Form
+from sim2reason.parsing.ordinary.content import Content, Form, content, reworded
 from sim2reason.parsing.ordinary.nearest import LONGEST, filled, same
-from sim2reason.parsing.ordinary.rewordings import reworded
 from sim2reason.parsing.ordinary.vocabulary import NOUNS
 from sim2reason.prose.closings import CLOSINGS, RESTS, is_assumption
 

@@ -1,15 +1,19 @@
-"""The Hugging Face hub: whether it can be asked, before its library asks again and again, and tells of each time."""
-
-# huggingface_hub is an extra:
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+"""Access to the Hugging Face hub, and the transformers library without its progress bars."""
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
+from warnings import catch_warnings, filterwarnings
 
-__all__ = ["explained", "loading", "out_of_reach"]
+from sim2reason.optional import optional
+
+__all__ = ["explained", "loading", "out_of_reach", "quiet"]
+
+# huggingface_hub is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 
 PATIENCE = 10.0  # s
 SHOWN = 200  # characters of what the library says about an error
@@ -56,3 +60,23 @@ def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
     except (OSError, ValueError, ImportError) as found:
         why = " ".join(str(found).split())[:SHOWN]
         raise error(f"no model could be loaded from {path!r}: {why}") from None
+
+
+@contextmanager
+def quiet() -> Generator[None, None, None]:
+    """Keep the library's bars and remarks from standard error while the block runs; errors are still raised.
+
+    So is what peft 0.21 provokes in transformers 5.23, an old name for a property. MissingExtraError without it.
+    """
+    logging = optional("transformers", "train").utils.logging
+    verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()
+    logging.set_verbosity_error()
+    logging.disable_progress_bar()
+    try:
+        with catch_warnings():
+            filterwarnings("ignore", message="`is_gradient_checkpointing` is deprecated", category=FutureWarning)
+            yield
+    finally:
+        logging.set_verbosity(verbosity)
+        if bars:
+            logging.enable_progress_bar()

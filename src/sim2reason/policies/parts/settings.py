@@ -1,7 +1,4 @@
-"""Settings in a YAML file: read strictly, bounded, and refused in one line."""
-
-# PyYAML's stubs leave nodes and events untyped:
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+"""Settings in a YAML file: read strictly, with errors that do not repeat secrets."""
 
 from collections.abc import Callable, Hashable, Mapping
 from pathlib import Path
@@ -11,17 +8,39 @@ from pydantic import BaseModel, ValidationError
 from yaml import AliasEvent, MappingNode, MarkedYAMLError, Node, SafeLoader, ScalarNode, YAMLError, load
 
 from sim2reason.errors import EvaluationError, Sim2ReasonError
-from sim2reason.policies.parts.words import first_fault
 from sim2reason.registry import Registry
 from sim2reason.scene_files.yaml_text import NUMBER, TRUTH
 
-__all__ = ["configuration", "each_of", "of_kind", "settings_in"]
+__all__ = ["configuration", "each_of", "first_fault", "held_to", "of_kind", "settings_in"]
+
+T = TypeVar("T")
+
+
+def held_to(check: Callable[[T], object], value: T) -> T:
+    """The value, for a validator; what `check` raises of ours is its ValueError, and so is told with its place."""
+    try:
+        check(value)
+    except Sim2ReasonError as error:
+        raise ValueError(str(error)) from None
+    return value
+
+
+def first_fault(error: ValidationError) -> str:
+    """The first fault, in one line: where, and what is wrong with it."""
+    detail = error.errors(include_url=False, include_input=False)[0]
+    where = ".".join(map(str, detail["loc"])) or "all of it"
+    said = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
+    return f"{where}: {said.removeprefix('Value error, ')}"
+
+
+# PyYAML's stubs leave nodes and events untyped:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 
 MAX_BYTES: Final = 2**20
 _TEXT: Final = "tag:yaml.org,2002:str"
 Fault = type[Sim2ReasonError]
 M = TypeVar("M", bound=BaseModel)
-T = TypeVar("T")
 
 
 class _Plain(SafeLoader):

@@ -10,9 +10,17 @@ from sim2reason.quantities.momentum import Momentum
 from sim2reason.quantities.subjects.bodies import Bodies, Whole
 from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import Functional, functional
-from sim2reason.questions.functionals.parts.encounter import encounter
-from sim2reason.questions.functionals.parts.event_count import EventCount
-from sim2reason.questions.functionals.parts.jump import BALANCE, energies, energy_lost, hits, is_loose, jumps, massive
+from sim2reason.questions.functionals.parts.integral import (
+    BALANCE,
+    EventCount,
+    encounter,
+    energies,
+    energy_lost,
+    hits,
+    is_loose,
+    jumps,
+    massive,
+)
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import WALLS, struck
 from sim2reason.questions.moments.collisions import LastCollision

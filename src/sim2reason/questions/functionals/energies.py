@@ -19,8 +19,7 @@ from sim2reason.quantities.subjects.lines import Springs, strings
 from sim2reason.quantities.subjects.paths import rides
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.functionals.parts.integral import Integral
-from sim2reason.questions.functionals.parts.jump import is_smooth
+from sim2reason.questions.functionals.parts.integral import Integral, is_smooth
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.slip_change import slip

@@ -12,8 +12,7 @@ from sim2reason.quantities.subjects.paths import is_welded_part
 from sim2reason.quantities.subjects.rods import line_pointer
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import Functional, functional
-from sim2reason.questions.functionals.parts.integral import Integral
-from sim2reason.questions.functionals.parts.jump import energies, energy_lost, is_smooth
+from sim2reason.questions.functionals.parts.integral import Integral, energies, energy_lost, is_smooth
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.study import Study

@@ -17,8 +17,7 @@ from sim2reason.questions.choices import still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.circles import circles, is_told_by_angles, leaves_circle
-from sim2reason.questions.functionals.parts.event_count import EventCount
-from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.functionals.parts.integral import EventCount, Integral
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.parts.turning_points import Apsis

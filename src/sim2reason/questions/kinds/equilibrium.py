@@ -21,8 +21,7 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
-from sim2reason.simulation.rest.likeness import alike_at_rest
-from sim2reason.simulation.rest.witness import unrest
+from sim2reason.simulation.rest.oscillation import alike_at_rest, unrest
 
 WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
 STILL = 1e-6  # m or rad

@@ -22,9 +22,7 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
-from sim2reason.simulation.rest.likeness import alike_at_rest
-from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
-from sim2reason.simulation.rest.witness import disagreement
+from sim2reason.simulation.rest.oscillation import Oscillations, alike_at_rest, disagreement, oscillations
 
 MEASURES = {
     "period": Measured("period", "s", least=1e-2),

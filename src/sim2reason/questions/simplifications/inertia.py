@@ -9,8 +9,7 @@ from sim2reason.dsl.solids import Solid
 from sim2reason.dsl.vectors import Vector, add, inner, scale
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
-from sim2reason.questions.simplifications.parts.figures import OtherFigure
-from sim2reason.questions.simplifications.parts.which import solid
+from sim2reason.questions.simplifications.parts.which import OtherFigure, solid
 from sim2reason.questions.study import Study
 
 

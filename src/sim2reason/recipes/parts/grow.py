@@ -1,4 +1,4 @@
-"""Growing a scene: entities are connected port by port, by what the ports say of themselves, until none is open."""
+"""Random scenes: entities are connected port by port until none is open."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -8,17 +8,17 @@ from math import exp, log
 import numpy as np
 
 from sim2reason.dsl.ablation import is_weightless, stuck_bodies
-from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import CONNECTIONS, Connection, Joint, Link
 from sim2reason.dsl.entity import ENTITIES, Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.mechanism import GRAVITY
 from sim2reason.dsl.model import Choice, draw
-from sim2reason.dsl.ports import Pass
+from sim2reason.dsl.ports import Pass, Stop, StringEnd
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import draft, written
-from sim2reason.recipes.parts.floors import leads_below_floor
 from sim2reason.recipes.parts.open_ports import (
     OpenPort,
     ends_for,
@@ -29,6 +29,45 @@ from sim2reason.recipes.parts.open_ports import (
     stands_still,
     takes,
 )
+
+LEVEL = 1e-9  # of a direction, or m: less is rounding
+
+
+def leads_below_floor(scene: Scene, joint: Joint) -> bool:
+    """Whether a string comes on the level from the foot of a slope, which stands on a floor, to the top of another.
+
+    The other slope would lie below the floor. What hangs there may: beyond the edge of a table, say.
+    """
+    ends = [stop for stop in joint.stops if isinstance(stop.port, StringEnd)]
+    return any(_leaves_at_foot(scene, end) for end in ends) and any(_leaves_upwards(scene, end) for end in ends)
+
+
+def _leaves_at_foot(scene: Scene, end: Stop) -> bool:
+    """Whether a string goes down to a corner of its own entity, and leaves that on the level."""
+    return _climb(scene, end) < -LEVEL and abs(_steepness(scene, end)) < LEVEL
+
+
+def _leaves_upwards(scene: Scene, end: Stop) -> bool:
+    """Whether a string goes up a slope, be it to a corner of its entity, or away from that."""
+    return _climb(scene, end) > LEVEL or LEVEL < _steepness(scene, end) < 1.0 - LEVEL
+
+
+def _climb(scene: Scene, end: Stop) -> float:
+    """How much higher a string leaves an entity than it is tied to it, m."""
+    alone = _alone(scene, end)
+    return alone.position(end.sites[-1])[2] - alone.position(end.sites[0])[2]
+
+
+def _steepness(scene: Scene, end: Stop) -> float:
+    """The sine of the angle at which a string leaves an entity; zero where it may leave in any direction."""
+    face = _alone(scene, end).faces.get(end.sites[-1])
+    return face[2] if face is not None else 0.0
+
+
+def _alone(scene: Scene, end: Stop) -> Builder:
+    """The entity to which an end of a string belongs, built by itself."""
+    return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
+
 
 TRIES = 100
 LONGEST_SENTENCE = 40  # words

@@ -1,16 +1,50 @@
-"""Recipes of one entity: each difficulty is a choice of ideas, and an idea narrows how the entity is drawn."""
+"""Recipes of one entity: ideas that narrow how it is drawn, and numbers that have to matter."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
+from pydantic import ValidationError
 
+from sim2reason.dsl.addresses import changed
 from sim2reason.dsl.entity import ENTITIES, Named
-from sim2reason.dsl.model import Choice, Choices, draw
+from sim2reason.dsl.model import Choice, Choices, Model, Parameter, draw, parameters
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
+
+FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled, an angle in degrees turned either way
+LEAST = 0.12  # of a response: less may move a speed, which goes with a root, by less than its tolerance
+V = TypeVar("V", bound=Model)
+
+
+def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAST) -> Iterator[str]:
+    """The addresses of the numbers that move none of the responses of an entity by `least`, relative."""
+    before = response(value)
+    for number in parameters(value):
+        if (
+            number.value
+            and not number.hidden
+            and not any(
+                abs(new - old) > least * abs(old)
+                for other in _moved(value, number)
+                for old, new in zip(before, response(other), strict=True)
+            )
+        ):
+            yield number.path
+
+
+def _moved(value: V, number: Parameter) -> Iterator[V]:
+    """The same with a number halved and doubled, as far as it is valid then."""
+    assert number.value is not None
+    turned = number.measure.unit == "deg"
+    for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
+        try:
+            yield changed(value, {number.path: new})
+        except (ValidationError, SceneError):
+            continue
+
 
 REDRAWS = 200  # of what does not suit an idea
 

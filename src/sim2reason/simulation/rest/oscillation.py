@@ -1,21 +1,23 @@
-"""Small oscillations about a stable equilibrium: M q̈ + K q = 0 along the motions that the rows allow.
-
-M and K are projected on these, ZᵀMZ and ZᵀKZ; what has no mass follows at once, so that it is eliminated
-(K − K₁₂ K₂₂⁻¹ K₂₁, Guyan 1965); the eigenvalues ω² of the rest are the squares of the angular frequencies.
-"""
+"""Small oscillations about a stable equilibrium, and their check by the second engine."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sim2reason.dsl.displaced import displaced
 from sim2reason.dsl.fields import Push
 from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.dsl.state import State
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.simulation.certify import SMOOTH, WITNESS
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
-from sim2reason.simulation.rest.equilibrium import Rest
+from sim2reason.simulation.rest.equilibrium import Rest, equilibrium, neighbour
 from sim2reason.simulation.rest.loads import Vector
+from sim2reason.simulation.trace import ENGINES
 
 MASSLESS = 1e-9  # of the largest inertia
 STILL = 1e-6  # of the largest ω²: less is none
@@ -71,3 +73,102 @@ def _conserves(mechanism: Mechanism) -> bool:
     """Whether no force depends on velocities, as those of dashpots, drag and magnets do."""
     dashpots = any(isinstance(line.law, Elastic) and line.law.damping for line in mechanism.lines)
     return not dashpots and all(isinstance(force.law, Push) or force.law.constant for force in mechanism.forces)
+
+
+SAME = 1e-6  # relative: what differs by less is the same; a stated number is shifted by a thousand times as much
+
+
+def alike_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
+    """Whether they differ in the speeds at the start alone, or agree at rest in some aspects, whatever came before.
+
+    Aspects are ``lengths`` of lines, ``forces``, ``inertia`` and ``stiffness``.
+    """
+    if len(one.coordinates) != len(other.coordinates):
+        return False
+    if _still(one) == _still(other):
+        return True
+    rest, again = equilibrium(one), equilibrium(other)
+    if rest is None or again is None:
+        return False
+    mine, its = _facts(rest), _facts(again)
+    return all(_same(mine[aspect], its[aspect]) for aspect in aspects)
+
+
+def _still(mechanism: Mechanism) -> Mechanism:
+    bodies = (
+        replace(body, coordinates=tuple(replace(coordinate, speed=0.0) for coordinate in body.coordinates))
+        for body in mechanism.bodies
+    )
+    return replace(mechanism, bodies=tuple(bodies))
+
+
+def _facts(rest: Rest) -> dict[str, Vector]:
+    state = rest.state
+    forces = [float(force[0]) for found in (state.tension, state.normal) for force in found.values()]
+    return {
+        "lengths": np.array([float(state.length(line)[0][0]) for line in rest.mechanism.lines]),
+        "forces": np.array(forces),
+        "inertia": inertia(rest),
+        "stiffness": rest.allowed @ rest.stiffness @ rest.allowed.T,
+    }
+
+
+def _same(mine: Vector, its: Vector) -> bool:
+    if mine.shape != its.shape:
+        return False
+    return bool(np.allclose(mine, its, rtol=0.0, atol=SAME * float(np.abs(mine).max(initial=0.0)), equal_nan=True))
+
+
+SMALL = 1e-3  # amplitude: rad, or that share of the shortest straight piece of a line
+SAMPLES = 5  # in half a period
+SHAPE = 1e-2  # of the amplitude: small oscillations are sines up to their size
+PHASE = 1e-3  # of a period
+INSTANT = 1e-3  # s: long enough for a state at rest
+
+
+def unrest(rest: Rest) -> str:
+    """Why the witness does not see everything at rest in an equilibrium, with the same forces; empty if it does."""
+    mechanism, still = rest.mechanism, [0.0] * len(rest.mechanism.coordinates)
+    try:
+        there = displaced(mechanism, rest.coordinates.tolist(), still)
+        seen = ENGINES[WITNESS](there, np.array([0.0, INSTANT])).state
+    except (SceneError, SimulationError, UnsupportedError) as error:
+        return f"no witness: {error}"
+    if float(np.abs(inertia(rest) @ seen.a[0]).max(initial=0.0)) > SMOOTH * _load(rest.state):
+        return "in the other engine the equilibrium is none"
+    for name in ("tension", "normal", "friction"):
+        ours, theirs = getattr(rest.state, name), getattr(seen, name)
+        if any(abs(float(theirs[key][0] - value[0])) > SMOOTH * _load(rest.state) for key, value in ours.items()):
+            return f"the engines disagree on a {name} at rest"
+    return ""
+
+
+def _load(state: State) -> float:
+    """The largest force at rest, N, or the largest weight."""
+    mechanism = state.mechanism
+    weight = max(body.mass for body in mechanism.bodies) * float(np.linalg.norm(mechanism.gravity))
+    forces = [*state.tension.values(), *state.normal.values()]
+    return max([weight, *(abs(float(force[0])) for force in forces if np.isfinite(force[0]))]) or 1.0
+
+
+def disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
+    """Why the witness does not swing in a mode as it is told, from a small displacement; empty if it does."""
+    mechanism, frequency, shape = rest.mechanism, float(modes.frequencies[number]), modes.shapes[:, number]
+    system = System(mechanism)
+    shortest = min([run.value for run in system.runs.values()], default=1.0)
+    hinges = np.array([coordinate.kind == "hinge" for coordinate in mechanism.coordinates])
+    shift = SMALL * shape / float((np.abs(shape) / np.where(hinges, 1.0, shortest)).max())
+    begun = neighbour(rest, shift)
+    times = np.linspace(0.0, np.pi / frequency, SAMPLES)
+    try:
+        trace = ENGINES[WITNESS](displaced(mechanism, begun.tolist(), [0.0] * len(begun)), times)
+    except (SceneError, SimulationError, UnsupportedError) as error:
+        return f"no witness: {error}"
+    if trace.stable_until < times[-1]:
+        return "in the other engine the oscillation ends"
+    places = trace.state.q + (begun - rest.coordinates)
+    mass = inertia(rest)
+    size = float(shift @ mass @ shift)
+    apart = np.abs(places @ mass @ shift / size - np.cos(frequency * times)).max()
+    late = float(np.abs(trace.state.v[-1] @ mass @ shift)) / (size * frequency) / (2.0 * np.pi)
+    return "" if apart <= SHAPE and late <= PHASE else "in the other engine it oscillates otherwise"

@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sim2reason.training.extras import library
-from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
-from sim2reason.training.gspo.stream import PromptStream
+from sim2reason.training.gspo.settings import GSPOSettings, PromptStream, VllmSettings
 from sim2reason.training.models import Checkpoint
 
 if TYPE_CHECKING:

@@ -27,12 +27,10 @@ from sim2reason.training.gspo.checkpoints import (
     unmark,
 )
 from sim2reason.training.gspo.logprobs import score
-from sim2reason.training.gspo.measures import Meter, collapse
 from sim2reason.training.gspo.rollouts import Rollouts
-from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill
-from sim2reason.training.gspo.settings import GSPOSettings
+from sim2reason.training.gspo.sampling import Answered, Filled, Meter, Place, balance, collapse, fill
+from sim2reason.training.gspo.settings import Drawn, GSPOSettings, PromptStream, Row, draw
 from sim2reason.training.gspo.step_log import StepLog
-from sim2reason.training.gspo.stream import Drawn, PromptStream, Row, draw
 
 __all__ = ["GSPOTrainer"]
 

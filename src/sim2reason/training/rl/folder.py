@@ -17,7 +17,7 @@ from sim2reason.training.problem import Problem
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import WARM_START, HeldOut, ReinforcementLearning
 from sim2reason.training.run_plan import RL_PLAN, claim, finish, result_in
-from sim2reason.training.sft.folder import SftFolder
+from sim2reason.training.sft.config import SftFolder
 
 __all__ = ["Trained", "TrainingFolder"]
 

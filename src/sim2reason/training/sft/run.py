@@ -16,8 +16,7 @@ from sim2reason.training.corpora.parts.mix import counted
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.models import Loaded, spoken_to
 from sim2reason.training.models.parts.checkpoint import context_of
-from sim2reason.training.sft.config import FineTuning, fine_tuning_from
-from sim2reason.training.sft.folder import FineTuned, SftFolder
+from sim2reason.training.sft.config import FineTuned, FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.trainer import arguments, trainer
 
 __all__ = ["prepare_sft", "train_sft"]

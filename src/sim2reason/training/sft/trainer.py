@@ -21,8 +21,7 @@ from sim2reason.training.extras import External, library
 from sim2reason.training.models import Loaded
 from sim2reason.training.optimizers import muon_with_adamw
 from sim2reason.training.sft.by_length import sampler_by_length
-from sim2reason.training.sft.config import FineTuning
-from sim2reason.training.sft.folder import SftFolder
+from sim2reason.training.sft.config import FineTuning, SftFolder
 
 __all__ = ["arguments", "trainer"]
 

@@ -12,8 +12,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
-from sim2reason.benchmarks.runs.copied_answers import copy_answers
-from sim2reason.benchmarks.runs.folder import RUN
+from sim2reason.benchmarks.runs.folder import RUN, copy_answers
 from sim2reason.datasets.atomic_files import canonical, put_text, working_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import require

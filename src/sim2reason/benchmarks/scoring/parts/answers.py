@@ -1,13 +1,17 @@
-r"""Where answers stand in a response: in its boxes, after the thinking."""
+"""Answers in a response: boxes, letters of options, and numbers."""
 
 import re
 from typing import Final
 
+from sim2reason.dsl.units import Unit, UnitError, parse_unit
+from sim2reason.grading import Outcome, number
 from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, spoken
 from sim2reason.grading.hiding import fault_of_box
+from sim2reason.grading.number import unit_stated
 from sim2reason.grading.score import Refused
+from sim2reason.grading.unit_spelling import unit_in
 
-__all__ = ["after_thinking", "boxes", "in_box", "parts"]
+__all__ = ["after_thinking", "agrees", "boxes", "chosen", "in_box", "parts", "read", "said_without_box", "unit_or_none"]
 
 MOST: Final = 64  # boxes that are looked at, the last ones
 _AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
@@ -59,3 +63,76 @@ def parts(answer: str, *, thousands: bool = True) -> list[str]:
             start = place + 1
     found.append(text[start:])
     return [part.strip().rstrip(".") for part in found if part.strip(" .")]
+
+
+LAST: Final = 1000  # characters in which an answer without a box must stand
+_DRESS: Final = re.compile(
+    r"\\(?:text|textbf|textrm|mathrm|mathbf|bf|rm|boldsymbol|mathsf)(?![A-Za-z])|\\[,;: &]|[{}$*~]"
+)
+_WORDS: Final = re.compile(r"\b(?:and|only|options?|answers?|choices?|is|are|the|correct)\b|&", re.IGNORECASE)
+_LETTERS: Final = re.compile(r"[\s(),;./\[\]|]*([A-D](?:[\s(),;./\[\]|]*[A-D])*)[\s(),;./\[\]|:]*")
+_LABELLED: Final = re.compile(r"\s*(?:\(([A-D])\)|([A-D])[).:])\s*\S.*", re.DOTALL)
+_LABEL: Final = re.compile(r"\([A-D]\)|(?<![A-Za-z])[A-D][).:]")
+_NONE: Final = re.compile(r"\s*none(?: of (?:the|these)(?: above| options)?)?\s*", re.IGNORECASE)
+_SAID: Final = re.compile(
+    r"(?:[Aa]nswers?|[Oo]ptions?|[Cc]hoices?)\b[^A-Za-z\n]{0,4}(?:(?:is|are|would be|must be)\b)?"
+    r"[\s:*]{0,6}(?:options?\b)?[\s:*]{0,4}"
+    r"((?:[(\[]?[A-D][)\]]?(?![a-z])(?:\s*(?:,|and|&)?\s*(?=[(\[]?[A-D][)\]]?(?![a-z])))?)+)"
+)
+
+
+def chosen(content: str) -> frozenset[str] | None:
+    """The options that an answer names, such as ``A``, ``(A), (C)``, ``ABD`` or ``B) 6.4 J``; None if it is no such.
+
+    *None* and *none of these* name no option.
+    """
+    if _NONE.fullmatch(content):
+        return frozenset()
+    plain = _DRESS.sub(" ", content)
+    match = _LETTERS.fullmatch(_WORDS.sub(" ", plain))
+    if match is not None:
+        return frozenset(re.findall("[A-D]", match[1]))
+    match = _LABELLED.fullmatch(plain)
+    if match is not None and len(_LABEL.findall(plain)) == 1:
+        return frozenset(match[1] or match[2])
+    return None
+
+
+def said_without_box(response: str) -> frozenset[str] | None:
+    """The options of the last *answer is …* near the end of a response; None if there is none."""
+    *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
+    return None if last is None else frozenset(re.findall("[A-D]", last[1]))
+
+
+def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0) -> float | None:
+    """The one number that an answer says, in `unit` where that is known; None if it says none, or in no such unit.
+
+    `expected` decides how a direction without a sign is read.
+    """
+    found = number(in_box(content), expected, unit)
+    return (
+        found.parsed if found.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(found.parsed, float) else None
+    )
+
+
+def agrees(right: str, said: str, tolerance: float) -> bool | None:
+    """Return whether two answers give the same number, within a tolerance relative to the right answer.
+
+    None where the right answer is no number. Its unit holds for both; without a unit, the other's unit is ignored.
+    """
+    stated = unit_stated(right)
+    unit = stated if stated is not None and any(stated.dimension) else None
+    value, other = read(right, unit), read(said, unit)
+    if value is None:
+        return None
+    return other is not None and abs(other - value) <= tolerance * abs(value)
+
+
+def unit_or_none(text: object) -> str | None:
+    """The name of a unit of our table; None for one that it does not hold, and where none is said."""
+    if not isinstance(text, str) or not text.strip(" $"):
+        return None
+    try:
+        return parse_unit(unit_in(text.strip(" $"), None).name).name
+    except UnitError:
+        return None

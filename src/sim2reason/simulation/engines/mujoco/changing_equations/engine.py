@@ -5,9 +5,14 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.changing_equations.events import ARMED, TOLERANCE, EventSearch
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found
-from sim2reason.simulation.engines.mujoco.changing_equations.margins import ActingModel, Due
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import (
+    ARMED,
+    TOLERANCE,
+    ActingModel,
+    Due,
+    EventSearch,
+)
 from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot
 from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated

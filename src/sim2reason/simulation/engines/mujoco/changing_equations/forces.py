@@ -1,17 +1,47 @@
-"""The forces of one way in which rows, faces and friction can act: one linear system, solved.
-
-Forces and impulses are the same problem, for accelerations and for velocities after an impact. Rows pull or push one
-way, faces press or come apart, friction holds or is µN.
-"""
+"""The linear system of all forces in one mode of rows, contacts and friction."""
 
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.record import record
 from sim2reason.simulation.budget import Budget
-from sim2reason.simulation.engines.mujoco.changing_equations.bracing import braced
+
+FLAT = 1e-10  # of the largest: a singular value that is none
+MOST = 3000  # corners that are looked at
+SLIP = 1e-9  # of the largest margin: by how much a corner may violate a condition
+
+
+def braced(solution: Array, free: Array, conditions: Array) -> Array:
+    """The solution + a combination of the rows of `free` (k, size) for which the least of conditions·x is greatest.
+
+    It lies where k + 1 of the conditions (m, size) are equal, so all such corners are tried. Where nothing bounds it,
+    the solution stays as it is.
+    """
+    left, sizes, right = np.linalg.svd(conditions @ free.T)
+    del left
+    rank = int((sizes > FLAT * max(float(sizes.max(initial=0.0)), 1e-300)).sum())
+    ways = right[:rank] @ free
+    base, change = conditions @ solution, conditions @ ways.T
+    corners = np.array(list(combinations(range(len(base)), rank + 1))[:MOST], dtype=np.intp)
+    if rank == 0 or not len(corners):
+        return solution
+    matrix = np.concatenate([change[corners], -np.ones((*corners.shape, 1))], axis=2)
+    sound = np.abs(np.linalg.det(matrix)) > FLAT
+    if not sound.any():
+        return solution
+    found = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
+    margins = base + found[:, :-1] @ change.T
+    near = SLIP * max(float(np.abs(base).max(initial=0.0)), 1.0)
+    allowed = margins.min(axis=1) >= found[:, -1] - near
+    if not allowed.any():
+        return solution
+    best = found[np.where(allowed, found[:, -1], -np.inf).argmax()]
+    return np.asarray(solution + best[:-1] @ ways, dtype=np.float64)
+
 
 SINGULAR = 1e-10  # of the largest singular value
 TRY, FORCE = 4_000, 1_500  # operations that a way costs, and for each row and face more
@@ -186,3 +216,46 @@ def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
     if rank < len(wanted) and np.abs(a @ found - b).max() > 1e-7 * (1.0 + np.abs(b).max()):
         return None, free
     return found, free
+
+
+@record()
+class Row:
+    """A one-sided row (or one that acts both ways): J·q̈ ≤ target, spare ≥ 0, used up at `rate`."""
+
+    kind: str  # string, rod, prop, foot, hold, stuck
+    name: str
+    gradient: Array  # (joints,)
+    spare: float
+    rate: float
+    target: float
+    follows: int = -1
+
+    @property
+    def both(self) -> bool:
+        """Whether it acts both ways."""
+        return self.kind in ("rod", "hold", "stuck")
+
+
+@record()
+class Moving:
+    """A point: where it is, its velocity, its acceleration at q̈ = 0, and its Jacobian (3, joints)."""
+
+    place: Array
+    velocity: Array
+    bias: Array
+    jacobian: Array
+
+
+@dataclass
+class Situation:
+    """What is switched on or off: forces in regions, engines, pairs that stick together, springs that act one way."""
+
+    inside: list[list[bool]]
+    burning: list[bool]
+    stuck: list[bool]
+    strained: list[bool]
+
+    def copy(self) -> "Situation":
+        """The same, to be kept."""
+        inside = [list(each) for each in self.inside]
+        return Situation(inside, list(self.burning), list(self.stuck), list(self.strained))

@@ -1,6 +1,7 @@
-"""What is watched while one way of acting lasts: margins, positive until something happens."""
+"""Margins that the engine watches while a mode lasts, and the location of events within a step."""
 
 from collections.abc import Callable, Iterator
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -11,14 +12,15 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     NEVER,
     Faces,
     Found,
+    Situation,
     Way,
     acting,
     quick,
     system,
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
-from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot
-from sim2reason.simulation.engines.mujoco.changing_equations.situation import Situation
+from sim2reason.simulation.engines.mujoco.changing_equations.record import TOGETHER, HardRecord, Knot, Quintic
+from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 """Margins that can dip below zero and rise again within a step."""
@@ -144,3 +146,162 @@ class ActingModel:
         for number in range(len(mechanism.forces)):
             for side, margin in enumerate(model.borders(number)):
                 yield Due("border", number, side, margin if self.situation.inside[number][side] else -margin)
+
+
+TOLERANCE = 2e-8  # of a step, relative
+DRIFT = 1e-5  # how far below zero a margin may begin, as steps and impacts leave it
+ARMED = 1e-7  # what a margin that begins at zero, or a little below, must exceed before it can be due
+TIE = 1e-7  # of the duration: events that are no further apart are simultaneous
+SOUGHT = 12  # tries to end a step where something is due
+CLOSE = 1e-13  # of the duration: how well an event is located
+WIDTH = 1e-4  # of a step, over which a slope is taken
+NARROW = 1e-7  # of a step, over which it is told on which side of its bottom a dip is
+FORESEEN = 1e-5  # of a step: how well its end is foreseen before it is found
+HALVINGS = 30  # tries to find a point of a step at which a distance is less than nothing
+
+
+def _room(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
+    """How far a margin may fall short of nothing before it is due; from a hair below on, if it begins there."""
+    if ready or margin < -DRIFT:
+        return 0.0
+    return ARMED + max(0.0, -margin)
+
+
+class EventSearch:
+    """One step, its margins at both ends, and which of them were ever more than nothing."""
+
+    def __init__(
+        self, acting: ActingModel, step: tuple[Knot, Knot], ends: tuple[list[Due], list[Due]], armed: list[bool]
+    ) -> None:
+        """Nothing is searched yet."""
+        self._acting, self._step, self._ends, self._curve = acting, step, ends, Quintic(*step)
+        self._room = [_room(due.value, ready) for due, ready in zip(ends[0], armed, strict=True)]
+        self._span = step[1].time - step[0].time
+
+    def due(self, duration: float) -> tuple[Knot, list[Due]] | None:
+        """The end of the step where something is due first, and what is; None if nothing is."""
+        start, before = self._step[0], self._ends[0]
+        if self._worst(before) < 0.0:
+            return start, [due for due, r in zip(before, self._room, strict=True) if due.value + r < 0.0]
+        x = self._foreseen()
+        if x is None:
+            return None
+        if self._arm(0.5 * x):
+            x = self._foreseen() or x
+        here, margins, tolerance = start, before, TOLERANCE * self._acting.closeness(start)
+        for _ in range(SOUGHT):
+            tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance)
+            here, margins = self._acting.knot(start.time + x * self._span, tried.values)
+            change = self._change(x, margins)
+            if abs(change) * self._span <= CLOSE * duration or not 0.0 < x + change <= 1.2:
+                break
+            x += change
+        return here, self._simultaneous(margins, duration)
+
+    def _change(self, x: float, margins: list[Due]) -> float:
+        """By how much of the step to go on, or back, to where nothing is left: by Newton's method.
+
+        How fast two points come together is known; once they part they have met, and that was on the other side.
+        """
+        short = self._worst(margins)
+        for due, room in zip(margins, self._room, strict=True):
+            if due.kind == "reach" and due.value + room == short:
+                rate = self._acting.record.run_rate(due.number) * self._span
+                return -(short + (2.0 * TOGETHER if rate > 0.0 else 0.0)) / rate if rate else 0.0
+        slope = (self._left(x + WIDTH) - self._left(x - WIDTH)) / (2.0 * WIDTH)
+        return -short / slope if slope else 0.0
+
+    def _arm(self, x: float) -> bool:
+        """Whether margins that began as nothing were more than that at a fraction of the step: such count from zero."""
+        risen = [room > 0.0 and due.value > ARMED for room, due in zip(self._room, self._between(x), strict=True)]
+        self._room = [0.0 if rose else room for rose, room in zip(risen, self._room, strict=True)]
+        return any(risen)
+
+    def _simultaneous(self, margins: list[Due], duration: float) -> list[Due]:
+        """What is due, and what will be within a tie."""
+        speeds = [abs(b.value - a.value) / self._span for a, b in zip(*self._ends, strict=True)]
+        near = [max(1e-9, TIE * duration * speed) for speed in speeds]
+        return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
+
+    def _worst(self, margins: list[Due]) -> float:
+        """What is left of the margin that has least; once two points of a line have met, forces there mean nothing."""
+        left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
+        met = min((value for value, kind in left if kind == "reach"), default=1.0)
+        return met if met < 0.0 else min(left, default=(1.0, ""))[0]
+
+    def _foreseen(self) -> float | None:
+        """The fraction of the step at which something is due, by the curve between its ends; None if nothing is."""
+        high = 0.5 if self._left(0.5) < 0.0 else 1.0
+        if high == 1.0 and self._worst(self._ends[1]) >= 0.0:
+            dip = self._dip()
+            if dip is None:
+                return None
+            high = dip
+        return self._crossing(0.0, high)
+
+    def _crossing(self, low: float, high: float) -> float:
+        """The end of a short piece of the step in which the last is used up; each piece is halved at least.
+
+        Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
+        (1979), and are bracketed at once.
+        """
+        left, over = self._left(low), self._left(high)
+        while high - low > FORESEEN:
+            middle = 0.5 * (low + high)
+            value = self._left(middle)
+            root = sqrt(max(value * value - left * over, 0.0))
+            guess = middle + (middle - low) * (value / root if root else 0.0)
+            low, high, left, over = (middle, high, value, over) if value > 0.0 else (low, middle, left, value)
+            for x in (guess - 0.4 * FORESEEN, guess + 0.4 * FORESEEN):
+                if low < x < high:
+                    value = self._left(x)
+                    low, high, left, over = (x, high, value, over) if value > 0.0 else (low, x, left, value)
+        return high
+
+    def _dip(self) -> float | None:
+        """Where a distance that is left at both ends of the step is used up between them.
+
+        It falls at the first and rises at the second, and the tangents there meet below zero, or two points of a line
+        come together, which may bend the tangents the other way.
+        """
+        reach = [due.kind == "reach" for due in self._ends[0] if due.kind in DISTANCES]
+        ends = [[due.value for due in each if due.kind in DISTANCES] for each in self._ends]
+        if not ends[0]:
+            return None
+        falls = (np.array(self._distances(WIDTH)) - ends[0]) / WIDTH
+        rises = (np.array(ends[1]) - self._distances(1.0 - WIDTH)) / WIDTH
+        for number, (left, right, fall, rise, meets) in enumerate(zip(*ends, falls, rises, reach, strict=True)):
+            if fall < 0.0 < rise:
+                meet = (left - right + rise) / (rise - fall)
+                if (meets or left + fall * meet < 0.0) and (found := self._bottom(number, float(meet))) is not None:
+                    return found
+        return None
+
+    def _bottom(self, number: int, x: float) -> float | None:
+        """A fraction of the step at which a distance is less than nothing, sought from `x` on down its slope."""
+        low, high = 0.0, 1.0
+        for _ in range(HALVINGS):
+            value, after = (self._distances(each)[number] for each in (x, x + NARROW))
+            if value < 0.0:
+                return x
+            low, high = (x, high) if after < value else (low, x)
+            x = 0.5 * (low + high)
+        return None
+
+    def _distances(self, x: float) -> list[float]:
+        """The margins at a fraction of the step that are distances."""
+        self._stand(x)
+        return [due.value for due in self._acting.distances()]
+
+    def _left(self, x: float) -> float:
+        """What is left of the worst margin at a fraction of the step, by the curve between its ends."""
+        return self._worst(self._between(x))
+
+    def _between(self, x: float) -> list[Due]:
+        """All margins at a fraction of the step."""
+        self._stand(x)
+        return self._acting.margins()
+
+    def _stand(self, x: float) -> None:
+        time = self._step[0].time + x * self._span
+        self._acting.model.stand(time, *self._curve.at(time), self._acting.situation)

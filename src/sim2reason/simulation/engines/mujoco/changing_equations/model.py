@@ -15,9 +15,8 @@ from sim2reason.dsl.vectors import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, quick
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, Moving, Row, Situation, quick
 from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
-from sim2reason.simulation.engines.mujoco.changing_equations.situation import Moving, Row, Situation
 from sim2reason.simulation.engines.mujoco.changing_equations.specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 

@@ -10,9 +10,15 @@ import numpy as np
 from sim2reason.dsl.mechanism import Rigid
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found, HardInstant, Way, solved
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+    Found,
+    HardInstant,
+    Row,
+    Situation,
+    Way,
+    solved,
+)
 from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
-from sim2reason.simulation.engines.mujoco.changing_equations.situation import Row, Situation
 
 TOGETHER = 1e-6  # m; the same where they may pass each other aside, since no sign tells
 MEET = 1e-9  # m; ends of a line that are no farther apart have met

@@ -6,13 +6,18 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.changing_equations.events import TIE
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way
-from sim2reason.simulation.engines.mujoco.changing_equations.margins import Due
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+    NEVER,
+    Found,
+    HardInstant,
+    Row,
+    Situation,
+    Way,
+)
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import TIE, Due
 from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
 from sim2reason.simulation.engines.mujoco.changing_equations.modes import everything, search
 from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot, at_present
-from sim2reason.simulation.engines.mujoco.changing_equations.situation import Row, Situation
 from sim2reason.simulation.trace import Event
 
 TOUCHING = 1e-7  # m; less is no distance

@@ -1,15 +1,22 @@
-"""OlympiadBench: numbers within the item's own error, expressions, equations, intervals and tuples, several answers.
-
-He et al., *OlympiadBench* (ACL 2024), and their ``auto_scoring_judge.py``: several answers are compared in any order;
-± stands for two; a number may be off by 1e-8 or by the item's own error, and by a hundredth of that. Where this
-differs on purpose is written down in docs/evaluation.md.
-"""
+"""Scoring of exams: HiPhO, JEEBench and OlympiadBench."""
 
 import re
-from typing import Final, NamedTuple
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Final, NamedTuple, cast
+
+from pydantic import JsonValue
 
 from sim2reason.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
-from sim2reason.benchmarks.scoring.parts.answers import boxes, parts
+from sim2reason.benchmarks.scoring.parts.answers import (
+    boxes,
+    chosen,
+    in_box,
+    parts,
+    read,
+    said_without_box,
+    unit_or_none,
+)
 from sim2reason.benchmarks.scoring.parts.expressions import (
     equal_expressions,
     equivalent_equations,
@@ -18,14 +25,94 @@ from sim2reason.benchmarks.scoring.parts.expressions import (
     same_text,
 )
 from sim2reason.benchmarks.scoring.parts.matching import paired
-from sim2reason.benchmarks.scoring.parts.numbers import read, unit_or_none
+from sim2reason.grading import number
 
-__all__ = ["OlympiadBench", "expected_parts"]
+__all__ = ["HiPhO", "JEEBench", "OlympiadBench", "expected_parts"]
+
+TOLERANCE = 0.05
+
+
+class HiPhO(Scoring):
+    """By the points of each question of a problem; the last boxes are its answers, in order."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `parts`, each with `answer`, `unit` and `points`."""
+        wanted = cast("list[Mapping[str, JsonValue]]", reference["parts"])
+        found = boxes(response)[-len(wanted) :]
+        if not found:
+            return Award.unreadable("there is no box")
+        if len(found) < len(wanted):
+            return Award(0.0, parsed=", ".join(found), why=f"{len(found)} boxes where {len(wanted)} are asked")
+        worth = [float(cast("float", part["points"])) for part in wanted]
+        good = [_right(part, said) for part, said in zip(wanted, found, strict=True)]
+        earned = sum(points for points, right in zip(worth, good, strict=True) if right) / sum(worth)
+        return Award(earned, parsed=", ".join(found), why=f"right: {sum(good)} of {len(good)}")
+
+
+def _right(part: Mapping[str, JsonValue], said: str) -> bool:
+    answer, unit = str(part["answer"]), unit_or_none(part.get("unit"))
+    if same_text(answer, said):
+        return True
+    if is_equation(answer):
+        return bool(equivalent_equations(answer, said))
+    value = read(answer, unit)
+    if value is not None:
+        return number(in_box(said), value, unit, tolerance=TOLERANCE).reward == 1.0
+    return bool(equal_expressions(answer, said))
+
+
+SCORINGS.add("hipho", HiPhO())
+
+
+WITHIN = Fraction(1, 100)
+QUARTER = 0.25
+JEEBENCH_ROUNDING = Fraction(1, 10**9)  # of numbers that were computed from fractions and roots, in floats
+ONE, SEVERAL, INTEGER, NUMERIC = "MCQ", "MCQ(multiple)", "Integer", "Numeric"
+TYPES = ONE, SEVERAL, INTEGER, NUMERIC
+
+
+class JEEBench(Scoring):
+    """By JEEBench's own rule: its four types of question, partial credit among them."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `type` and `answer`."""
+        answer = str(reference["answer"])
+        if reference["type"] in {ONE, SEVERAL}:
+            return _options(response, frozenset(answer), partial=reference["type"] == SEVERAL)
+        return _number(response, answer, exact=reference["type"] == INTEGER)
+
+
+def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
+    found = boxes(response)
+    said = chosen(found[-1]) if found else said_without_box(response)
+    if said is None:
+        return Award.unreadable("no options in the box" if found else "no box and no answer in words")
+    named = "".join(sorted(said))
+    if said == right:
+        return Award(1.0, parsed=named)
+    if partial and said <= right:
+        return Award(QUARTER * len(said), parsed=named, why=f"{len(said)} of {len(right)} right options, none wrong")
+    return Award(0.0, parsed=named, why=f"the right options are {''.join(sorted(right))}")
+
+
+def _number(response: str, answer: str, *, exact: bool) -> Award:
+    found = boxes(response)
+    score = number(in_box(found[-1]) if found else response, float(answer), lenient=True)
+    if not isinstance(score.parsed, float):
+        return Award.unreadable(score.why)
+    # Decimals as they are written: in floats 0.76 is farther than 0.01 from 0.75.
+    said, right = Fraction(repr(score.parsed)), Fraction(answer)
+    good = abs(said - right) <= (JEEBENCH_ROUNDING * max(1, abs(right)) if exact else WITHIN + JEEBENCH_ROUNDING)
+    return Award.all_or_nothing(good, f"{score.parsed:g}", "" if good else f"the right number is {answer}")
+
+
+SCORINGS.add("jeebench", JEEBench())
+
 
 ERROR: Final = 1e-8
 LEEWAY: Final = 1.01  # of the error, as published
 SMALL: Final = 0.01  # of a number: the most that it may be off where its item says no error
-ROUNDING: Final = 1e-12  # relative, of floats
+OLYMPIADBENCH_ROUNDING: Final = 1e-12  # relative, of floats
 MOST: Final = 12  # answers to one problem
 _PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
 _CALLED: Final = re.compile(r"^[^=]*=\s*(?=[(\[])|^.*\\in(?![A-Za-z])\s*")
@@ -128,7 +215,7 @@ def _near(right: _Expected, value: float, said: str) -> bool:
         value *= 100.0  # it was read as a share, and its error is in per cent
     error = min(ERROR, SMALL * abs(value)) if right.error is None and value else right.error or 0.0
     scales = (1.0, 100.0) if right.percent else (1.0,)
-    return any(abs(found * scale - value) <= LEEWAY * error + ROUNDING * abs(value) for scale in scales)
+    return any(abs(found * scale - value) <= LEEWAY * error + OLYMPIADBENCH_ROUNDING * abs(value) for scale in scales)
 
 
 def _is_list(text: str) -> bool:

@@ -1,4 +1,4 @@
-"""Our own suite: the items of a dataset folder, or problems drawn from a seed that no training has seen."""
+"""Benchmarks from files of problems: JSON lines, saved datasets and problems drawn anew."""
 
 from collections.abc import Iterator
 from itertools import islice
@@ -6,17 +6,43 @@ from pathlib import Path
 from typing import Annotated, Self
 
 from annotated_types import Ge, Le
-from pydantic import JsonValue, model_validator
+from pydantic import JsonValue, ValidationError, model_validator
 
 from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
+from sim2reason.benchmarks.parts.files import rows
+from sim2reason.benchmarks.parts.questions import QuestionFile
 from sim2reason.datasets.chosen import Chosen
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import stream
 from sim2reason.datasets.names import modes_named
 from sim2reason.datasets.request import LARGEST
+from sim2reason.errors import EvaluationError
+from sim2reason.policies.parts.settings import first_fault
 
-__all__ = ["SYNTHETIC", "Synthetic", "benchmark_item"]
+__all__ = ["SYNTHETIC", "AnyFile", "Saved", "Synthetic", "benchmark_item"]
+
+
+@BENCHMARKS.register("jsonl")
+class AnyFile(QuestionFile):
+    """Any .json, .jsonl or .parquet file of questions with answers; columns and rule are settings."""
+
+
+@BENCHMARKS.register("saved")
+class Saved(Benchmark):
+    """Problems that a run has saved: the held-out ones of a training, or those of another evaluation."""
+
+    file: Path
+    """A .jsonl file such as RUN/problems/BENCHMARK.jsonl."""
+
+    def problems(self) -> Iterator[BenchmarkItem]:
+        """Those of the file, in its order."""
+        for number, row in enumerate(rows(self.file)):
+            try:
+                yield BenchmarkItem.model_validate(row)
+            except ValidationError as error:
+                raise EvaluationError(f"{self.file}: row {number}: {first_fault(error)}") from None
+
 
 SYNTHETIC = "synthetic"
 DRAWN = 100
