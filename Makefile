@@ -126,7 +126,8 @@ docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
 	$(BIN)/sim2reason schema --reference -o docs/questions.md
 	$(BIN)/python docs/grading_examples.py
 	$(BIN)/python docs/gallery.py
-	$(BIN)/python tests/support/readme.py README.md --write
+	$(BIN)/python tests/support/readme.py README.md docs/for-language-models.md --write
+	$(BIN)/python tests/support/readme.py docs/howto/*.md --write
 
 format: .venv/dev ## mend what can be mended by itself
 	$(BIN)/ruff check --fix .

@@ -78,6 +78,27 @@ def test_python_blocks_run_where_their_libraries_are(tmp_path: Path, block: str,
     assert readme.main(str(page)) == code
 
 
+def test_a_doctest_is_written_anew_with_its_output(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("```python\n>>> x = 1\n>>> x + 1\n3\n>>> print('a ' * 80)\nb\n>>> x\n1\n```\n", encoding="utf-8")
+    assert readme.main(str(page)) == 1
+    assert readme.main(str(page), write=True) == 0
+    lines = page.read_text(encoding="utf-8").splitlines()
+    assert lines[3] == "2"
+    assert [len(line) for line in lines[5:7]] == [99, 59]
+    assert lines[7:] == [">>> x", "1", "```"]
+    assert readme.main(str(page)) == 0
+
+
+def test_a_doctest_that_raises_or_lacks_a_library_is_not_written_anew(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    for block, code in ((">>> 1 / 0\n1", 1), (">>> import no_such_library\n1", 0)):
+        text = f"```python\n{block}\n```\n"
+        page.write_text(text, encoding="utf-8")
+        assert readme.main(str(page), write=True) == code
+        assert page.read_text(encoding="utf-8") == text
+
+
 def test_commands_of_a_library_run_where_it_is(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     for library, code in (("json", 3), ("no_such_library", 0)):

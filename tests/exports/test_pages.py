@@ -42,7 +42,8 @@ def test_each_library_is_locked() -> None:
 
 
 ROOT = PAGES.parents[1]
-SHOWN = "src", "docs", "examples", "experiments", "benchmarks", "README.md", "CONTRIBUTING.md"
+FOLDERS = "src", "docs", "examples", "experiments", "benchmarks"
+SHOWN = *FOLDERS, "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "llms.txt"
 INDEX = re.compile(r"(?:pip3? install|uv add|uv pip install)[^\n`]*?(?<![/\w.-])sim2reason(?![/\w-])")
 NAMED = re.compile(r"^sim2reason\b|^dependencies = .*[\"']sim2reason\b(?!-)", re.MULTILINE)
 """A requirement that pip would look up by the name."""

@@ -7,8 +7,9 @@
 A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output, where
 ``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
 Lines of set-up (pip, git, make, cd) are left out: whoever runs this has done them.
-A block fenced as ``python`` is run as a program, or held to what it prints where it has lines with ``>>>``. One whose
-libraries are not all installed is left out, and said so; so are commands fenced as ``console LIBRARY`` without it.
+A block fenced as ``python`` is run as a program. One with lines that begin with ``>>>`` is run as a doctest that
+ignores differences in whitespace, so that a long line of output can be wrapped. A block whose libraries are not all
+installed is left out, and said so; so are commands fenced as ``console LIBRARY`` without it.
 """
 
 import argparse
@@ -29,7 +30,23 @@ SHARED = "examples", "experiments"  # which pages name as they stand in the repo
 EXAMPLES = """
 import doctest, sys
 examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
-sys.exit(doctest.DocTestRunner().run(examples).failed)
+sys.exit(doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE).run(examples).failed > 0)
+"""
+CORRECTED = """
+import doctest, sys, textwrap
+examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
+changes = []
+class Corrector(doctest.DocTestRunner):
+    def report_failure(self, out, test, example, got):
+        changes.append((example, got))
+failed = Corrector(optionflags=doctest.NORMALIZE_WHITESPACE).run(examples, out=sys.stderr.write).failed
+lines = sys.argv[1].splitlines()
+for example, got in reversed(changes):
+    first = example.lineno + example.source.count("\\n")
+    wrapped = [part for line in got.splitlines() for part in textwrap.wrap(line, 100) or ["<BLANKLINE>"]]
+    lines[first : first + example.want.count("\\n")] = wrapped
+print(*lines, sep="\\n")
+sys.exit(failed > len(changes))
 """
 IMPORTED = re.compile(r"^\s*(?:>>> )?(?:from|import) (\w+)", re.MULTILINE)
 
@@ -44,16 +61,19 @@ class Shown:
     stop: int
 
 
-def shown(text: str) -> Iterator[Shown]:
-    """What is to be run of `text`, in order."""
+def shown(text: str, *, write: bool = False) -> Iterator[Shown]:
+    """What is to be run of `text`, in order; with `write` a doctest is replaced by one with its actual output."""
     for language, lines, start in _blocks(text):
         kind, _, library = language.partition(" ")
         if kind == "console" and library and importlib.util.find_spec(library) is None:
             yield Shown(_left_out([library]), (), start, start)
         elif kind == "console":
             yield from _commands(lines, start)
+        elif kind == "python" and write and ">>> " in "\n".join(lines) and not _missing(lines):
+            command = shlex.join(("python", "-c", CORRECTED, "\n".join(lines)))
+            yield Shown(command, tuple(lines), start, start + len(lines))
         elif kind == "python":
-            yield Shown(_program("\n".join(lines)), (), start, start)
+            yield Shown(_program(lines), (), start, start)
 
 
 def _blocks(text: str) -> Iterator[tuple[str, list[str], int]]:
@@ -72,13 +92,19 @@ def _commands(lines: list[str], start: int) -> Iterator[Shown]:
             yield Shown(command, tuple(lines[begin + 1 : end]), start + begin + 1, start + end)
 
 
-def _program(source: str) -> str:
+def _program(lines: list[str]) -> str:
     """The command that runs a block in Python."""
-    missing = sorted({name for name in IMPORTED.findall(source) if importlib.util.find_spec(name) is None})
-    if missing:
+    if missing := _missing(lines):
         return _left_out(missing)
+    source = "\n".join(lines)
     arguments = (EXAMPLES, source) if ">>> " in source else (source,)
     return shlex.join(("python", "-c", *arguments))
+
+
+def _missing(lines: list[str]) -> list[str]:
+    """The libraries that a block in Python imports and that are not installed."""
+    names = set(IMPORTED.findall("\n".join(lines)))
+    return sorted(name for name in names if importlib.util.find_spec(name) is None)
 
 
 def _left_out(missing: list[str]) -> str:
@@ -114,7 +140,8 @@ def main(*paths: str, write: bool = False) -> int:
 def _page(path: str, folder: str, environ: dict[str, str], *, write: bool) -> int:
     text = Path(path).read_text(encoding="utf-8")
     lines = text.splitlines()
-    for found in reversed(list(_run(text, folder, environ))) if write else _run(text, folder, environ):
+    runs = _run(text, folder, environ, write=write)
+    for found in reversed(list(runs)) if write else runs:
         seen, code, printed = found
         sys.stdout.write(f"$ {seen.command}\n")
         sys.stdout.flush()
@@ -131,8 +158,8 @@ def _page(path: str, folder: str, environ: dict[str, str], *, write: bool) -> in
     return 0
 
 
-def _run(text: str, folder: str, environ: dict[str, str]) -> Iterator[tuple[Shown, int, str]]:
-    for found in shown(text):
+def _run(text: str, folder: str, environ: dict[str, str], *, write: bool) -> Iterator[tuple[Shown, int, str]]:
+    for found in shown(text, write=write):
         done = _called(found.command, folder, environ)
         yield found, done.returncode, done.stdout + (done.stderr if done.returncode else "")
 

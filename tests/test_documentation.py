@@ -1,0 +1,139 @@
+"""The pages at the root and in docs agree with the code, and their links resolve."""
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from click.testing import CliRunner
+
+import sim2reason
+from sim2reason.cli import main
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import ENTITIES, Entity, outer_ports
+from sim2reason.dsl.ports import Base, End, Mount, Pass, Port
+from sim2reason.errors import SceneError
+from sim2reason.recipes import RECIPES
+from sim2reason.scene_files.tendons import directions
+
+ROOT = Path(__file__).parents[1]
+PAGES = [*ROOT.glob("*.md"), *ROOT.rglob("docs/**/*.md"), ROOT / "experiments/README.md", ROOT / "llms.txt"]
+SCENES = sorted((ROOT / "examples/scenes").glob("*.yaml"))
+MOST_WORDS = 900  # of the README, without blocks of code
+MOST_WORDS_OF_A_CHANGE = 25
+LINK = re.compile(r"\]\((?![a-z]+:)([^)#\s]*)(?:#([^)\s]*))?\)")
+
+
+def read(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def prose(text: str) -> str:
+    """The text without fenced and indented blocks of code."""
+    without_fences = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+    return "\n".join(line for line in without_fences.splitlines() if not line.startswith("    "))
+
+
+def anchors(path: Path) -> set[str]:
+    """The names that headings of a page have in links."""
+    headings = re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def rows(name: str) -> list[list[str]]:
+    """The cells of all rows of tables whose first cell is code."""
+    return [line.strip("| ").split(" | ") for line in read(name).splitlines() if line.startswith("| `")]
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_links_resolve(path: Path) -> None:
+    for target, anchor in LINK.findall(prose(path.read_text(encoding="utf-8"))):
+        page = (path.parent / target).resolve() if target else path
+        assert page.exists(), target
+        assert not anchor or page.suffix != ".md" or anchor in anchors(page), f"{target}#{anchor}"
+
+
+def test_the_readme_is_short_and_lists_every_recipe() -> None:
+    assert len(prose(read("README.md")).split()) <= MOST_WORDS
+    assert [cells[0].strip("`") for cells in rows("README.md")] == sorted(RECIPES)
+
+
+def test_the_citation_names_the_version_and_the_paper() -> None:
+    citation: dict[str, Any] = yaml.safe_load(read("CITATION.cff"))
+    assert {"cff-version", "message", "title", "authors"} <= set(citation)
+    assert citation["version"] == tomllib.loads(read("pyproject.toml"))["project"]["version"]
+    (paper,) = citation["references"]
+    assert paper["identifiers"][0]["value"] == "arXiv:2604.11805"
+
+
+def test_the_changelog_has_dated_versions_and_short_entries() -> None:
+    text = read("CHANGELOG.md")
+    versions = re.findall(r"^## (.*)$", text, re.MULTILINE)
+    assert versions[0] == "[Unreleased]"
+    assert all(re.fullmatch(r"\[\d+\.\d+\.\d+\] - \d{4}-\d\d-\d\d", version) for version in versions[1:])
+    entries = re.findall(r"^- (.*(?:\n  .*)*)", text, re.MULTILINE)
+    assert [entry for entry in entries if len(entry.split()) > MOST_WORDS_OF_A_CHANGE] == []
+
+
+def test_issue_forms_ask_for_what_has_a_name_of_its_own() -> None:
+    for name in ("bug", "feature"):
+        form: dict[str, Any] = yaml.safe_load(read(f".github/ISSUE_TEMPLATE/{name}.yml"))
+        assert {"name", "description", "body"} <= set(form)
+        names = [field["id"] for field in form["body"] if field["type"] != "markdown"]
+        assert names
+        assert len(names) == len(set(names))
+
+
+def test_continuous_integration_runs_all_pages() -> None:
+    script = read(".ci/run")
+    assert all(pages in script for pages in ("README.md", "docs/*.md", "docs/integrations/*.md", "docs/howto/*.md"))
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_documented_completion_scripts_exist(shell: str) -> None:
+    assert f"_SIM2REASON_COMPLETE={shell}_source sim2reason" in read("docs/howto/shell-completion.md")
+    run = CliRunner(env={"_SIM2REASON_COMPLETE": f"{shell}_source"}).invoke(main, [], prog_name="sim2reason")
+    assert f"_SIM2REASON_COMPLETE={shell}_complete" in run.stdout
+
+
+def kind(port: Port) -> str:
+    """The letter that the page for language models has for a kind of port."""
+    letters: tuple[tuple[type[Port], str], ...] = ((Pass, "P"), (Mount, "M"), (Base, "B"), (End, "E"))
+    return next((letter for cls, letter in letters if isinstance(port, cls)), "S") + "!" * port.required
+
+
+def shown(cls: type[Entity]) -> str:
+    """The directions of an entity as the page for language models writes them."""
+    ports = outer_ports(cls)
+    names = [(name, ports[port]) for (name, point), (port, _) in directions(cls).items() if not point]
+    return ", ".join(f"`{name}` {kind(port)}" for name, port in names) or "–"
+
+
+def test_the_page_for_language_models_has_every_entity_with_its_ports_and_valid_parameters() -> None:
+    table = {cells[0].strip("`"): cells[2:] for cells in rows("docs/for-language-models.md") if len(cells) == 4}
+    assert list(table) == list(ENTITIES)
+    for name, (parameters, ports) in table.items():
+        assert ports == shown(ENTITIES[name]), name
+        text = f"scene: {{entities: [{{name: it, type: {name}, parameters: {parameters.strip('`')}}}]}}"
+        if "!" in ports:
+            with pytest.raises(SceneError, match="is open; connect it"):
+                sim2reason.load(text)
+        else:
+            sim2reason.load(text)
+
+
+def test_the_page_for_language_models_names_verbs_of_the_builder() -> None:
+    page = read("docs/for-language-models.md")
+    verbs = re.findall(r"^\| `(\w+)\(", page, re.MULTILINE)
+    assert len(verbs) > 10
+    assert all(hasattr(Frame, verb) for verb in verbs)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_example_scenes_have_a_text_and_the_same_motion_in_both_engines(path: Path) -> None:
+    scene = sim2reason.load(path)
+    assert sim2reason.describe(scene).text
+    _, certificate = sim2reason.certify(scene, duration=0.5)
+    assert certificate.stable_until > 0.4, certificate.reason
