@@ -183,7 +183,7 @@ def test_drawn_problems_are_not_drawn_again_by_a_run_that_goes_on(
     config = {"out": str(tmp_path / "run"), "benchmarks": [{**settings, "difficulty": "easy"}]}
     policies = [{"kind": "constant", "name": "one", "text": r"\boxed{1}"}]
     first = evaluate({**config, "policies": policies})
-    monkeypatch.setattr("sim2reason.benchmarks.synthetic.stream", None)
+    monkeypatch.setattr("sim2reason.benchmarks.own.stream", None)
     again = evaluate({**config, "policies": policies, "samples": 2})
     assert again.report.results[0].items == first.report.results[0].items == 2
     assert set(again.report.results[0].groups) >= {"recipe", "difficulty", "mode", "kind", "quantity", "entity"}

@@ -12,7 +12,7 @@ POLICY = {"kind": "constant", "name": "p", "text": "1"}
 
 
 def test_policies_come_before_problems_are_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim2reason.benchmarks.synthetic.stream", None)
+    monkeypatch.setattr("sim2reason.benchmarks.own.stream", None)
     monkeypatch.delenv("NO_KEY", raising=False)
     policy = {"kind": "endpoint", "name": "e", "url": "http://127.0.0.1:9/v1", "model": "m", "key_from": "NO_KEY"}
     settings = {"policies": [policy], "benchmarks": [{"kind": "synthetic", "name": "b", "seed": 1}]}
