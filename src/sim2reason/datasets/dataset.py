@@ -14,6 +14,7 @@ from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.lazy import cached_property
+from sim2reason.record import counted
 
 LONGEST_NAME = 80  # characters shown of an id that nobody knows
 STRIDE = 7919  # a prime, in step with no number of recipes and difficulties
@@ -33,12 +34,20 @@ class Dataset:
         self.manifest: Manifest = load_sealed(self.path)
 
     def __repr__(self) -> str:
-        """Its folder, and how many items each split has."""
+        """Return the folder, and the number of items in each split."""
         splits = ", ".join(f"{count} {name}" for name, count in self.manifest.counts.get("split", {}).items())
         return f"<Dataset {str(self.path)!r}: {splits or 'empty'}>"
 
+    def __str__(self) -> str:
+        """Return the folder, the number of items, and a line with the counts by recipe, difficulty, mode and split."""
+        lines = [f"Dataset {str(self.path)!r}: {counted(len(self), 'item')}"]
+        for column in ("split", "recipe", "difficulty", "mode"):
+            found = self.manifest.counts.get(column, {})
+            lines.extend([f"  {column}: {', '.join(f'{name} {n}' for name, n in found.items())}"] if found else [])
+        return "\n".join(lines)
+
     def __len__(self) -> int:
-        """The number of its items."""
+        """Return the number of items."""
         return self.manifest.rows
 
     def __iter__(self) -> Iterator[Item]:

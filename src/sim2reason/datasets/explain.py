@@ -26,8 +26,12 @@ T = TypeVar("T")
 class Explanation(dict[str, tuple[str, ...]]):
     """Lines by title, in the order in which they are read."""
 
+    def __repr__(self) -> str:
+        """Return the titles."""
+        return f"<Explanation: {', '.join(self)}>"
+
     def __str__(self) -> str:
-        """All of it, as the command of this name prints it."""
+        """Return all titles with their lines, as the command of this name prints them."""
         return "\n".join(f"{title}\n{told(lines)}\n" for title, lines in self.items())
 
 

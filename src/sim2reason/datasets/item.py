@@ -1,7 +1,8 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from textwrap import fill
 from typing import Annotated, Self, cast
 
 from pydantic import (
@@ -20,12 +21,30 @@ from sim2reason.dsl.measures import join_unit
 from sim2reason.grading.parts import LABELS
 from sim2reason.prose.formula_numbers import counted_in, said_in
 from sim2reason.questions.choice_prompts import LETTERS
+from sim2reason.record import abridged
+
+WIDTH = 88  # characters in a line of a prompt that is printed
 
 
 class Record(BaseModel):
-    """What all records on disk share: frozen, and no field that we do not know."""
+    """The base of all records on disk: frozen, without unknown fields, and with a short repr."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    def __repr__(self) -> str:
+        """Return the class and the fields that differ from their defaults, long values cut."""
+        shown = (f"{name}={abridged(repr(value), 40)}" for name, value in self._given())
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+    def __str__(self) -> str:
+        """Return the same as `repr`."""
+        return repr(self)
+
+    def _given(self) -> Iterator[tuple[str, object]]:
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            if field.is_required() or value != field.get_default(call_default_factory=True):
+                yield name, value
 
 
 def unfolded(value: object) -> object:
@@ -115,6 +134,10 @@ class Answer(Record):
         units = [counted_in(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
         return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
 
+    def __str__(self) -> str:
+        """Return the answer for people, as `shown`."""
+        return self.shown
+
     @property
     def told(self) -> str:
         """For people: the number with its unit, or the formula and its value in the scene; or that of each part."""
@@ -152,6 +175,10 @@ class SolutionRecord(Record):
     """Whether the answer follows from the laws that are told, not from a numerical integration."""
     text: str
     steps: tuple[SolutionStep, ...]
+
+    def __str__(self) -> str:
+        """Return the text of the solution."""
+        return self.text
 
 
 class Distractor(Record):
@@ -267,6 +294,16 @@ class Item(Record):
     """How well the engines agree."""
     provenance: Provenance
 
+    def __repr__(self) -> str:
+        """Return the id, the mode and the answer on one line."""
+        return f"<Item {self.id!r}: {self.mode}, answer {abridged(self.answer.shown)}>"
+
+    def __str__(self) -> str:
+        """Return the id and coordinates, the prompt in lines of at most 88 characters, and the answer."""
+        about = ", ".join(filter(None, (self.recipe, self.difficulty, self.mode)))
+        lines = (_wrapped(line) for line in self.prompt.splitlines())
+        return "\n".join((f"{self.id} ({about})", "", *lines, "", f"Answer: {self.answer.shown}"))
+
     @property
     def kinds(self) -> tuple[str, ...]:
         """The kinds of question of all parts, or its own."""
@@ -278,3 +315,8 @@ class Item(Record):
         """JSON knows no infinities; say so while the item is made, not when its shard is written."""
         json.dumps(value, allow_nan=False)
         return value
+
+
+def _wrapped(line: str) -> str:
+    """Return a line of a prompt broken into lines of at most `WIDTH` characters; rows of tables stay whole."""
+    return line if line.startswith("|") else fill(line, WIDTH, break_long_words=False, break_on_hyphens=False)

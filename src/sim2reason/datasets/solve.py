@@ -11,6 +11,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
+from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import MODES, StatedResult, Words
@@ -24,6 +25,7 @@ from sim2reason.questions.posing import VALUE, PosedQuestion, posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
+from sim2reason.record import abridged
 from sim2reason.scene_files import SceneLike, given_scene, question_of
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
@@ -46,6 +48,19 @@ class SolvedProblem(NamedTuple):
     reason: str = ""
     read_as: str = ""
     over: str = ""
+
+    def __repr__(self) -> str:
+        """Return the answer and the strategy of the solution, or the reason why one of them is missing."""
+        answer = "none" if self.answer is None else join_unit(f"{self.answer:.6g}", self.unit)
+        how = f"by {self.solution.strategy}" if self.solution.answer is not None else abridged(self.reason, 100)
+        return f"<SolvedProblem: answer {answer}, {how}>"
+
+    def __str__(self) -> str:
+        """Return the problem and its solution; without a solution, the reason and the answer from the motion."""
+        parts = [self.problem, str(self.solution)]
+        if self.answer is not None and self.solution.answer is None:
+            parts.append(f"Answer from the motion: {join_unit(f'{self.answer:.6g}', self.unit)}")
+        return "\n\n".join(parts)
 
 
 def solve(  # noqa: PLR0913 - the parts of a question, by name

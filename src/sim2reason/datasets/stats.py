@@ -6,6 +6,7 @@ from pathlib import Path
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import Counts
+from sim2reason.record import counted
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"
@@ -20,6 +21,10 @@ class Spread(Record):
     median: float
     greatest: float
 
+    def __str__(self) -> str:
+        """Return the three values and the number of items."""
+        return f"{self.least:.3g} to {self.greatest:.3g}, median {self.median:.3g} ({counted(self.items, 'item')})"
+
 
 class Stats(Record):
     """What a dataset holds."""
@@ -33,6 +38,18 @@ class Stats(Record):
     """Lengths of prompts."""
     answers: dict[str, Spread]
     """By unit, as the items have it; a formula by its value in the scene."""
+
+    def __repr__(self) -> str:
+        """Return the number of items and of refused draws."""
+        return f"<Stats: {counted(self.items, 'item')}, {counted(sum(self.refused.values()), 'refused draw')}>"
+
+    def __str__(self) -> str:
+        """Return a line with the counts of each column, and with the spread of prompts and answers."""
+        counts = (
+            f"  {by}: {', '.join(f'{name} {n}' for name, n in found.items())}" for by, found in self.counts.items()
+        )
+        answers = (f"  answers in {unit or 'pure numbers'}: {found}" for unit, found in self.answers.items())
+        return "\n".join([repr(self)[1:-1], *counts, f"  words of prompts: {self.words}", *answers])
 
 
 class _Numbers:

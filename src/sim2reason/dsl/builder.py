@@ -40,6 +40,10 @@ class Frame:
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
         self.origin = at if origin is None else origin
 
+    def __repr__(self) -> str:
+        """Return the name of the body, or that of the room, and the place in the room."""
+        return f"<Frame of {'the room' if self.name is None else repr(self.name)} at {self.at}>"
+
     def address(self, name: str) -> str:
         """The full address of a name that is made here."""
         return f"{self.prefix}.{name}" if self.prefix else name

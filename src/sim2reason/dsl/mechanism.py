@@ -12,7 +12,7 @@ from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Tensor, Vector
 from sim2reason.lazy import Memo, cached_property
-from sim2reason.record import record
+from sim2reason.record import counted, record
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)
@@ -238,6 +238,23 @@ class Mechanism(Memo):
     meetings: tuple[Meeting, ...] = ()
     gravity: Vector = (0.0, 0.0, -GRAVITY)
     units: UnitSystem = SI
+
+    def __repr__(self) -> str:
+        """Return the numbers of bodies, coordinates, lines and so on; kinds without members are left out."""
+        numbers = [counted(len(self.bodies), "body", "bodies"), counted(len(self.coordinates), "coordinate")]
+        for noun in ("line", "face", "force", "attraction", "burn", "meeting"):
+            number = len(getattr(self, f"{noun}s"))
+            numbers.extend([counted(number, noun)] if number else [])
+        return f"<Mechanism: {', '.join(numbers)}>"
+
+    def __str__(self) -> str:
+        """Return the same with a line for each body: its mass, its parent and its coordinates."""
+        lines = [repr(self)[1:-1]]
+        for body in self.bodies:
+            parent = body.parent or "the room"
+            moves = ", ".join(coordinate.label for coordinate in body.coordinates) or "fixed"
+            lines.append(f"  {body.name}: {body.mass:g} {self.units.mass}, carried by {parent}, {moves}")
+        return "\n".join(lines)
 
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:

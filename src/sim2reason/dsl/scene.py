@@ -20,6 +20,7 @@ from sim2reason.dsl.units import UnitSystem
 from sim2reason.dsl.vacancies import idle_fields, vacated
 from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
+from sim2reason.record import abridged, counted
 
 MAX_ENTITIES = 8
 
@@ -214,6 +215,20 @@ class Scene(Model):
         holder = self.world if head == "world" else self._named_connections().get(head) or self.entity(head, path)
         return lookup(holder, rest) if rest else holder
 
+    def __repr__(self) -> str:
+        """Return the name, the entities with their types and the number of connections on one line."""
+        entities = ", ".join(f"{named.name} {type(named.entity).__name__}" for named in self.entities)
+        joined = f"; {counted(len(self.connections), 'connection')}" if self.connections else ""
+        return f"<Scene {self.name!r}: {abridged(f'{entities}{joined}', 140)}>"
+
+    def __str__(self) -> str:
+        """Return a line for each entity with its numbers, for each connection, and for the world."""
+        lines = [f"Scene {self.name!r}", *(f"  {_line(named.entity, named.name)}" for named in self.entities)]
+        for name, connection in self._named_connections().items():
+            lines.append(f"  {_line(connection, name)}, {' - '.join(map(str, connection.links))}")
+        lines.append(f"  {_line(self.world, 'world')}")
+        return "\n".join([*lines, *([f"  glued: {', '.join(self.glued)}"] if self.glued else [])])
+
     def _named_connections(self) -> dict[str, Connection]:
         return {f"{connection.key}_{number}": connection for number, connection in enumerate(self.connections, 1)}
 
@@ -261,6 +276,13 @@ class Scene(Model):
     def gluing(self, *addresses: str) -> "Scene":
         """The scene with bodies welded to what carries them."""
         return rebuilt(self, glued=tuple(sorted({*self.glued, *addresses})))
+
+
+def _line(value: Model, name: str) -> str:
+    """Return a name, the type of the value, and its numbers with addresses and units, without hidden ones."""
+    shown = (p for p in parameters(value) if not p.hidden)
+    numbers = (f"{p.path} = {p.measure.say(p.value)}" for p in shown if p.value is not None)
+    return f"{name}: {', '.join((type(value).__name__, *numbers))}"
 
 
 def _bodies(value: Model, address: str) -> dict[str, Body]:

@@ -12,7 +12,7 @@ from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.dsl.triples import Triple, minus, product
 from sim2reason.lazy import cached_property
-from sim2reason.record import record
+from sim2reason.record import counted, record
 
 Array = NDArray[np.float64]
 
@@ -41,6 +41,12 @@ class State:
     times: Array  # s, (n,)
     kinematics: Callable[[], tuple[Array, Array]] = field(repr=False)  # gives q and v
     dynamics: Callable[[Array, Array], Dynamics] = field(repr=False)  # of q and v
+
+    def __repr__(self) -> str:
+        """Return the number of coordinates and of instants, and the first and the last instant."""
+        count, unit = counted(len(self.mechanism.coordinates), "coordinate"), self.mechanism.units.time
+        span = f", {self.times[0]:g} to {self.times[-1]:g} {unit}" if len(self.times) else ""
+        return f"<State: {count} at {counted(len(self.times), 'instant')}{span}>"
 
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:

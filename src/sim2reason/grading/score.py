@@ -5,6 +5,8 @@ from enum import StrEnum
 
 __all__ = ["Outcome", "Refused", "Score"]
 
+SHOWN = 80  # characters of what was read that a repr shows
+
 
 class Outcome(StrEnum):
     """How a response ended; only `CORRECT` is paid, but for the right parts of a problem that is graded in part."""
@@ -33,8 +35,19 @@ class Score:
 
     @classmethod
     def of(cls, outcome: Outcome, parsed: float | str | None, why: str) -> "Score":
-        """One for a correct answer and zero for any other."""
+        """Return a score with a reward of 1 for a correct answer and of 0 for any other."""
         return cls(1.0 if outcome is Outcome.CORRECT else 0.0, outcome, parsed, why)
+
+    def __repr__(self) -> str:
+        """Return the reward, the outcome, the value read, and the number of parts if there are several."""
+        parsed = repr(self.parsed)
+        shown = parsed if len(parsed) <= SHOWN else f"{parsed[: SHOWN - 1]}…"
+        parts = f", parts={len(self.parts)}" if self.parts else ""
+        return f"<Score {self.reward:g}: {self.outcome}, parsed={shown}{parts}>"
+
+    def __str__(self) -> str:
+        """Return the outcome, the reward and the reason."""
+        return f"{self.outcome} (reward {self.reward:g}): {self.why}"
 
 
 class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, not an error of the library

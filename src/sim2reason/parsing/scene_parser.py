@@ -46,6 +46,15 @@ class ParsedScene:
     unknown: dict[str, str] = field(default_factory=dict[str, str])
     without: frozenset[Topic] = frozenset()  # topics on which the text says nothing; its scene has some start then
 
+    def __repr__(self) -> str:
+        """Return the scene on one line, with the symbols of numbers that the text leaves open."""
+        unknown = f", unknown {', '.join(self.unknown.values())}" if self.unknown else ""
+        return f"<ParsedScene: {repr(self.scene)[1:-1]}{unknown}>"
+
+    def __str__(self) -> str:
+        """Return the scene in lines, with the names of bodies in the text."""
+        return "\n".join([str(self.scene), *(f"  {address} is {name}" for address, name in self.mentions.items())])
+
     @property
     def names(self) -> dict[str, str]:
         """Addresses by name; of bodies without letters that share a name, the first one has it."""

@@ -13,6 +13,7 @@ from sim2reason.prose.naming import Names, letters
 from sim2reason.prose.phrases import paragraphs
 from sim2reason.prose.voices import Voice, VoiceName, numeric, voice_of
 from sim2reason.prose.writer import Writer
+from sim2reason.record import abridged
 from sim2reason.scene_files import SceneLike, scene_of
 
 
@@ -43,6 +44,10 @@ class Description:
         own = {p.path: p for p in self.scene.parameters}
         said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
         return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
+
+    def __repr__(self) -> str:
+        """Return the name of the scene and the beginning of the text."""
+        return f"<Description of {self.scene.name!r}: {abridged(self.text)!r}>"
 
     def __str__(self) -> str:
         """Return the text of the description."""

@@ -50,6 +50,17 @@ class ParsedPrompt:
     shape: str
     work: str = ""
 
+    def __repr__(self) -> str:
+        """Return the mode, the quantity or the kind of question, its subjects and the unit of the answer."""
+        query = self.query
+        name = query.kind if query.target is None else query.target.quantity
+        of = f" of {subjects}" if (subjects := ", ".join(filter(None, query.subjects))) else ""
+        return f"<ParsedPrompt: {self.asked.mode}, {name}{of}{f' in {self.unit}' if self.unit else ''}>"
+
+    def __str__(self) -> str:
+        """Return the same with the lines of the scene."""
+        return f"{repr(self)[1:-1]}\n{self.reading}"
+
     @property
     def scene(self) -> Scene:
         """The scene, with hidden numbers of its own."""

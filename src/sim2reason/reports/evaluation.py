@@ -8,6 +8,7 @@ from sim2reason.benchmarks.runs.config import Evaluation, evaluation_from
 from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.benchmarks.runs.run import run
 from sim2reason.errors import PolicyError, Sim2ReasonError
+from sim2reason.record import counted
 from sim2reason.reports.report import write_report
 from sim2reason.reports.results import RunReport
 
@@ -21,6 +22,15 @@ class Evaluated:
     folder: RunFolder
     report: RunReport
     open: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        """Return the folder and the number of results."""
+        return f"<Evaluated {str(self.folder.path)!r}: {counted(len(self.report.results), 'result')}>"
+
+    def __str__(self) -> str:
+        """Return a line with the accuracy for each policy on each benchmark."""
+        lines = (f"  {each.policy} on {each.benchmark}: {each.accuracy.shown} %" for each in self.report.results)
+        return "\n".join([repr(self)[1:-1], *lines])
 
 
 def evaluate(

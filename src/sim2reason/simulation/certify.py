@@ -17,8 +17,9 @@ from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import Quantity
+from sim2reason.record import counted
 from sim2reason.simulation.channels import Channel, channels
-from sim2reason.simulation.trace import ENGINES, Event, Trace
+from sim2reason.simulation.trace import ENDINGS, ENGINES, Event, Trace
 
 Flags = NDArray[np.bool_]
 
@@ -55,6 +56,22 @@ class Certificate:
     until: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
     others: Callable[[], Mapping[Channel, float]] = field(default=dict[Channel, float], repr=False, compare=False)
     """Compares the channels that recipes do not draw, and returns their `until`; called when one is first asked for."""
+
+    def __repr__(self) -> str:
+        """Return the engines, the time until which they agree, the tolerance, and the number of channels compared."""
+        channels, until = counted(len(self.agreement), "channel"), f"until t = {self.stable_until:.6g}"
+        return f"<Certificate: {' and '.join(self.engines)} agree {until} within {self.tolerance:g} on {channels}>"
+
+    def __str__(self) -> str:
+        """Return the same with the largest difference, the matched events and the reason for an early end."""
+        lines = [repr(self)[1:-1]]
+        if self.agreement:
+            worst = max(self.agreement, key=lambda channel: self.agreement[channel])
+            size = f"{self.agreement[worst]:.1e} of the scale"
+            lines.append(f"  largest difference: {size}, {worst.quantity} of {worst.subject}")
+        lines.append(f"  {counted(len(self.matched), 'event')} matched")
+        end = [f"  ends because {ENDINGS.get(self.reason, self.reason)}"] if self.reason else []
+        return "\n".join([*lines, *end])
 
     @cached_property
     def _until_of_others(self) -> Mapping[Channel, float]:

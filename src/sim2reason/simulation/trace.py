@@ -9,8 +9,10 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.lazy import cached_property
+from sim2reason.record import counted
 from sim2reason.registry import Registry
 
+SHOWN = 10  # events that the text of a trace lists
 AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it
 
 
@@ -92,9 +94,24 @@ class Trace:
     record: object = field(repr=False, compare=False, default=None)
     # what the engine itself has of the motion, as far as it followed it; None if it keeps nothing else
 
+    def __repr__(self) -> str:
+        """Return the engine, the numbers of coordinates, samples and events, and the time until which it is valid."""
+        count = counted(len(self.mechanism.coordinates), "coordinate")
+        samples, events = counted(len(self.state.times), "sample"), counted(len(self.events), "event")
+        until = f"valid until {self.stable_until:.6g} {self.mechanism.units.time}"
+        return f"<Trace by the {self.engine} engine: {count}, {samples}, {events}, {until}>"
+
+    def __str__(self) -> str:
+        """Return the same with a line for each of the first events, and the reason if the motion ends early."""
+        unit, more = self.mechanism.units.time, len(self.events) - SHOWN
+        events = [f"  {e.time:.6g} {unit}: {e.kind} ({', '.join(e.subjects)})" for e in self.events[:SHOWN]]
+        rest = [f"  and {counted(more, 'more event')}"] if more > 0 else []
+        end = [f"  ends because {ending(self)}"] if self.cut else []
+        return "\n".join([repr(self)[1:-1], *events, *rest, *end])
+
     @property
     def mechanism(self) -> Mechanism:
-        """What moved."""
+        """The mechanism that moves."""
         return self.state.mechanism
 
     def story(self, until: float | None) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from sim2reason.lazy import cached_property
 from sim2reason.questions.need import Need, greatest
+from sim2reason.record import abridged, counted
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
@@ -185,6 +186,16 @@ class Solution:
     )
     whole: bool = False  # the answer is a count
     applies: bool = True  # whether the strategy has a way to the question at all
+
+    def __repr__(self) -> str:
+        """Return the strategy, the number of steps and the answer, or the reason why there is none."""
+        if self.answer is None:
+            return f"<Solution: none, {abridged(self.reason, 120)}>"
+        return f"<Solution by {self.strategy}: {counted(len(self.steps), 'step')}, answer {self.answer:.6g}>"
+
+    def __str__(self) -> str:
+        """Return the text of the solution, or the reason why there is none."""
+        return self.text if self.answer is not None else f"No worked solution: {self.reason}"
 
     @cached_property
     def needs(self) -> Need:

@@ -44,6 +44,15 @@ class Report:
         """How many findings there are."""
         return len(self.findings)
 
+    def __repr__(self) -> str:
+        """Return the entity and the numbers of checks, scenes and findings."""
+        made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
+        return f"<Report on {self.entity}: {len(self.findings)} findings by {made}>"
+
+    def __str__(self) -> str:
+        """Return the findings in words, as `text`."""
+        return self.text
+
     @property
     def text(self) -> str:
         """The findings in words, check by check."""
