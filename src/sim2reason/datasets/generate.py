@@ -103,23 +103,32 @@ def generate(
     advance: Callable[[int], object] = unseen,
     **order: Unpack[Order],
 ) -> Dataset:
-    """Generate problems into the folder `out`, continue a dataset that is already there, and open the dataset.
+    """Generate problems into a folder and open the dataset.
 
-    The same order gives the same bytes, whatever the number of `workers` and wherever they work; with more `items` a
-    dataset grows. A program needs no guard by ``__name__``, since worker processes do not run it.
+    A dataset that is already in the folder is continued: after an interruption the same call goes on, and with more
+    `items` the dataset grows. The same options give the same bytes, whatever the number of `workers` and wherever they
+    run. A program needs no guard by ``__name__``, since worker processes do not run it.
 
     Args:
         out: The folder.
         order: the options of `Order`.
-        workers: How many processes; by default one for each core. One alone is the calling process.
-        on: Where they work: ``here``, ``ray`` or ``ray://HOST:PORT``.
-        advance: Called with the number of positions that are done.
+        workers: Number of processes; by default one for each core. With 1, the calling process does the work.
+        on: Where the workers run: ``here``, ``ray`` or ``ray://HOST:PORT``.
+        advance: Callback that takes the number of further positions that are finished.
+
+    Returns:
+        The finished dataset.
 
     Raises:
-        UnknownNameError: no such recipe, difficulty, mode, units or place.
-        DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
-        TypeError: an option that does not exist.
-        MissingExtraError: the place needs a package that is not installed.
+        UnknownNameError: There is no such recipe, difficulty, mode, system of units or place.
+        DatasetError: An option is invalid, the folder contains something else, or no worker can be reached.
+        TypeError: There is no such option.
+        MissingExtraError: The place needs a package that is not installed.
+
+    Example:
+        >>> import sim2reason
+        >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        <Dataset 'problems': 2 train>
     """
     benchmarks = Benchmarks(files_to_avoid(order))
     build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)

@@ -105,23 +105,31 @@ def _keyed(value: object) -> dict[str, object]:
 
 
 class Answer(Record):
-    """The answer: `value` in `unit`, right within the relative `tolerance`; or a `formula`, whose value that is."""
+    """The answer to a problem: a number with its unit and tolerance, and a formula in symbolic problems.
+
+    Attributes:
+        value: The right number, in `unit`; of a symbolic problem, the value of the formula in the scene.
+        unit: Canonical unit, such as ``m/s`` or ``kg m/s``; empty for a pure number.
+        sign: Axis or direction that counts as positive, in words; empty for a magnitude.
+        tolerance: Relative error within which a number is right.
+        formula: The answer as a formula, with numbers for its symbols; None if a number is asked for.
+        parts: Answers to all parts of a problem with several; the answer itself is then that to the last part.
+        letter: Letter of the right option in multiple choice; empty otherwise.
+        options: Number in each option, from A on, in `unit`; negative if the option names the second of two bodies.
+        texts: Text of each option, from A on, if options have words besides numbers; empty otherwise.
+        told: The number with its unit, or the formula, or the answer to each part, as text for people.
+        shown: The same text with the direction that counts as positive.
+    """
 
     value: FiniteFloat
     unit: str
-    """Canonical, like ``m/s`` or ``kg m/s``; empty for a pure number."""
     sign: str = ""
-    """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
     formula: FormulaRecord | None = None
     parts: "tuple[Answer, ...]" = ()
-    """The answers to all parts, if there are several; the answer itself is then that to the last one."""
     letter: str = ""
-    """The letter of the answer, where it is one of several options."""
     options: tuple[FiniteFloat, ...] = ()
-    """The number in each option, from A on, in `unit`; negative where the option names the second of two bodies."""
     texts: tuple[str, ...] = ()
-    """The text of each option, from A on, where the options hold words besides numbers; else empty."""
 
     @model_validator(mode="before")
     @classmethod
@@ -140,7 +148,7 @@ class Answer(Record):
 
     @property
     def told(self) -> str:
-        """For people: the number with its unit, or the formula and its value in the scene; or that of each part."""
+        """Text of the answer: the number with its unit, or the formula and its value; or that of each part."""
         if self.parts:
             return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
@@ -150,7 +158,7 @@ class Answer(Record):
 
     @property
     def shown(self) -> str:
-        """The same with what counts as positive."""
+        """Text of the answer with the direction that counts as positive."""
         if self.parts:
             return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
@@ -258,40 +266,63 @@ class Provenance(Record):
 
 
 class Item(Record):
-    """One problem. The same request gives the same item on any worker, in any order."""
+    """A problem with its answer, and the data to check it or to make it again.
+
+    The same request gives the same item in any process, in any order. Items are immutable.
+
+    Attributes:
+        id: Name of the problem, from which `solve` can make it again.
+        prompt: Text of the problem, with the form of the answer in its last sentence.
+        shape: Order in which the prompt gives the scene, the question and the form of the answer.
+        answer: The answer with its unit and tolerance.
+        mode: Mode of the question, such as ``numeric`` or ``symbolic``.
+        kind: Kind of the question, such as ``start``, ``event`` or ``period``.
+        recipe: Recipe of the scene; empty if the scene was given.
+        difficulty: ``easy``, ``medium`` or ``hard``; empty if the scene was given.
+        entities: Types of the entities, in the order of the scene.
+        asked: The question as a quantity of a subject at a moment.
+        needs: Most advanced mathematics of the shortest solution, ``arithmetic`` to ``integration``; empty if unknown.
+        measured: Difficulty of the shortest solution, or of those of all parts together; None if one is missing.
+        parts: The parts of a problem that has several, in order.
+        distractors: Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own.
+        idle: Bodies and other things in the prompt without bearing on the answer, by their names there.
+        idle_numbers: Addresses of the stated numbers without bearing on the answer.
+        solution: The worked solution; None if none was requested or found.
+        unsolved: Why there is no worked solution although it was requested; empty otherwise.
+        scene: The scene as YAML, which `load` reads.
+        certificate: Agreement of the two engines, as plain JSON values.
+        provenance: Coordinates, versions and settings from which the item was made.
+        kinds: Kinds of question of all parts; the kind of the question if there are no parts.
+
+    Example:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> problem.id, problem.kind, problem.answer.unit
+        ('pulley-easy-numeric-0-0', ..., ...)
+        >>> sim2reason.Item.model_validate_json(problem.model_dump_json()) == problem
+        True
+    """
 
     id: str
     prompt: str
     shape: str
-    """In which order the prompt says what it says."""
     answer: Answer
     mode: str
     kind: str
     recipe: str
     difficulty: str
     entities: tuple[str, ...]
-    """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
     needs: str = ""
-    """The most advanced mathematics of its shortest solution, ``arithmetic`` to ``integration``; empty: unknown."""
     measured: MeasuredDifficulty | None = None
-    """Difficulty of the shortest solution, or of those of all parts together; None if one is missing."""
     parts: tuple[QuestionPart, ...] = ()
-    """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()
-    """Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own."""
     idle: tuple[str, ...] = ()
-    """What of the scene has no bearing on the answer, as the prompt calls it."""
     idle_numbers: tuple[str, ...] = ()
-    """The addresses of stated numbers without bearing: those of such parts, and what cancels or should be seen to."""
     solution: SolutionRecord | None = None
-    """Where solutions were asked for: how the answer follows, step by step."""
     unsolved: str = ""
-    """Where they were: why there is none."""
     scene: str
-    """The scene as YAML."""
     certificate: Annotated[dict[str, JsonValue], FOLDED]
-    """How well the engines agree."""
     provenance: Provenance
 
     def __repr__(self) -> str:
@@ -306,7 +337,7 @@ class Item(Record):
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """The kinds of question of all parts, or its own."""
+        """Kinds of question of all parts; the kind of the question if there are no parts."""
         return tuple(dict.fromkeys(part.kind for part in self.parts)) or (self.kind,)
 
     @field_validator("certificate")

@@ -34,11 +34,16 @@ TRIES = 20
 
 
 class SolvedProblem(NamedTuple):
-    """Text and worked solution of a problem, with the answer from the motion in `unit`.
+    """A problem with its worked solution, and its answer from the simulated motion.
 
-    If there is no worked solution, or the motion has no answer either, `reason` says why. `read_as` is
-    the reading of a question in ordinary English. `over` says how long the motion is over which a greatest or least
-    value is taken, where the question names no moment.
+    Attributes:
+        problem: Text of the problem.
+        solution: The worked solution; its `answer` is None if there is none.
+        answer: Answer from the motion, in `unit`; None if the motion has no answer.
+        unit: Unit of the answer; empty for a pure number.
+        reason: Why there is no worked solution, or no answer at all; empty if there is one.
+        read_as: Question of the library that a question in ordinary English was read as; empty for any other.
+        over: Duration over which a greatest or least value is taken, if the question names no moment.
     """
 
     problem: str
@@ -77,17 +82,45 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     compare: str = "",
     seed: int = 0,
 ) -> SolvedProblem:
-    """Solve a question about a scene, or the problem of an item or `id`, made again from its id, in steps.
+    r"""Solve a question about a scene, or a problem, in steps.
 
-    A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`,
-    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, the question in the
-    scene's file is taken, or a question is drawn. Another seed gives other words.
+    Give either a `scene`, with a question in words or in parts, or an `id`. Without a question, that in the scene's
+    file is taken, or one is drawn.
+
+    Args:
+        scene: A scene, the path of its file, its YAML text, the result of `parse_scene`, or an item, which is made
+            again and solved.
+        id: The id of a problem, which is made again from it.
+        question: A question in the words of the library or in ordinary English, or a mapping with the parts below.
+        find: What to find: a quantity, ``time``, or the address of a number.
+        of: The subject, by its name in the text or its address.
+        when: A time, a moment, or ``QUANTITY = VALUE``.
+        along: The component: an axis, or the direction that counts as positive.
+        given: ``QUANTITY = VALUE``, which the number to find must bring about.
+        change: A change to the scene whose effect is to be found, such as ``ADDRESS = VALUE`` or ``ADDRESS × 2``.
+        compare: How to give a changed answer: ``ratio``, ``difference`` or ``value``.
+        seed: Seed of the wording, and of a question that is drawn.
+
+    Returns:
+        The problem with its solution and its answer from the motion.
 
     Raises:
-        TypeError: neither a scene nor the path of its file, its text or an item.
-        SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
-        TextError: a question that is not understood.
-        DrawError: an invalid id, or the id of no problem.
+        TypeError: `scene` is of another type.
+        SceneError: Both a scene and an id are given, or neither, or there is nothing to ask about the scene.
+        TextError: The question is not understood.
+        DrawError: The id is invalid, or there is no such problem.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> solved = sim2reason.solve(scene, question="How fast is the block after 2 s?")
+        >>> solved
+        <SolvedProblem: answer 9.8 m/s, by constant acceleration>
+        >>> print(solved.solution)
+        Given: ...
+        <BLANKLINE>
+        ...
+        Answer: $v \approx \boxed{9.80}\ \text{m/s}$.
     """
     if (scene is None) == (id is None):
         raise SceneError("solve", "it takes a scene or an id", "give one of the two")

@@ -14,7 +14,7 @@ DIGITS = 3  # of numbers whose middle is sought: as many as a prompt asks for
 
 
 class Spread(Record):
-    """The least, the middle and the greatest of some numbers; the middle is rounded to three digits."""
+    """The least, median and greatest of some numbers; the median is rounded to three digits."""
 
     items: int
     least: float
@@ -27,17 +27,21 @@ class Spread(Record):
 
 
 class Stats(Record):
-    """What a dataset holds."""
+    """The contents of a dataset, counted.
+
+    Attributes:
+        items: Number of items.
+        counts: Numbers of items by recipe, difficulty, mode, kind, needs, shape, quantity and split.
+        refused: Numbers of draws that were rejected while the items were made, by filter.
+        words: Spread of the lengths of prompts.
+        answers: Spread of the answers by unit; of a formula, its value in the scene counts.
+    """
 
     items: int
     counts: dict[str, Counts]
-    """By recipe, difficulty, mode, kind, needs, shape, quantity and split."""
     refused: Counts
-    """Draws that a filter refused while the items were made, by filter."""
     words: Spread
-    """Lengths of prompts."""
     answers: dict[str, Spread]
-    """By unit, as the items have it; a formula by its value in the scene."""
 
     def __repr__(self) -> str:
         """Return the number of items and of refused draws."""
@@ -73,10 +77,22 @@ class _Numbers:
 
 
 def stats(dataset: Dataset | Path | str) -> Stats:
-    """Count a dataset: what its items are, how long their prompts are, and which answers they have.
+    """Count the items of a dataset, and the lengths of their prompts and the sizes of their answers.
+
+    Args:
+        dataset: A dataset, or its folder.
+
+    Returns:
+        The counts by column, and the spread of prompts and answers.
 
     Raises:
-        DatasetError: no finished dataset, or a damaged file.
+        DatasetError: There is no finished dataset, or a file is damaged.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> sim2reason.stats(data).counts["recipe"]
+        {'pulley': 2}
     """
     data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
     counts = {name: Counter[str]() for name in (*COUNTED, "quantity")}

@@ -225,7 +225,45 @@ class Meeting:
 
 @record()
 class Mechanism(Memo):
-    """A mechanism with everything that an engine needs; in `bodies` a parent stands before its children."""
+    """Bodies, lines, faces and forces with all numbers that an engine needs.
+
+    All numbers are in the coherent units `units`, the SI by default; angles are in radians. At the start the axes of
+    all frames are those of the room: x to the right, y away from the reader, z up.
+
+    Attributes:
+        bodies: Rigid bodies; a parent comes before its children.
+        sites: Points fixed on bodies or in the room.
+        lines: Parts of strings, rods and springs.
+        faces: Faces on which bodies slide or roll.
+        feet: Points that may stand on a plane of the room.
+        forces: Forces on bodies by a law of place, velocity and time.
+        attractions: Pairs of bodies that attract each other.
+        burns: Bodies that eject mass.
+        meetings: Pairs of bodies that may collide.
+        gravity: Acceleration due to gravity, a vector.
+        units: System of units.
+        coordinates: All coordinates, body by body: the order of q, v and a in every engine and trace.
+        number: Index of each coordinate, by name.
+        body: Bodies by name.
+        site: Sites by name.
+        line: Lines by name.
+        routes: Names of the sites through which each line runs.
+        constraints: Lines that give equations rather than forces.
+        strings: Lines that are inextensible and may go slack.
+        pulls: Lines that are drawn in with a constant tension.
+        half_springs: Springs that only push or only pull, each with its law.
+        face_number: Index of each face, by the name of the body on it.
+        contacts: Faces by the name of the body on them.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> mechanism = scene.scene.mechanism
+        >>> mechanism
+        <Mechanism: 1 body, 1 coordinate, 1 face>
+        >>> [coordinate.name for coordinate in mechanism.coordinates]
+        ['e1.blocks.0.slide']
+    """
 
     bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()
@@ -263,7 +301,7 @@ class Mechanism(Memo):
 
     @cached_property
     def number(self) -> dict[str, int]:
-        """The place of each coordinate among all, by name."""
+        """Index of each coordinate, by name."""
         return {coordinate.name: number for number, coordinate in enumerate(self.coordinates)}
 
     @cached_property
@@ -283,35 +321,35 @@ class Mechanism(Memo):
 
     @cached_property
     def routes(self) -> tuple[tuple[str, ...], ...]:
-        """Past which sites each line runs: a string between two slopes needs a pulley unless they are parallel."""
+        """Names of the sites through which each line runs."""
         return tuple(line.through for line in self.lines)
 
     @cached_property
     def constraints(self) -> tuple[Line, ...]:
-        """The lines that give equations, not forces."""
+        """Lines that give equations rather than forces."""
         return tuple(line for line in self.lines if line.law.row)
 
     @cached_property
     def strings(self) -> tuple[Line, ...]:
-        """The lines that may go slack, by their own law."""
+        """Lines that are inextensible and may go slack."""
         return tuple(line for line in self.lines if isinstance(line.law, Inextensible))
 
     @cached_property
     def pulls(self) -> tuple[Line, ...]:
-        """The lines that a hand draws in."""
+        """Lines that are drawn in with a constant tension."""
         return tuple(line for line in self.lines if isinstance(line.law, ConstantTension))
 
     @cached_property
     def half_springs(self) -> tuple[tuple[Line, Elastic], ...]:
-        """The springs that act only one way, each with its law."""
+        """Springs that only push or only pull, each with its law."""
         return tuple((line, line.law) for line in self.lines if isinstance(line.law, Elastic) and line.law.side)
 
     @cached_property
     def face_number(self) -> dict[str, int]:
-        """The place of each face among all, by the name of the body that lies on its parent."""
+        """Index of each face, by the name of the body on it."""
         return {face.subject: number for number, face in enumerate(self.faces)}
 
     @cached_property
     def contacts(self) -> dict[str, Face]:
-        """Faces by the name of the body that lies on its parent."""
+        """Faces by the name of the body on them."""
         return {face.subject: face for face in self.faces}

@@ -120,6 +120,19 @@ class Stop:
         return _addressed(self.owner, self.port.sites, self.flipped)
 
 
+def reversed_stops(stops: list[Stop]) -> list[Stop]:
+    """Return the stops in the opposite order of travel; a pass within a chain is then passed from its far side."""
+    return [Stop(s.owner, s.port, not s.flipped if isinstance(s.port, Pass) else s.flipped) for s in reversed(stops)]
+
+
+def travelled(stops: list[Stop]) -> list[Stop]:
+    """Return the stops of an inner rope in the order of travel; the last port was listed from the inside out."""
+    if not isinstance(stops[-1].port, StringEnd):
+        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
+        return [*stops[:inner], *reversed_stops(stops[inner:])]
+    return stops
+
+
 @lru_cache(maxsize=1024)
 def _addressed(owner: str, names: tuple[str, ...], flipped: bool) -> tuple[str, ...]:  # noqa: FBT001 - a key
     sites = tuple(f"{owner}.{site}" for site in names)
