@@ -303,17 +303,10 @@ class Scene(Model):
         return self.having_all({path: value})
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
-        """Return the scene with other values at some addresses, validated once.
+        """Return the scene with other values at some addresses, validated once; see `having`.
 
         Args:
             values: New values by address.
-
-        Returns:
-            A new scene.
-
-        Raises:
-            SceneError: There is no such address, or the new scene is impossible.
-            ValidationError: A value is out of range.
         """
         world, connections = self.world, self._named_connections()
         entities = {named.name: named for named in self.entities}  # those that stay share what is known of them
