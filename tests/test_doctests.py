@@ -26,10 +26,10 @@ NAMES = [
     *(f"sim2reason.{name}" for name in (*sim2reason.__all__, "list", "eval")),  # open is Dataset
     *(f"{module}.{name}" for module, names in FURTHER.items() for name in names),
 ]
-SECTIONS = re.compile(r"^(Args|Attributes|Returns|Yields|Raises|Example):$", re.MULTILINE)
+SECTION = re.compile(r"^(Args|Attributes|Returns|Yields|Raises|Example):$", re.MULTILINE)
+ENTRY = re.compile(r"^    \*{0,2}(\w+): ", re.MULTILINE)
 VAGUE = re.compile(r"(?i)(what|whether|who|whose|of|by|as|its|it|those|where|the same)\b")
-"""How no summary begins: it must be understood by itself."""
-Variadic = inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD
+"""Words with which no summary begins, since it must be understood by itself."""
 
 
 def public(name: str) -> object:
@@ -37,41 +37,48 @@ def public(name: str) -> object:
     return getattr(import_module(module), attribute)
 
 
-def sections(text: str) -> dict[str, str]:
-    """The parts of a docstring by their titles; the first part, without a title, under an empty one."""
-    first, *others = SECTIONS.split(text)
+def classes(names: list[str]) -> list[str]:
+    return [name for name in names if isinstance(public(name), type)]
+
+
+def sections(documented: object) -> dict[str, str]:
+    """The sections of a docstring by their titles; the text before the first one has an empty title."""
+    first, *others = SECTION.split(inspect.getdoc(documented) or "")
     return {"": first, **dict(zip(others[::2], others[1::2], strict=True))}
 
 
-def entries(text: str) -> set[str]:
-    """The names that a section explains."""
-    return {
-        name for names in re.findall(r"^    (\*{0,2}\w+(?:, \w+)*): ", text, re.MULTILINE) for name in names.split(", ")
-    }
+def described(documented: object, *titles: str) -> set[str]:
+    """The names that some sections of a docstring describe."""
+    found = sections(documented)
+    return {name for title in titles for name in ENTRY.findall(found.get(title, ""))}
 
 
 def parameters(function: object) -> set[str]:
-    """The names of the arguments that a caller gives, with stars before those of any number."""
+    """The names of the arguments that a caller can give."""
     try:
-        found = inspect.signature(function).parameters.values()  # type: ignore[arg-type]
-    except ValueError:  # a class whose constructor is that of Exception
+        found = inspect.signature(function)  # type: ignore[arg-type]
+    except ValueError:  # an error class, whose constructor is that of Exception
         return set()
-    return {f"*{each.name}" if each.kind is each.VAR_POSITIONAL else each.name for each in found}
+    return set(found.parameters) - {"self", "cls", "args", "kwargs"}
 
 
-def members(cls: type) -> Iterator[tuple[str, object]]:
-    """The public methods, properties and fields that a class defines itself."""
-    yield from ((name, member) for name, member in vars(cls).items() if not name.startswith("_"))
-    yield from ((name, None) for name in vars(cls).get("__annotations__", {}) if not name.startswith("_"))
+def fields(cls: type) -> set[str]:
+    """The public fields and properties that a class defines itself."""
+    properties = {name for name, member in vars(cls).items() if isinstance(member, property | cached_property)}
+    return {name for name in properties | set(vars(cls).get("__annotations__", {})) if not name.startswith("_")}
 
 
-def attributes(cls: type) -> set[str]:
-    return {name for name, member in members(cls) if isinstance(member, property | cached_property | None)}
+def methods(cls: type) -> Iterator[tuple[str, FunctionType]]:
+    """The public methods that a class defines itself."""
+    for name, member in vars(cls).items():
+        function = member.__func__ if isinstance(member, classmethod) else member
+        if isinstance(function, FunctionType) and not name.startswith("_") and name not in fields(cls):
+            yield name, function
 
 
 @pytest.fixture(scope="module")
 def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The dataset that examples make, so that each of them finds it finished."""
+    """The dataset that the examples generate, so that each of them finds it finished."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
         out = tmp_path_factory.mktemp("doctests") / "problems"
@@ -80,10 +87,9 @@ def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def _apart(problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A folder of its own, with the dataset; and a registry that forgets what an example enters."""
+    """Run an example in a folder of its own with the dataset, and forget the entities that it registers."""
     shutil.copytree(problems, tmp_path / "problems")
     monkeypatch.chdir(tmp_path)
-    _ = len(ENTITIES)
     monkeypatch.setattr(ENTITIES, "_members", dict(ENTITIES.items()))
     monkeypatch.setattr(registry, "_further", list(registry._further))
 
@@ -91,33 +97,37 @@ def _apart(problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 @pytest.mark.usefixtures("_apart")
 @pytest.mark.parametrize("name", NAMES)
 def test_examples_give_what_they_show(name: str) -> None:
-    flags = doctest.ELLIPSIS | doctest.REPORT_NDIFF
+    runner, shown = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.REPORT_NDIFF), list[str]()
     for example in doctest.DocTestFinder().find(public(name), name, module=False, globs={"__name__": "__main__"}):
-        shown: list[str] = []
-        result = doctest.DocTestRunner(optionflags=flags).run(example, out=shown.append)
-        assert not result.failed, "".join(shown)
+        assert not runner.run(example, out=shown.append).failed, "".join(shown)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_docstring_is_complete(name: str) -> None:
     found = public(name)
-    parts = sections(inspect.getdoc(found) or "")
-    assert ">>> " in parts.get("Example", "")
-    assert not VAGUE.match(parts[""])
-    explained = entries(parts.get("Args", "")) | entries(parts.get("Attributes", ""))
-    assert parameters(found) - {"*args", "args", "kwargs"} <= explained
+    text = sections(found)
+    assert not VAGUE.match(text[""])
+    assert ">>> " in text["Example"]
+    assert parameters(found) <= described(found, "Args", "Attributes")
     if isinstance(found, type):
-        assert attributes(found) <= explained
+        assert fields(found) <= described(found, "Attributes")
     elif inspect.signature(found).return_annotation is not None:  # type: ignore[arg-type]
-        assert {"Returns", "Yields"} & parts.keys()
+        assert text.keys() & {"Returns", "Yields"}
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if isinstance(public(name), type)])
-def test_methods_are_documented(name: str) -> None:
+@pytest.mark.parametrize("name", classes(NAMES))
+def test_the_methods_of_a_class_are_documented(name: str) -> None:
     cls = public(name)
     assert isinstance(cls, type)
-    for member, function in members(cls):
-        if isinstance(function, FunctionType | classmethod) and member not in attributes(cls):
-            parts = sections(inspect.getdoc(function) or "")
-            assert parts[""], member
-            assert not VAGUE.match(parts[""]), member
+    for member, function in methods(cls):
+        assert function.__doc__, member
+        assert not VAGUE.match(function.__doc__), member
+        if not name.startswith("sim2reason.authoring"):
+            assert parameters(function) <= described(function, "Args"), member
+
+
+def test_the_other_names_of_authors_are_explained_by_their_module() -> None:
+    text = authoring.__doc__ or ""
+    assert not [name for name in authoring.__all__ if f"`{name}`" not in text]
+    for example in doctest.DocTestFinder(recurse=False).find(authoring):
+        assert not doctest.DocTestRunner().run(example).failed
