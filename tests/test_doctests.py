@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from types import FunctionType
+from types import FunctionType, ModuleType
 
 import pytest
 
@@ -129,5 +129,9 @@ def test_the_methods_of_a_class_are_documented(name: str) -> None:
 def test_the_other_names_of_authors_are_explained_by_their_module() -> None:
     text = authoring.__doc__ or ""
     assert not [name for name in authoring.__all__ if f"`{name}`" not in text]
-    for example in doctest.DocTestFinder(recurse=False).find(authoring):
+
+
+@pytest.mark.parametrize("module", [sim2reason, authoring], ids=lambda module: module.__name__)
+def test_the_examples_of_modules_run(module: ModuleType) -> None:
+    for example in doctest.DocTestFinder(recurse=False).find(module):
         assert not doctest.DocTestRunner().run(example).failed
