@@ -65,15 +65,21 @@ def parameters(function: object) -> set[str]:
 def fields(cls: type) -> set[str]:
     """The public fields and properties that a class defines itself."""
     properties = {name for name, member in vars(cls).items() if isinstance(member, property | cached_property)}
-    return {name for name in properties | set(vars(cls).get("__annotations__", {})) if not name.startswith("_")}
+    return {name for name in properties | set(inspect.get_annotations(cls)) if not name.startswith("_")}
 
 
-def methods(cls: type) -> Iterator[tuple[str, FunctionType]]:
-    """The public methods that a class defines itself."""
+def functions(cls: type) -> Iterator[tuple[str, FunctionType]]:
+    """The public methods and properties that a class defines itself."""
+    declared = inspect.get_annotations(cls)
     for name, member in vars(cls).items():
-        function = member.__func__ if isinstance(member, classmethod) else member
-        if isinstance(function, FunctionType) and not name.startswith("_") and name not in fields(cls):
-            yield name, function
+        own = member.fget if isinstance(member, property) else getattr(member, "__func__", member)
+        found = own.func if isinstance(own, cached_property) else own
+        if (
+            isinstance(found, FunctionType)
+            and not name.startswith("_")
+            and name not in vars(cls).get("__annotations__", {})
+        ):
+            yield name, found
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +125,7 @@ def test_a_docstring_is_complete(name: str) -> None:
 def test_the_methods_of_a_class_are_documented(name: str) -> None:
     cls = public(name)
     assert isinstance(cls, type)
-    for member, function in methods(cls):
+    for member, function in functions(cls):
         assert function.__doc__, member
         assert not VAGUE.match(function.__doc__), member
         if not name.startswith("sim2reason.authoring"):

@@ -90,7 +90,7 @@ class FormulaRecord(Record):
 
     @property
     def points(self) -> list[dict[str, float]]:
-        """The bindings by symbol."""
+        """Return the bindings as mappings by symbol."""
         return [dict(zip(self.symbols, each.numbers, strict=True)) for each in self.bindings]
 
     def given(self, binding: int = 0) -> dict[str, str]:
@@ -148,7 +148,7 @@ class Answer(Record):
 
     @property
     def told(self) -> str:
-        """Text of the answer: the number with its unit, or the formula and its value; or that of each part."""
+        """Return the number with its unit, the formula with its value, or the answer to each part, as text."""
         if self.parts:
             return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
@@ -158,7 +158,7 @@ class Answer(Record):
 
     @property
     def shown(self) -> str:
-        """Text of the answer with the direction that counts as positive."""
+        """Return the answer as text, with the direction that counts as positive."""
         if self.parts:
             return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
@@ -337,7 +337,7 @@ class Item(Record):
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """Kinds of question of all parts; the kind of the question if there are no parts."""
+        """Return the kinds of question of all parts, or the kind of the question if there are no parts."""
         return tuple(dict.fromkeys(part.kind for part in self.parts)) or (self.kind,)
 
     @field_validator("certificate")

@@ -292,7 +292,7 @@ class Frame:
 
     @property
     def own_name(self) -> str:
-        """Address of this body; ValueError for the room."""
+        """Return the address of this body; ValueError for the room."""
         return self._own()
 
     def _own(self) -> str:

@@ -128,17 +128,17 @@ class Entity(Part):
 
     @property
     def clocked(self) -> bool:
-        """Whether the text says what happens at t = 0, so that a start from rest is no release."""
+        """Return whether the text says what happens at t = 0, so that a start from rest is no release."""
         return False
 
     @property
     def tells_taut(self) -> bool:
-        """Whether the lines say that strings are taut at the start."""
+        """Return whether the lines say that strings are taut at the start."""
         return False
 
     @property
     def slackens(self) -> bool:
-        """Whether a string within the entity may go slack and become taut again."""
+        """Return whether a string within the entity may go slack and become taut again."""
         return False
 
 
@@ -154,7 +154,7 @@ class Named(Model):
 
     @cached_property
     def alone(self) -> Builder:
-        """It built with nothing else, to be looked at: scenes that differ in another entity share that."""
+        """Return a builder with this entity alone, which scenes that differ in other entities share."""
         builder = Builder()
         self.entity.build(builder.room(self.name))
         return builder

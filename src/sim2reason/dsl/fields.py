@@ -58,12 +58,12 @@ class Profile:
 
     @property
     def steady(self) -> bool:
-        """Whether the strength does not depend on time."""
+        """Return whether the strength does not depend on time."""
         return self.rate == 0.0 and self.frequency == 0.0
 
     @property
     def uniform(self) -> bool:
-        """Whether the strength is the same everywhere and always."""
+        """Return whether the strength is the same everywhere and always."""
         return self.steady and self.slope == 0.0
 
 
@@ -103,7 +103,7 @@ class Law(Protocol):
 
     @property
     def constant(self) -> bool:
-        """Whether the force never changes."""
+        """Return whether the force never changes."""
         ...
 
     def moved(self, by: Vector) -> Self:
@@ -145,7 +145,7 @@ class Push:
 
     @property
     def constant(self) -> bool:
-        """Whether the profile is uniform."""
+        """Return whether the profile is uniform."""
         return self.profile.uniform
 
     def moved(self, by: Vector) -> "Push":
@@ -183,7 +183,7 @@ class Magnetic:
 
     @property
     def constant(self) -> bool:
-        """Whether the force never changes: always False."""
+        """Return False, since the force depends on the velocity."""
         return False
 
     def moved(self, by: Vector) -> "Magnetic":
@@ -225,7 +225,7 @@ class Resistance:
 
     @property
     def constant(self) -> bool:
-        """Whether the force never changes: always False."""
+        """Return False, since the force depends on the velocity."""
         return False
 
     def moved(self, by: Vector) -> "Resistance":
@@ -258,7 +258,7 @@ class Central:
 
     @property
     def constant(self) -> bool:
-        """Never."""
+        """Return False, since the force depends on the place."""
         return False
 
     def moved(self, by: Vector) -> "Central":

@@ -208,7 +208,7 @@ class Measure:
 
     @property
     def noun(self) -> str:
-        """Name in a question; a number in degrees is an angle."""
+        """Return the name in a question; a number in degrees is an angle."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":

@@ -131,7 +131,7 @@ class Elastic:
 
     @property
     def side(self) -> float:
-        """The sign of the extension at which it acts; 0 for any."""
+        """Return the sign of the extension at which it acts; 0 for any."""
         return {"both": 0.0, "pushes": -1.0, "pulls": 1.0}[self.acts]
 
 
@@ -219,7 +219,7 @@ class Meeting:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The bodies that meet, without the room."""
+        """Return the names of the two bodies, without the room."""
         return (self.b,) if self.a is None else (self.a, self.b)
 
 
@@ -296,60 +296,60 @@ class Mechanism(Memo):
 
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:
-        """All coordinates, body by body: the order of q, v and a in every engine and trace."""
+        """Return all coordinates, body by body: the order of q, v and a in every engine and trace."""
         return tuple(c for body in self.bodies for c in body.coordinates)
 
     @cached_property
     def number(self) -> dict[str, int]:
-        """Index of each coordinate, by name."""
+        """Return the index of each coordinate, by name."""
         return {coordinate.name: number for number, coordinate in enumerate(self.coordinates)}
 
     @cached_property
     def body(self) -> dict[str, RigidBody]:
-        """Bodies by name."""
+        """Return the bodies by name."""
         return {body.name: body for body in self.bodies}
 
     @cached_property
     def site(self) -> dict[str, Site]:
-        """Sites by name."""
+        """Return the sites by name."""
         return {site.name: site for site in self.sites}
 
     @cached_property
     def line(self) -> dict[str, Line]:
-        """Lines by name."""
+        """Return the lines by name."""
         return {line.name: line for line in self.lines}
 
     @cached_property
     def routes(self) -> tuple[tuple[str, ...], ...]:
-        """Names of the sites through which each line runs."""
+        """Return the names of the sites through which each line runs."""
         return tuple(line.through for line in self.lines)
 
     @cached_property
     def constraints(self) -> tuple[Line, ...]:
-        """Lines that give equations rather than forces."""
+        """Return the lines that give equations rather than forces."""
         return tuple(line for line in self.lines if line.law.row)
 
     @cached_property
     def strings(self) -> tuple[Line, ...]:
-        """Lines that are inextensible and may go slack."""
+        """Return the lines that are inextensible and may go slack."""
         return tuple(line for line in self.lines if isinstance(line.law, Inextensible))
 
     @cached_property
     def pulls(self) -> tuple[Line, ...]:
-        """Lines that are drawn in with a constant tension."""
+        """Return the lines that are drawn in with a constant tension."""
         return tuple(line for line in self.lines if isinstance(line.law, ConstantTension))
 
     @cached_property
     def half_springs(self) -> tuple[tuple[Line, Elastic], ...]:
-        """Springs that only push or only pull, each with its law."""
+        """Return the springs that only push or only pull, each with its law."""
         return tuple((line, line.law) for line in self.lines if isinstance(line.law, Elastic) and line.law.side)
 
     @cached_property
     def face_number(self) -> dict[str, int]:
-        """Index of each face, by the name of the body on it."""
+        """Return the index of each face, by the name of the body on it."""
         return {face.subject: number for number, face in enumerate(self.faces)}
 
     @cached_property
     def contacts(self) -> dict[str, Face]:
-        """Faces by the name of the body on them."""
+        """Return the faces by the name of the body on them."""
         return {face.subject: face for face in self.faces}

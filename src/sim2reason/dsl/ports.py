@@ -80,7 +80,7 @@ class StringEnd(SitePort, StringPort):
 
     @property
     def can_begin(self) -> bool:
-        """Whether a sentence can start here."""
+        """Return whether a sentence can start here."""
         return bool(self.tied)
 
 
@@ -210,7 +210,7 @@ class Stop:
 
     @property
     def sites(self) -> tuple[str, ...]:
-        """Full site addresses in the order of travel; an end is listed from the inside out."""
+        """Return full site addresses in the order of travel; an end is listed from the inside out."""
         return _addressed(self.owner, self.port.sites, self.flipped)
 
 

@@ -181,7 +181,7 @@ class Scene(Model):
 
     @cached_property
     def joints(self) -> dict[str, Joint]:
-        """All connections by address, including those within entities."""
+        """Return all connections by address, including those within entities."""
         found: list[Joint] = []
         for named in self.entities:
             for name, inner in inside(type(named.entity)).items():
@@ -193,7 +193,7 @@ class Scene(Model):
 
     @cached_property
     def builder(self) -> Builder:
-        """Builder that contains all parts, from which the positions of sites can be read."""
+        """Return the builder that contains all parts, from which the positions of sites can be read."""
         builder = Builder((0.0, 0.0, -self.world.gravity), self.glued, self.units)
         paths = [(connection, self.joints[name].stops) for name, connection in self._named_connections().items()]
         placed(self.entities, paths, builder)
@@ -203,7 +203,7 @@ class Scene(Model):
 
     @property
     def units(self) -> UnitSystem:
-        """System of units of the text and the mechanism; SceneError if the entities have several."""
+        """Return the units of the text and the mechanism; SceneError if the entities have several systems."""
         found = {named.entity.units for named in self.entities}
         if len(found) > 1:
             names = " and ".join(sorted(units.name for units in found))
@@ -212,13 +212,13 @@ class Scene(Model):
 
     @property
     def horizon(self) -> float:
-        """Default duration of a simulation, in the unit of time of the text."""
+        """Return the default duration of a simulation, in the unit of time of the text."""
         found = horizon((named.entity for named in self.entities), self.world.gravity)
         return within_oscillations(found, self.mechanism)
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """Mechanism that engines simulate; SceneError if parts do not fit together or nothing can move."""
+        """Return the mechanism for engines; SceneError if parts do not fit together or nothing can move."""
         found = self.builder.finish()
         if not found.coordinates:
             place = "glued" if self.glued else "entities"
@@ -227,7 +227,7 @@ class Scene(Model):
 
     @property
     def starts_from_rest(self) -> bool:
-        """Whether nothing moves at t = 0 and the text may speak of a release."""
+        """Return whether nothing moves at t = 0 and the text may speak of a release."""
         clocked = any(named.entity.clocked for named in self.entities)
         return not clocked and all(coordinate.speed == 0.0 for coordinate in self.mechanism.coordinates)
 
@@ -237,7 +237,7 @@ class Scene(Model):
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
-        """All bodies that the text can mention, by address, including those of strings."""
+        """Return all bodies that the text can mention, by address, including those of strings."""
         found: dict[str, Body] = {}
         for named in self.entities:
             found.update(_bodies(named.entity, named.name))
@@ -247,7 +247,7 @@ class Scene(Model):
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All declared numbers with their addresses (``ramp.block.mass``) and meanings."""
+        """Return all declared numbers with their addresses (``ramp.block.mass``) and meanings."""
         entities = [p for named in self.entities for p in parameters(named.entity, named.name)]
         own = [p for name, connection in self._named_connections().items() for p in parameters(connection, name)]
         return (*entities, *own, *parameters(self.world, "world"))

@@ -82,5 +82,5 @@ class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, 
 
     @property
     def score(self) -> Score:
-        """The grade that this refusal stands for."""
+        """Return the score of a response that is refused."""
         return Score.of(self.outcome, None, self.why)

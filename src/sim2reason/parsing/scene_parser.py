@@ -61,7 +61,7 @@ class ParsedScene:
 
     @property
     def names(self) -> dict[str, str]:
-        """Addresses by name; if bodies without letters share a name, that of the first."""
+        """Return addresses by name; if bodies without letters share a name, that of the first."""
         return {name: address for address, name in reversed(self.mentions.items())}
 
 

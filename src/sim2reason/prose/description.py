@@ -51,12 +51,12 @@ class Description:
 
     @property
     def text(self) -> str:
-        """Sentences as one paragraph; a table has lines of its own."""
+        """Return the sentences as one paragraph; a table has lines of its own."""
         return paragraphs(self.sentences)
 
     @property
     def symbolic(self) -> tuple[str, ...]:
-        """Addresses of the numbers that appear only as symbols, in order."""
+        """Return the addresses of the numbers that appear only as symbols, in order."""
         own = {p.path: p for p in self.scene.parameters}
         said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
         return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))

@@ -75,33 +75,33 @@ class ParsedPrompt:
 
     @property
     def scene(self) -> Scene:
-        """Scene, with hidden numbers of its own."""
+        """Return the scene, with hidden numbers of its own."""
         return self.reading.scene
 
     @property
     def query(self) -> Query:
-        """Query that is asked, or stated as a condition."""
+        """Return the query that is asked, or stated as a condition."""
         return self.asked.query
 
     @property
     def words(self) -> Words:
-        """Names and symbols of the text."""
+        """Return the names and symbols of the text."""
         return _words(self.reading)
 
     @property
     def answer(self) -> float | None:
-        """Answer that follows from the text alone, in its unit; None if there is none."""
+        """Return the answer that follows from the text alone, in its unit; None if there is none."""
         found = self.counted
         return found * self._factor(_words(self.reading)) if found is not None else None
 
     @property
     def counted(self) -> float | None:
-        """Answer in the unit of the scene."""
+        """Return the answer in the unit of the scene."""
         return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
     @property
     def reason(self) -> str:
-        """Reason why there is no answer, as a clause; empty if there is an answer."""
+        """Return why there is no answer, as a clause; empty if there is an answer."""
         if self.counted is not None:
             return ""
         return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))

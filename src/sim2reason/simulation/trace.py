@@ -68,7 +68,7 @@ class Event:
 
     @property
     def changes_motion(self) -> bool:
-        """Whether forces, velocities or their equations change, as in all events but turns."""
+        """Return whether forces, velocities or their equations change, as in all events but turns."""
         return self.kind != "turn"
 
 
@@ -132,7 +132,7 @@ class Trace:
 
     @property
     def mechanism(self) -> Mechanism:
-        """Mechanism that moves."""
+        """Return the mechanism that moves."""
         return self.state.mechanism
 
     def story(self, until: float | None) -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -185,7 +185,7 @@ class Trace:
 
     @cached_property
     def _instants(self) -> dict[float, State]:
-        """What was looked at before."""
+        """Return the states at single instants that were requested before."""
         return {}
 
     def at(self, time: float) -> State:
@@ -207,7 +207,7 @@ class Trace:
 
     @cached_property
     def scan(self) -> State:
-        """Motion at the knots of the engine, on both sides of every event, and at instants between them.
+        """Return the motion at the knots of the engine, on both sides of every event, and at instants between them.
 
         No quantity turns more than once between two neighbours, so that searches need no finer steps.
         """

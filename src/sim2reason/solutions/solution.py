@@ -204,12 +204,12 @@ class Solution:
 
     @property
     def derived(self) -> bool:
-        """Whether no phase of the motion is integrated numerically."""
+        """Return whether no phase of the motion is integrated numerically."""
         return self.answer is not None and all(step.integration is None for step in self.steps)
 
     @property
     def text(self) -> str:
-        """All steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
+        """Return all steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
         told = [step.text for step in self.steps if step.text]
         if self.answer is not None:
             goal = rf"\left|{self.goal}\right|" if self.is_modulus else self.goal
@@ -233,7 +233,7 @@ class Solution:
 
     @property
     def relations(self) -> list[Relation]:
-        """All equations, in order."""
+        """Return all equations, in order."""
         return [relation for step in self.steps for relation in step.relations]
 
 

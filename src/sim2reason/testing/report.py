@@ -21,7 +21,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """In words, the scene's file below."""
+        """Return the finding in words, followed by the file of the scene."""
         where = "" if self.seed is None else f" (seed {self.seed})"
         lines = f"{self.check}{where}: {self.found}\n  expected: {self.expected}\n  remedy: {self.remedy}"
         return lines + ("\n  scene:\n" + _indented(self.scene) if self.scene else "")
@@ -55,7 +55,7 @@ class Report:
 
     @property
     def text(self) -> str:
-        """The findings in words, check by check."""
+        """Return the findings in words, check by check."""
         made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
         if not self.findings:
             return f"{self.entity}: {made}, nothing found"
