@@ -74,11 +74,7 @@ def functions(cls: type) -> Iterator[tuple[str, FunctionType]]:
     for name, member in vars(cls).items():
         own = member.fget if isinstance(member, property) else getattr(member, "__func__", member)
         found = own.func if isinstance(own, cached_property) else own
-        if (
-            isinstance(found, FunctionType)
-            and not name.startswith("_")
-            and name not in vars(cls).get("__annotations__", {})
-        ):
+        if isinstance(found, FunctionType) and not name.startswith("_") and name not in declared:
             yield name, found
 
 

@@ -68,8 +68,8 @@ def explain(
     Example:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
-        >>> found = sim2reason.explain(data, "pulley-easy-numeric-0-0")
-        >>> list(found)[:4]
+        >>> explanation = sim2reason.explain(data, "pulley-easy-numeric-0-0")
+        >>> list(explanation)[:4]
         ['Problem', 'Scene', 'Certificate', 'Refused before it']
     """
     check(figure, trace)

@@ -107,8 +107,8 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> one = {"kind": "constant", "name": "one", "text": r"\boxed{1}"}
-        >>> found = sim2reason.sample_solutions("problems", "solutions", one, k=1)
-        >>> found.items, found.kept, found.left_out
+        >>> result = sim2reason.sample_solutions("problems", "solutions", one, k=1)
+        >>> result.items, result.kept, result.left_out
         (2, 0, {'wrong': 2})
     """
     if not 1 <= k <= MOST_TRIES or not 1 <= keep <= MOST_TRIES:
