@@ -1,9 +1,14 @@
-"""Physics simulators turned into verified problems for language models.
+r"""Physics simulators turned into verified problems for language models.
 
-The public names below are loaded when they are first used, so that the import itself costs next to nothing. Each
-command of the command line has a function of its name here, with underscores for dashes. Names that
-Python's builtins have, too (``open``, ``list`` and ``eval``), are reached through the module alone: ``import *`` leaves
-them out.
+Each command of the command line has a function of its name here, with underscores for dashes. The names are loaded when
+they are first used, so that the import is fast. ``open``, ``list`` and ``eval``, which are builtins of Python, too, are
+reached through the module alone: ``import *`` leaves them out.
+
+Example:
+    >>> import sim2reason
+    >>> problem = sim2reason.item("pulley", "easy", seed=7)
+    >>> sim2reason.grade(problem, r"The answer is \boxed{0}.").reward
+    0.0
 """
 
 from collections.abc import Iterable
@@ -85,7 +90,7 @@ _HOMES = {
     "train": "training.train",
     "verify": "datasets.verify",
 }
-"""Their modules; after a colon what they are called there, where that is otherwise."""
+"""The modules of the public names, each with the name there after a colon if that is different."""
 
 __all__ = [
     "Certificate",
@@ -125,7 +130,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Import the home of a public name at its first use."""
+    """Import the module of a public name when the name is first used."""
     if name == "__version__":
         return import_module("importlib.metadata").version(__name__)
     if name not in _HOMES:
@@ -135,5 +140,5 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> Iterable[str]:
-    """The public names."""
+    """Return the public names."""
     return sorted([*_HOMES, "__version__"])

@@ -25,7 +25,18 @@ from shlex import quote
 
 
 class Sim2ReasonError(Exception):
-    """The base of all; catch this to catch everything that the library raises on purpose."""
+    """The base class of all errors that the library raises on purpose.
+
+    The message is one line that names the place and the remedy. The command line prints it and exits with code 2.
+
+    Example:
+        >>> import sim2reason
+        >>> try:
+        ...     sim2reason.item("pully")
+        ... except sim2reason.Sim2ReasonError as error:
+        ...     print(error)
+        no such name among recipes: 'pully'; did you mean: pulley
+    """
 
 
 class SceneError(Sim2ReasonError):

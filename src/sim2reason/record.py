@@ -1,4 +1,4 @@
-"""A decorator for data classes with very many instances."""
+"""A decorator for data classes with very many instances, and the text of long values in a repr."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,3 +20,14 @@ def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[
         return dataclass(cls, slots=slots, eq=eq, unsafe_hash=hashed)
 
     return decorated
+
+
+def abridged(text: str, width: int = 60) -> str:
+    """Return a text on one line, cut to at most `width` characters of which the last is then an ellipsis."""
+    line = " ".join(text.split())
+    return line if len(line) <= width else f"{line[: width - 1]}…"
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """Return a number with its noun in the singular or plural, such as ``1 body`` or ``2 bodies``."""
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"

@@ -14,16 +14,30 @@ HERE = Path(__file__).parent
 
 
 class Member(NamedTuple):
-    """What is registered under a name, in one line."""
+    """The name of a registered member, and its summary in one line."""
 
     name: str
     summary: str
 
 
 def members(kind: str | None = None) -> dict[str, list[Member]]:
-    """The members of a kind, or of every kind, in alphabetical order; UnknownNameError if there is no such kind.
+    """List the registered names of a kind, or of every kind.
 
-    Kinds are ``entities``, ``recipes``, ``quantities``, ``engines``, ``modes`` and so on.
+    ``sim2reason.list`` is this function.
+
+    Args:
+        kind: ``entities``, ``recipes``, ``quantities``, ``engines``, ``modes`` and so on; by default all kinds.
+
+    Returns:
+        The members by kind, each with its name and its summary, in alphabetical order.
+
+    Raises:
+        UnknownNameError: There is no such kind.
+
+    Example:
+        >>> import sim2reason
+        >>> [member.name for member in sim2reason.list("engines")["engines"]]
+        ['exact', 'mujoco']
     """
     known = registries()
     if kind is not None and kind not in known:
@@ -35,7 +49,7 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
 
 
 def registries() -> dict[str, "Registry[object]"]:
-    """Every registry under the last word of its kind; packages are imported for it, their members are not."""
+    """Return every registry by the last word of its kind; packages are imported for it, their members are not."""
     found: dict[str, Registry[object]] = {}
     for module in walk_packages([str(HERE)], "sim2reason."):
         if module.ispkg and not module.name.startswith("sim2reason.cli"):
@@ -46,7 +60,7 @@ def registries() -> dict[str, "Registry[object]"]:
 
 
 def _summary(member: object) -> str:
-    """What a member says of itself: its summary, the facts of a value, the first line of what documents it."""
+    """Return the summary of a member: its `summary`, the fields of a value, or the first line of its docstring."""
     said = getattr(member, "summary", None)
     if isinstance(said, str):
         return said

@@ -105,11 +105,29 @@ def accuracy(
     answer: Columns = None,
     **columns: object,
 ) -> list[float | None]:
-    """Return a reward of 1 or 0 for each completion, a text or a list of messages, as TRL expects.
+    r"""Return a reward of 1 or 0 for each completion, as the trainers of TRL expect.
 
-    The right answer is in the column `ground_truth` of an export, or in `answer` of a dataset as `generate` writes it.
-    A row that has neither, as in another dataset of a mixture, gets None, which TRL leaves out; where no row of a
-    batch has a right answer, a warning says so.
+    The right answers are in the column `ground_truth` of an export, or in the column `answer` of a dataset. If no row
+    of a batch has one, a warning says so.
+
+    Args:
+        prompts: Prompts of the batch (n,); not used.
+        completions: Completions (n,), each a text or a list of messages.
+        ground_truth: Right answers (n,) as JSON, as `sim2reason export` writes them.
+        answer: Right answers (n,) as mappings, as `sim2reason generate` writes them.
+        columns: Further columns of the batch; not used.
+
+    Returns:
+        The rewards (n,). A row without a right answer, as in another dataset of a mixture, has None, which TRL leaves
+        out.
+
+    Example:
+        >>> import sim2reason
+        >>> from sim2reason.rewards import accuracy, ground_truth
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> right = ground_truth(problem)
+        >>> accuracy([problem.prompt] * 2, [r"\boxed{4.41}", r"\boxed{0}"], ground_truth=[right] * 2)
+        [1.0, 0.0]
     """
     del prompts, columns
     return _rewards(completions, ground_truth, answer, partial=False, thinking_opened=False)

@@ -49,16 +49,32 @@ def ask(
     seed: int = 0,
     all: bool = False,  # noqa: A002 - as the option is called
 ) -> list[Item]:
-    """Return at most `items` problems about a scene that pass every filter; another seed gives other problems.
+    """Ask questions about a scene.
 
-    The problems are items as in a dataset, but without a recipe or a difficulty. No two have the same answer. Easy
-    problems, which few laws answer, are asked where there are too few others. With `all`, odd and uncertain problems
-    are kept, too.
+    No two of the problems have the same answer. Easy problems, which take few laws to solve, are only asked if there
+    are too few others.
+
+    Args:
+        scene: A scene, the path of its file, its YAML text, an item about it, or the result of `parse_scene`.
+        mode: Modes of questions, which take turns: one name, several, or ``all``.
+        items: Greatest number of problems.
+        seed: Seed of the questions and of their wording.
+        all: Whether to keep problems that a filter rejects, such as easy, odd or uncertain ones.
+
+    Returns:
+        Items as in a dataset, but without a recipe and a difficulty; possibly fewer than `items`.
 
     Raises:
-        TypeError: neither a scene nor the path of its file, its text or an item.
-        UnknownNameError: no such mode.
-        SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+        TypeError: `scene` is of another type.
+        UnknownNameError: There is no such mode.
+        SceneError, UnsupportedError, SimulationError: The scene cannot be built, modelled or solved.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.sample("incline", "easy")
+        >>> problems = sim2reason.ask(scene, items=2)
+        >>> [problem.id for problem in problems]
+        ['scene-numeric-0-...', 'scene-numeric-0-...']
     """
     return [item for _, item in asked(scene_of(scene, "ask"), mode, items, seed, unfiltered=all).found.values()]
 

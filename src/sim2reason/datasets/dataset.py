@@ -14,6 +14,7 @@ from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.lazy import cached_property
+from sim2reason.record import counted
 
 LONGEST_NAME = 80  # characters shown of an id that nobody knows
 STRIDE = 7919  # a prime, in step with no number of recipes and difficulties
@@ -22,27 +23,58 @@ Wanted = Mapping[str, Collection[str]]
 
 
 class Dataset:
-    """A folder that `generate` has finished. It reads one file at a time, and checks each before it is believed.
+    """A finished dataset on disk: a sequence of items, which are read one file at a time.
 
-    What damaged files give is a DatasetError that names them.
+    Every file is checked against its checksum before it is read; a damaged file raises a DatasetError that names it.
+    ``sim2reason.open`` is this class.
+
+    Args:
+        path: The folder that `generate` has finished.
+
+    Raises:
+        DatasetError: The folder is not a finished dataset, or its manifest was changed.
+
+    Attributes:
+        path: The folder.
+        manifest: Configuration, counts and checksums of the dataset.
+
+    Example:
+        >>> import sim2reason
+        >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        <Dataset 'problems': 2 train>
+        >>> data = sim2reason.open("problems")
+        >>> len(data), data.splits()
+        (2, ('train',))
+        >>> data[0] == data.item(data[0].id)
+        True
+        >>> [problem.id for problem in data.items("train")]
+        ['pulley-easy-numeric-0-0', 'pulley-easy-numeric-0-...']
     """
 
     def __init__(self, path: Path | str) -> None:
-        """DatasetError if it is no finished dataset, or its manifest was changed."""
+        """Open the dataset in a folder; DatasetError if there is none, or its manifest was changed."""
         self.path = Path(path)
         self.manifest: Manifest = load_sealed(self.path)
 
     def __repr__(self) -> str:
-        """Its folder, and how many items each split has."""
+        """Return the folder, and the number of items in each split."""
         splits = ", ".join(f"{count} {name}" for name, count in self.manifest.counts.get("split", {}).items())
         return f"<Dataset {str(self.path)!r}: {splits or 'empty'}>"
 
+    def __str__(self) -> str:
+        """Return the folder, the number of items, and a line with the counts by recipe, difficulty, mode and split."""
+        lines = [f"Dataset {str(self.path)!r}: {counted(len(self), 'item')}"]
+        for column in ("split", "recipe", "difficulty", "mode"):
+            found = self.manifest.counts.get(column, {})
+            lines.extend([f"  {column}: {', '.join(f'{name} {n}' for name, n in found.items())}"] if found else [])
+        return "\n".join(lines)
+
     def __len__(self) -> int:
-        """The number of its items."""
+        """Return the number of items."""
         return self.manifest.rows
 
     def __iter__(self) -> Iterator[Item]:
-        """All items, shard by shard."""
+        """Return an iterator over all items, shard by shard."""
         return self.items()
 
     @overload
@@ -99,13 +131,33 @@ class Dataset:
         return push(self.path, repository, private=private, token=token, message=message)
 
     def items(self, split: str | None = None) -> Iterator[Item]:
-        """All items, or those of one split, shard by shard; DatasetError if there is no such split."""
+        """Return an iterator over all items, or over those of a split, in the order of the files.
+
+        Args:
+            split: Name of the split; by default all.
+
+        Returns:
+            An iterator that keeps one file in memory.
+
+        Raises:
+            DatasetError: There is no such split.
+        """
         if split is not None:
             self.splits(split)
         return (item for shard in shards(self.path) for item in shard_files.items(self.path, shard, split))
 
     def splits(self, names: Names = ALL) -> tuple[str, ...]:
-        """Its splits, or those of them that are named, in its order; DatasetError for one that there is not."""
+        """Return the names of the splits, or of some of them, in the order of the dataset.
+
+        Args:
+            names: One name, several, or ``all``.
+
+        Returns:
+            The names.
+
+        Raises:
+            DatasetError: There is no such split.
+        """
         held = tuple(self.manifest.config.split)
         chosen = held if names == ALL else several("split", names)
         for name in chosen:
@@ -114,7 +166,17 @@ class Dataset:
         return tuple(name for name in held if name in chosen)
 
     def item(self, name: str) -> Item:
-        """The item of an id, at once; DatasetError if there is none."""
+        """Return the item with an id, for which a single file is read.
+
+        Args:
+            name: The id.
+
+        Returns:
+            The item.
+
+        Raises:
+            DatasetError: There is no such item.
+        """
         number = self._shard_of(name) if isinstance(name, str) else None  # type: ignore[reportUnnecessaryIsInstance]
         for file in shard(self.path, number).files if number is not None else ():
             places = self._places(file, {"id": [name]})
@@ -123,7 +185,20 @@ class Dataset:
         raise DatasetError(f"{self.path}: holds no problem {shortened(name)}; see: sim2reason show {self.path}")
 
     def some(self, count: int, wanted: Wanted | None = None, split: Names = ALL) -> Iterator[Item]:
-        """As many items from all over those that are `wanted`; never in step with the round robin of its plan."""
+        """Yield items spread over the dataset, or over those that match.
+
+        Args:
+            count: Greatest number of items.
+            wanted: The texts that a column may have, by its name:
+                ``{"recipe": ["pulley"], "asked.quantity": ["speed"]}``; by default all items match.
+            split: Splits to take items from: one name, several, or ``all``.
+
+        Yields:
+            The items in the order of the dataset. Their distances are irregular, so that not all belong to one recipe.
+
+        Raises:
+            DatasetError: There is no such split.
+        """
         wanted, splits = wanted or {}, self.splits(split)
         some = bool(wanted) or splits != self.splits()
         rows = sum(len(self._places(file, wanted)) for file in self._files(splits)) if some else len(self)
@@ -142,13 +217,25 @@ class Dataset:
                 yield from shard_files.read(self.path, file, taken)
 
     def rows(self, *columns: str) -> Iterator[Row]:
-        """Some columns of all items (``recipe``, ``asked.quantity``) as plain values, one mapping in the other."""
+        """Return an iterator over some columns of all items.
+
+        Args:
+            columns: Names of columns, such as ``recipe`` or, within another column, ``asked.quantity``.
+
+        Returns:
+            An iterator over mappings of plain values; a nested column is a mapping in a mapping.
+        """
         return (row for file in self._files() for row in shard_files.rows(self.path, file, columns))
 
     def rows_of(self, names: Collection[str], *columns: str) -> dict[str, Row]:
-        """Some columns of those of the items of these ids that the dataset holds, by id; each file is read once.
+        """Return some columns of the items with the given ids; each file is read once.
 
-        Among them is always ``split``, which is no column of a file.
+        Args:
+            names: The ids; unknown ones are skipped.
+            columns: Names of columns, as in `rows`.
+
+        Returns:
+            The rows by id. Each row also has ``split``, which is not a column of a file.
         """
         numbers = {self._shard_of(name) for name in names} - {None}
         last, found = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
@@ -167,7 +254,7 @@ class Dataset:
         return ItemFiles(self.path, tuple(self._files()))
 
     def _shard_of(self, name: str) -> int | None:
-        """The shard in which the item of an id stands, if it is in the dataset; None if it can not be."""
+        """Return the number of the shard with the item of an id; None if the dataset cannot have it."""
         config = self.manifest.config
         try:
             position = config.position(config.named(name))
@@ -176,7 +263,7 @@ class Dataset:
         return position // config.shard if position < self.manifest.positions else None
 
     def _places(self, file: ShardFile, wanted: Wanted) -> Sequence[int]:
-        """Where in a file the items are whose columns hold what is wanted."""
+        """Return the positions in a file of the items whose columns have the wanted texts."""
         if not wanted:
             return range(file.rows)
         rows = enumerate(shard_files.rows(self.path, file, tuple(wanted)))

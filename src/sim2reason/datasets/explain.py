@@ -24,10 +24,14 @@ T = TypeVar("T")
 
 
 class Explanation(dict[str, tuple[str, ...]]):
-    """Lines by title, in the order in which they are read."""
+    """The lines of an explanation by title, in reading order; `str` joins all of them."""
+
+    def __repr__(self) -> str:
+        """Return the titles."""
+        return f"<Explanation: {', '.join(self)}>"
 
     def __str__(self) -> str:
-        """All of it, as the command of this name prints it."""
+        """Return all titles with their lines, as the command of this name prints them."""
         return "\n".join(f"{title}\n{told(lines)}\n" for title, lines in self.items())
 
 
@@ -43,14 +47,30 @@ def explain(
     figure: Path | str | None = None,
     trace: Path | str | None = None,
 ) -> Explanation:
-    """Tell all about the problem of an `id`, which is made again, so that nothing in the file is taken on trust.
+    """Explain where a problem of a dataset comes from, and why every filter kept it.
 
-    It is drawn into the file `figure` (.svg, .png or .pdf), and its motion written to `trace` (.parquet).
+    The problem is made again from its id, so that the explanation does not rely on the file.
+
+    Args:
+        dataset: A dataset, or its folder.
+        id: The id of the problem.
+        figure: File (.svg, .png or .pdf) for a drawing of the scene; by default none is written.
+        trace: File (.parquet) for the motion; by default none is written.
+
+    Returns:
+        Lines by title: the problem, its scene, certificate, solution, filters, wrong answers, and more.
 
     Raises:
-        DatasetError: no finished dataset, no such problem, or one that this version makes otherwise.
-        UnsupportedError: a file whose name ends otherwise.
-        OSError: a file can't be written.
+        DatasetError: There is no finished dataset or no such problem, or this version makes a different problem.
+        UnsupportedError: A file name has another ending.
+        OSError: A file cannot be written.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> explanation = sim2reason.explain(data, "pulley-easy-numeric-0-0")
+        >>> list(explanation)[:4]
+        ['Problem', 'Scene', 'Certificate', 'Refused before it']
     """
     check(figure, trace)
     item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)

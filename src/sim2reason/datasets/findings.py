@@ -9,6 +9,7 @@ from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
 from sim2reason.datasets.plan import DATA, file_name
 from sim2reason.errors import DatasetError
+from sim2reason.record import counted
 
 
 class Findings(Record):
@@ -17,6 +18,11 @@ class Findings(Record):
     rows: int
     shards: int
     faults: tuple[str, ...]
+
+    def __str__(self) -> str:
+        """Return the numbers of rows and shards, and a line for each fault."""
+        about = f"{counted(self.rows, 'row')} in {counted(self.shards, 'shard')}"
+        return "\n".join([f"{about}: {counted(len(self.faults), 'fault')}", *(f"  {fault}" for fault in self.faults)])
 
 
 def found(out: Path) -> Findings:

@@ -1,5 +1,6 @@
 """Generate a dataset from Python, as the command of this name does."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from inspect import Parameter, signature
 from pathlib import Path
@@ -24,38 +25,41 @@ from sim2reason.registry import nearest
 ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license", "tolerance"
 NUMBERS = "items", "seed", "shard"
+ORDER = re.compile(r"^( *)order: the options of `Order`\.$", re.MULTILINE)
+"""The line of a docstring that stands for all options; its indentation depends on the version of Python."""
 F = TypeVar("F", bound=Callable[..., object])
 
 
 class Order(TypedDict, total=False):
     """Options of a dataset to generate, each with its meaning; `DEFAULTS` has the value of an omitted option."""
 
-    items: Annotated[int, "How many problems."]
+    items: Annotated[int, "Number of problems."]
     recipe: Annotated[Names, "Kinds of scenes: one name, several, or ``all``."]
     difficulty: Annotated[Names, "``easy``, ``medium``, ``hard``, several, or ``all``."]
     mode: Annotated[Names, "Modes of questions: one name, several, or ``all``."]
-    seed: Annotated[int, "Another seed, other problems."]
+    seed: Annotated[int, "Seed of the problems, 0 or greater."]
     weights: Annotated[
-        Mapping[str, float] | None, 'How often kinds of question are asked: ``{"period": 2, "reverse.count": 0}``.'
+        Mapping[str, float] | None,
+        'Relative frequencies of kinds of question, as in ``{"period": 2, "reverse.count": 0}``.',
     ]
-    units: Annotated[str, "The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."]
+    units: Annotated[str, "System of units of the texts: ``SI``, ``cgs`` or ``mixed``."]
     tolerance: Annotated[
-        float, "The relative error that an answer may have, and by which filters judge: 0.005 to 0.05."
+        float, "Relative error that an answer may have, from 0.005 to 0.05; the filters apply it, too."
     ]
     needs: Annotated[
-        Names, 'What solutions may need: ``("arithmetic", "quadratic")``, or ``all``; by default few need a computer.'
+        Names, 'Mathematics that solutions may need, as in ``("arithmetic", "quadratic")``, or ``all``; see `item`.'
     ]
-    solutions: Annotated[bool, "Whether items come with worked solutions."]
-    unfiltered: Annotated[bool, "A control: any question that has an answer is kept, whatever the filters say of it."]
-    split: Annotated[Mapping[str, float] | None, 'The shares of the splits: ``{"train": 0.9, "test": 0.1}``.']
-    distance: Annotated[float, "How far apart, relatively, some number of two variants of a problem is at least."]
+    solutions: Annotated[bool, "Whether items have worked solutions."]
+    unfiltered: Annotated[bool, "Whether to keep every question with an answer, even if a filter rejects it."]
+    split: Annotated[Mapping[str, float] | None, 'Shares of the splits, as in ``{"train": 0.9, "test": 0.1}``.']
+    distance: Annotated[float, "Least relative difference of some number between two variants of a problem."]
     decontaminate: Annotated[
         Path | str | Sequence[Path | str], "Files of benchmarks with which no problem may share a run of words."
     ]
-    license: Annotated[str, "Of the data, as the Hugging Face hub calls it."]
-    shard: Annotated[int, "How many problems stand in one file."]
+    license: Annotated[str, "License of the data, by its name on the Hugging Face Hub."]
+    shard: Annotated[int, "Number of problems in one file."]
     maker: Annotated[
-        str, "The maker of items by its dotted path; one of your own may know names that the library doesn't."
+        str, "Function that makes items, as a dotted path; it may accept names that the library does not have."
     ]
 
 
@@ -89,8 +93,8 @@ def _ordered(function: F) -> F:
         for name, kind in told.items()
     ]
     function.__signature__ = taken.replace(parameters=own[:1] + options + own[1:])  # type: ignore[attr-defined]
-    lines = "\n".join(f"        {name}: {get_args(kind)[1]}" for name, kind in told.items())
-    function.__doc__ = (function.__doc__ or "").replace("        order: the options of `Order`.", lines)
+    lines = [f"{name}: {get_args(kind)[1]}" for name, kind in told.items()]
+    function.__doc__ = ORDER.sub(lambda found: "\n".join(found[1] + line for line in lines), function.__doc__ or "")
     return function
 
 
@@ -103,23 +107,32 @@ def generate(
     advance: Callable[[int], object] = unseen,
     **order: Unpack[Order],
 ) -> Dataset:
-    """Generate problems into the folder `out`, continue a dataset that is already there, and open the dataset.
+    """Generate problems into a folder and open the dataset.
 
-    The same order gives the same bytes, whatever the number of `workers` and wherever they work; with more `items` a
-    dataset grows. A program needs no guard by ``__name__``, since worker processes do not run it.
+    A dataset that is already in the folder is continued: after an interruption the same call goes on, and with more
+    `items` the dataset grows. The same options give the same bytes, whatever the number of `workers` and wherever they
+    run. A program needs no guard by ``__name__``, since worker processes do not run it.
 
     Args:
         out: The folder.
         order: the options of `Order`.
-        workers: How many processes; by default one for each core. One alone is the calling process.
-        on: Where they work: ``here``, ``ray`` or ``ray://HOST:PORT``.
-        advance: Called with the number of positions that are done.
+        workers: Number of processes; by default one for each core. With 1, the calling process does the work.
+        on: Where the workers run: ``here``, ``ray`` or ``ray://HOST:PORT``.
+        advance: Callback that takes the number of further positions that are finished.
+
+    Returns:
+        The finished dataset.
 
     Raises:
-        UnknownNameError: no such recipe, difficulty, mode, units or place.
-        DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
-        TypeError: an option that does not exist.
-        MissingExtraError: the place needs a package that is not installed.
+        UnknownNameError: There is no such recipe, difficulty, mode, system of units or place.
+        DatasetError: An option is invalid, the folder contains something else, or no worker can be reached.
+        TypeError: There is no such option.
+        MissingExtraError: The place needs a package that is not installed.
+
+    Example:
+        >>> import sim2reason
+        >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        <Dataset 'problems': 2 train>
     """
     benchmarks = Benchmarks(files_to_avoid(order))
     build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)

@@ -50,16 +50,34 @@ def grade(
     partial: bool = False,
     thinking_opened: bool = False,
 ) -> Score:
-    """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
+    r"""Grade a response to a problem.
 
-    `item` may be a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow give it; only its
-    answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
-    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken, nor are the
-    answers to several parts. Of those all must be right, unless `partial` pays for the share that is. Where the prompt
-    ended within the thinking, as by a chat template, `thinking_opened` says so: nothing before its end counts.
+    A number is right within the tolerance of the item, in its unit or converted to it; a formula is right if it has the
+    values of the reference formula. In place of a sign a response may give a direction in the words of the prompt.
+
+    Args:
+        item: An item, or a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow return it.
+            Only its answer is used.
+        response: The whole text of the response, or a list of messages, of which the last counts.
+        lenient: Whether to take the last number if there is no box; for evaluation, never for a reward. It does not
+            apply to formulas, nor to problems with several parts.
+        partial: Whether a response to a problem with several parts earns the share of the parts that are right; by
+            default it must have all of them right.
+        thinking_opened: Whether the prompt ended within the thinking, as with some chat templates; then nothing before
+            the end of the thinking counts.
+
+    Returns:
+        The score, with a reward from 0 to 1, the outcome, and the reason in words.
 
     Raises:
-        DatasetError: a row without an answer that can be read.
+        DatasetError: The row has no readable answer.
+
+    Example:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> score = sim2reason.grade(problem, r"So the answer is \boxed{123 m/s^2}.")
+        >>> score.reward, score.outcome.value
+        (0.0, 'wrong')
     """
     answer = item.answer if isinstance(item, Item) else answer_of(item)
     said = opened(response) if thinking_opened else response
@@ -67,7 +85,7 @@ def grade(
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
-    """The same for whoever holds the answer alone, as the rows of exports do."""
+    """Grade a response by the answer alone, as the rows of exports have it; see `grade`."""
     if answer.parts:
         return parts(response, [_grader(part) for part in answer.parts], partial=partial)
     if answer.letter:

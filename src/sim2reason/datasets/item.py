@@ -1,7 +1,8 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from textwrap import fill
 from typing import Annotated, Self, cast
 
 from pydantic import (
@@ -20,12 +21,30 @@ from sim2reason.dsl.measures import join_unit
 from sim2reason.grading.parts import LABELS
 from sim2reason.prose.formula_numbers import counted_in, said_in
 from sim2reason.questions.choice_prompts import LETTERS
+from sim2reason.record import abridged
+
+WIDTH = 88  # characters in a line of a prompt that is printed
 
 
 class Record(BaseModel):
-    """What all records on disk share: frozen, and no field that we do not know."""
+    """The base of all records on disk: frozen, without unknown fields, and with a short repr."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    def __repr__(self) -> str:
+        """Return the class and the fields that differ from their defaults, long values cut."""
+        shown = (f"{name}={abridged(repr(value), 40)}" for name, value in self._given())
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+    def __str__(self) -> str:
+        """Return the same as `repr`."""
+        return repr(self)
+
+    def _given(self) -> Iterator[tuple[str, object]]:
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            if field.is_required() or value != field.get_default(call_default_factory=True):
+                yield name, value
 
 
 def unfolded(value: object) -> object:
@@ -71,7 +90,7 @@ class FormulaRecord(Record):
 
     @property
     def points(self) -> list[dict[str, float]]:
-        """The bindings by symbol."""
+        """Return the bindings as mappings by symbol."""
         return [dict(zip(self.symbols, each.numbers, strict=True)) for each in self.bindings]
 
     def given(self, binding: int = 0) -> dict[str, str]:
@@ -86,23 +105,31 @@ def _keyed(value: object) -> dict[str, object]:
 
 
 class Answer(Record):
-    """The answer: `value` in `unit`, right within the relative `tolerance`; or a `formula`, whose value that is."""
+    """The answer to a problem: a number with its unit and tolerance, and a formula in symbolic problems.
+
+    Attributes:
+        value: The right number, in `unit`; of a symbolic problem, the value of the formula in the scene.
+        unit: Canonical unit, such as ``m/s`` or ``kg m/s``; empty for a pure number.
+        sign: Axis or direction that counts as positive, in words; empty for a magnitude.
+        tolerance: Relative error within which a number is right.
+        formula: The answer as a formula, with numbers for its symbols; None if a number is asked for.
+        parts: Answers to all parts of a problem with several; the answer itself is then that to the last part.
+        letter: Letter of the right option in multiple choice; empty otherwise.
+        options: Number in each option, from A on, in `unit`; negative if the option names the second of two bodies.
+        texts: Text of each option, from A on, if options have words besides numbers; empty otherwise.
+        told: The number with its unit, or the formula, or the answer to each part, as text for people.
+        shown: The same text with the direction that counts as positive.
+    """
 
     value: FiniteFloat
     unit: str
-    """Canonical, like ``m/s`` or ``kg m/s``; empty for a pure number."""
     sign: str = ""
-    """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
     formula: FormulaRecord | None = None
     parts: "tuple[Answer, ...]" = ()
-    """The answers to all parts, if there are several; the answer itself is then that to the last one."""
     letter: str = ""
-    """The letter of the answer, where it is one of several options."""
     options: tuple[FiniteFloat, ...] = ()
-    """The number in each option, from A on, in `unit`; negative where the option names the second of two bodies."""
     texts: tuple[str, ...] = ()
-    """The text of each option, from A on, where the options hold words besides numbers; else empty."""
 
     @model_validator(mode="before")
     @classmethod
@@ -115,9 +142,13 @@ class Answer(Record):
         units = [counted_in(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
         return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
 
+    def __str__(self) -> str:
+        """Return the answer for people, as `shown`."""
+        return self.shown
+
     @property
     def told(self) -> str:
-        """For people: the number with its unit, or the formula and its value in the scene; or that of each part."""
+        """Return the number with its unit, the formula with its value, or the answer to each part, as text."""
         if self.parts:
             return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
@@ -127,7 +158,7 @@ class Answer(Record):
 
     @property
     def shown(self) -> str:
-        """The same with what counts as positive."""
+        """Return the answer as text, with the direction that counts as positive."""
         if self.parts:
             return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
@@ -152,6 +183,10 @@ class SolutionRecord(Record):
     """Whether the answer follows from the laws that are told, not from a numerical integration."""
     text: str
     steps: tuple[SolutionStep, ...]
+
+    def __str__(self) -> str:
+        """Return the text of the solution."""
+        return self.text
 
 
 class Distractor(Record):
@@ -231,45 +266,78 @@ class Provenance(Record):
 
 
 class Item(Record):
-    """One problem. The same request gives the same item on any worker, in any order."""
+    """A problem with its answer, and the data to check it or to make it again.
+
+    The same request gives the same item in any process, in any order. Items are immutable.
+
+    Attributes:
+        id: Name of the problem, from which `solve` can make it again.
+        prompt: Text of the problem, with the form of the answer in its last sentence.
+        shape: Order in which the prompt gives the scene, the question and the form of the answer.
+        answer: The answer with its unit and tolerance.
+        mode: Mode of the question, such as ``numeric`` or ``symbolic``.
+        kind: Kind of the question, such as ``start``, ``event`` or ``period``.
+        recipe: Recipe of the scene; empty if the scene was given.
+        difficulty: ``easy``, ``medium`` or ``hard``; empty if the scene was given.
+        entities: Types of the entities, in the order of the scene.
+        asked: The question as a quantity of a subject at a moment.
+        needs: Most advanced mathematics of the shortest solution, ``arithmetic`` to ``integration``; empty if unknown.
+        measured: Difficulty of the shortest solution, or of those of all parts together; None if one is missing.
+        parts: The parts of a problem that has several, in order.
+        distractors: Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own.
+        idle: Bodies and other things in the prompt without bearing on the answer, by their names there.
+        idle_numbers: Addresses of the stated numbers without bearing on the answer.
+        solution: The worked solution; None if none was requested or found.
+        unsolved: Why there is no worked solution although it was requested; empty otherwise.
+        scene: The scene as YAML, which `load` reads.
+        certificate: Agreement of the two engines, as plain JSON values.
+        provenance: Coordinates, versions and settings from which the item was made.
+        kinds: Kinds of question of all parts; the kind of the question if there are no parts.
+
+    Example:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> problem.id, problem.kind, problem.answer.unit
+        ('pulley-easy-numeric-0-0', ..., ...)
+        >>> sim2reason.Item.model_validate_json(problem.model_dump_json()) == problem
+        True
+    """
 
     id: str
     prompt: str
     shape: str
-    """In which order the prompt says what it says."""
     answer: Answer
     mode: str
     kind: str
     recipe: str
     difficulty: str
     entities: tuple[str, ...]
-    """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
     needs: str = ""
-    """The most advanced mathematics of its shortest solution, ``arithmetic`` to ``integration``; empty: unknown."""
     measured: MeasuredDifficulty | None = None
-    """Difficulty of the shortest solution, or of those of all parts together; None if one is missing."""
     parts: tuple[QuestionPart, ...] = ()
-    """The parts (a), (b) and so on of a problem that has several."""
     distractors: tuple[Distractor, ...] = ()
-    """Wrong answers with their reasons, each beyond the tolerance; with several parts, each has its own."""
     idle: tuple[str, ...] = ()
-    """What of the scene has no bearing on the answer, as the prompt calls it."""
     idle_numbers: tuple[str, ...] = ()
-    """The addresses of stated numbers without bearing: those of such parts, and what cancels or should be seen to."""
     solution: SolutionRecord | None = None
-    """Where solutions were asked for: how the answer follows, step by step."""
     unsolved: str = ""
-    """Where they were: why there is none."""
     scene: str
-    """The scene as YAML."""
     certificate: Annotated[dict[str, JsonValue], FOLDED]
-    """How well the engines agree."""
     provenance: Provenance
+
+    def __repr__(self) -> str:
+        """Return the id, the mode and the answer on one line."""
+        return f"<Item {self.id!r}: {self.mode}, answer {abridged(self.answer.shown)}>"
+
+    def __str__(self) -> str:
+        """Return the id and coordinates, the prompt in lines of at most 88 characters, and the answer."""
+        about = ", ".join(filter(None, (self.recipe, self.difficulty, self.mode)))
+        lines = (_wrapped(line) for line in self.prompt.splitlines())
+        return "\n".join((f"{self.id} ({about})", "", *lines, "", f"Answer: {self.answer.shown}"))
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """The kinds of question of all parts, or its own."""
+        """Return the kinds of question of all parts, or the kind of the question if there are no parts."""
         return tuple(dict.fromkeys(part.kind for part in self.parts)) or (self.kind,)
 
     @field_validator("certificate")
@@ -278,3 +346,8 @@ class Item(Record):
         """JSON knows no infinities; say so while the item is made, not when its shard is written."""
         json.dumps(value, allow_nan=False)
         return value
+
+
+def _wrapped(line: str) -> str:
+    """Return a line of a prompt broken into lines of at most `WIDTH` characters; rows of tables stay whole."""
+    return line if line.startswith("|") else fill(line, WIDTH, break_long_words=False, break_on_hyphens=False)

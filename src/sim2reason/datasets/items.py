@@ -30,21 +30,45 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
     needs: Names = (),
     solutions: bool = False,
 ) -> Item:
-    """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
+    r"""Make the problem with the given coordinates.
 
-    `weights` say how often kinds of question are asked, compared with others: ``{"period": 2, "reverse.count": 0}``.
-    `units` is the system in which it is told: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
-    `tolerance` is the relative error that an answer may have, and by which filters judge: from 0.005 to 0.05.
-    `needs` is what its solution may need: one or several of ``arithmetic``, ``quadratic``, ``inverse function``,
-    ``root``, ``special function`` and ``integration``, or ``all``; by default one of the first three, save
-    for a few items.
-    With `solutions` it has its worked solution.
+    With the same versions of the packages, the same arguments give the same problem on any machine.
+
+    Args:
+        recipe: Name of a recipe, a kind of scene; ``sim2reason.list("recipes")`` returns all of them.
+        difficulty: ``easy``, ``medium`` or ``hard``.
+        mode: Mode of questions: ``numeric``, ``reverse``, ``symbolic``, ``multipart`` or ``choice``.
+        seed: Number of a series of problems, 0 or greater.
+        index: Position of the problem in its series, from 0.
+        weights: Relative frequencies of kinds of question, as in ``{"period": 2, "reverse.count": 0}``; by default
+            those that the library declares.
+        units: System of units of the text and the answer: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
+        tolerance: Relative error that an answer may have, from 0.005 to 0.05; the filters apply it, too.
+        needs: Mathematics that the solution may need: one or several of ``arithmetic``, ``quadratic``,
+            ``inverse function``, ``root``, ``special function`` and ``integration``, or ``all``. By default one of the
+            first three, except for a few items.
+        solutions: Whether to add the worked solution.
+
+    Returns:
+        The problem with its answer, its scene, and the certificate of the two engines.
 
     Raises:
-        DatasetError: a weight that makes no sense.
-        UnknownNameError: no such recipe, difficulty, mode, units or need.
-        DrawError: a negative seed or index, a tolerance out of range, or no draw passed the filters within the budget;
-            take another index.
+        UnknownNameError: There is no such recipe, difficulty, mode, system of units or need.
+        DrawError: The seed or index is negative, the tolerance is out of range, or no draw passed the filters; in the
+            last case take another index.
+        DatasetError: A weight is invalid.
+
+    Example:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy", seed=7)
+        >>> print(problem)
+        pulley-easy-numeric-7-0 (pulley, easy, numeric)
+        <BLANKLINE>
+        ...
+        <BLANKLINE>
+        Answer: ...
+        >>> sim2reason.grade(problem, rf"\boxed{{{problem.answer.value}}}").reward
+        1.0
     """
     how = weights, units
     order = requested(
@@ -64,7 +88,37 @@ def sample(  # noqa: PLR0913 - the same
     tolerance: float = TOLERANCE,
     needs: Names = (),
 ) -> Scene:
-    """The scene of the `item` of these coordinates; it raises what that does."""
+    """Draw the scene of the problem with the given coordinates.
+
+    Args:
+        recipe: Name of a recipe, a kind of scene; ``sim2reason.list("recipes")`` returns all of them.
+        difficulty: ``easy``, ``medium`` or ``hard``.
+        mode: Mode of questions: ``numeric``, ``reverse``, ``symbolic``, ``multipart`` or ``choice``.
+        seed: Number of a series of problems, 0 or greater.
+        index: Position of the problem in its series, from 0.
+        weights: Relative frequencies of kinds of question, as in ``{"period": 2, "reverse.count": 0}``; by default
+            those that the library declares.
+        tolerance: Relative error that an answer may have, from 0.005 to 0.05; the filters apply it, too.
+        needs: Mathematics that the solution may need: one or several of ``arithmetic``, ``quadratic``,
+            ``inverse function``, ``root``, ``special function`` and ``integration``, or ``all``. By default one of the
+            first three, except for a few items.
+
+    Returns:
+        The scene of `item` with the same arguments.
+
+    Raises:
+        UnknownNameError: There is no such recipe, difficulty, mode or need.
+        DrawError: The seed or index is negative, the tolerance is out of range, or no draw passed the filters.
+        DatasetError: A weight is invalid.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.sample("incline", "easy", seed=3)
+        >>> scene.value("world.gravity")
+        9.8
+        >>> scene == sim2reason.load(sim2reason.item("incline", "easy", seed=3).scene)
+        True
+    """
     return _found(
         requested(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance, needs=needs)
     ).study.scene
@@ -83,14 +137,38 @@ def stream(  # noqa: PLR0913 - the same
     needs: Names = (),
     solutions: bool = False,
 ) -> Iterator[Item]:
-    """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
+    """Yield problems without end, in turn from the given recipes, difficulties and modes.
 
-    The few requests that no draw fills are passed over, as in a dataset. What follows `start` is as in `item`.
+    The few coordinates at which no draw passes the filters are skipped, as in a dataset.
+
+    Args:
+        recipe: Kinds of scenes: one name, several, or ``all``; ``sim2reason.list("recipes")`` returns them.
+        difficulty: ``easy``, ``medium``, ``hard``, several of these, or ``all``.
+        mode: Modes of questions: one name, several, or ``all``.
+        seed: Number of the series of problems, 0 or greater.
+        start: Position at which to start, from 0; no problem before it is made.
+        weights: Relative frequencies of kinds of question, as in ``{"period": 2, "reverse.count": 0}``; by default
+            those that the library declares.
+        units: System of units of the text and the answer: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
+        tolerance: Relative error that an answer may have, from 0.005 to 0.05; the filters apply it, too.
+        needs: Mathematics that the solution may need: one or several of ``arithmetic``, ``quadratic``,
+            ``inverse function``, ``root``, ``special function`` and ``integration``, or ``all``. By default one of the
+            first three, except for a few items.
+        solutions: Whether to add worked solutions.
+
+    Yields:
+        The problems, in the order of their positions.
 
     Raises:
-        UnknownNameError: no such recipe, difficulty, mode, units or need.
-        DrawError: a negative seed or start.
-        DatasetError: a weight that makes no sense.
+        UnknownNameError: There is no such recipe, difficulty, mode, system of units or need.
+        DrawError: The seed or start is negative.
+        DatasetError: A weight is invalid.
+
+    Example:
+        >>> from itertools import islice
+        >>> import sim2reason
+        >>> [problem.id for problem in islice(sim2reason.stream("pulley", "easy"), 2)]
+        ['pulley-easy-numeric-0-0', 'pulley-easy-numeric-0-1']
     """
     first = whole("start", start)
     config = Config(

@@ -24,12 +24,34 @@ def show(  # noqa: PLR0913 - filters, by name
     needs: Names = ALL,
     split: Names = ALL,
 ) -> Iterator[Item]:
-    """At most so many `items`, spread over the dataset, of which all names fit; or the one of an `id`.
+    """Yield some problems of a dataset, spread over all that match.
 
-    One file is held in memory at a time. Each name may be one, several, or ``all``.
+    Each filter takes one name, several, or ``all``. One file of the dataset is in memory at a time.
+
+    Args:
+        dataset: A dataset, or its folder.
+        items: Greatest number of problems.
+        id: The id of a single problem; the filters are then ignored.
+        recipe: Recipes of the problems.
+        difficulty: Difficulties of the problems.
+        mode: Modes of the problems.
+        kind: Kinds of question.
+        quantity: Quantities asked for.
+        needs: Mathematics that the solutions need.
+        split: Splits of the dataset.
+
+    Yields:
+        At most `items` problems, in the order of the dataset.
 
     Raises:
-        DatasetError: no finished dataset, a damaged file, a name that occurs nowhere in it, or nothing that fits.
+        DatasetError: There is no finished dataset, a file is damaged, a name does not occur, or no problem matches.
+
+    Example:
+        >>> import sim2reason
+        >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        <Dataset 'problems': 2 train>
+        >>> [problem.id for problem in sim2reason.show("problems", items=1, mode="numeric")]
+        ['pulley-easy-numeric-0-...']
     """
     data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
     if id is not None:

@@ -11,6 +11,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
+from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.questions import MODES, StatedResult, Words
@@ -24,6 +25,7 @@ from sim2reason.questions.posing import VALUE, PosedQuestion, posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
+from sim2reason.record import abridged
 from sim2reason.scene_files import SceneLike, given_scene, question_of
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
@@ -32,11 +34,16 @@ TRIES = 20
 
 
 class SolvedProblem(NamedTuple):
-    """Text and worked solution of a problem, with the answer from the motion in `unit`.
+    """A problem with its worked solution, and its answer from the simulated motion.
 
-    If there is no worked solution, or the motion has no answer either, `reason` says why. `read_as` is
-    the reading of a question in ordinary English. `over` says how long the motion is over which a greatest or least
-    value is taken, where the question names no moment.
+    Attributes:
+        problem: Text of the problem.
+        solution: The worked solution; its `answer` is None if there is none.
+        answer: Answer from the motion, in `unit`; None if the motion has no answer.
+        unit: Unit of the answer; empty for a pure number.
+        reason: Why there is no worked solution, or no answer at all; empty if there is one.
+        read_as: Question of the library that a question in ordinary English was read as; empty for any other.
+        over: Duration over which a greatest or least value is taken, if the question names no moment.
     """
 
     problem: str
@@ -46,6 +53,19 @@ class SolvedProblem(NamedTuple):
     reason: str = ""
     read_as: str = ""
     over: str = ""
+
+    def __repr__(self) -> str:
+        """Return the answer and the strategy of the solution, or the reason why one of them is missing."""
+        answer = "none" if self.answer is None else join_unit(f"{self.answer:.6g}", self.unit)
+        how = f"by {self.solution.strategy}" if self.solution.answer is not None else abridged(self.reason, 100)
+        return f"<SolvedProblem: answer {answer}, {how}>"
+
+    def __str__(self) -> str:
+        """Return the problem and its solution; without a solution, the reason and the answer from the motion."""
+        parts = [self.problem, str(self.solution)]
+        if self.answer is not None and self.solution.answer is None:
+            parts.append(f"Answer from the motion: {join_unit(f'{self.answer:.6g}', self.unit)}")
+        return "\n\n".join(parts)
 
 
 def solve(  # noqa: PLR0913 - the parts of a question, by name
@@ -62,17 +82,45 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     compare: str = "",
     seed: int = 0,
 ) -> SolvedProblem:
-    """Solve a question about a scene, or the problem of an item or `id`, made again from its id, in steps.
+    r"""Solve a question about a scene, or a problem, in steps.
 
-    A `question` is in the words of the library or in ordinary English, or it has the parts of a `StructuredQuestion`,
-    which may also be given one by one: what to `find`, `of` what, and `when`. Without any, the question in the
-    scene's file is taken, or a question is drawn. Another seed gives other words.
+    Give either a `scene`, with a question in words or in parts, or an `id`. Without a question, that in the scene's
+    file is taken, or one is drawn.
+
+    Args:
+        scene: A scene, the path of its file, its YAML text, the result of `parse_scene`, or an item, which is made
+            again and solved.
+        id: The id of a problem, which is made again from it.
+        question: A question in the words of the library or in ordinary English, or a mapping with the parts below.
+        find: What to find: a quantity, ``time``, or the address of a number.
+        of: The subject, by its name in the text or its address.
+        when: A time, a moment, or ``QUANTITY = VALUE``.
+        along: The component: an axis, or the direction that counts as positive.
+        given: ``QUANTITY = VALUE``, which the number to find must bring about.
+        change: A change to the scene whose effect is to be found, such as ``ADDRESS = VALUE`` or ``ADDRESS × 2``.
+        compare: How to give a changed answer: ``ratio``, ``difference`` or ``value``.
+        seed: Seed of the wording, and of a question that is drawn.
+
+    Returns:
+        The problem with its solution and its answer from the motion.
 
     Raises:
-        TypeError: neither a scene nor the path of its file, its text or an item.
-        SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
-        TextError: a question that is not understood.
-        DrawError: an invalid id, or the id of no problem.
+        TypeError: `scene` is of another type.
+        SceneError: Both a scene and an id are given, or neither, or there is nothing to ask about the scene.
+        TextError: The question is not understood.
+        DrawError: The id is invalid, or there is no such problem.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> solved = sim2reason.solve(scene, question="How fast is the block after 2 s?")
+        >>> solved
+        <SolvedProblem: answer 9.8 m/s, by constant acceleration>
+        >>> print(solved.solution)
+        Given: ...
+        <BLANKLINE>
+        ...
+        Answer: $v \approx \boxed{9.80}\ \text{m/s}$.
     """
     if (scene is None) == (id is None):
         raise SceneError("solve", "it takes a scene or an id", "give one of the two")

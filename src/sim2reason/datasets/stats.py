@@ -6,6 +6,7 @@ from pathlib import Path
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import Counts
+from sim2reason.record import counted
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"
@@ -13,26 +14,46 @@ DIGITS = 3  # of numbers whose middle is sought: as many as a prompt asks for
 
 
 class Spread(Record):
-    """The least, the middle and the greatest of some numbers; the middle is rounded to three digits."""
+    """The least, median and greatest of some numbers; the median is rounded to three digits."""
 
     items: int
     least: float
     median: float
     greatest: float
 
+    def __str__(self) -> str:
+        """Return the three values and the number of items."""
+        return f"{self.least:.3g} to {self.greatest:.3g}, median {self.median:.3g} ({counted(self.items, 'item')})"
+
 
 class Stats(Record):
-    """What a dataset holds."""
+    """The contents of a dataset, counted.
+
+    Attributes:
+        items: Number of items.
+        counts: Numbers of items by recipe, difficulty, mode, kind, needs, shape, quantity and split.
+        refused: Numbers of draws that were rejected while the items were made, by filter.
+        words: Spread of the lengths of prompts.
+        answers: Spread of the answers by unit; of a formula, its value in the scene counts.
+    """
 
     items: int
     counts: dict[str, Counts]
-    """By recipe, difficulty, mode, kind, needs, shape, quantity and split."""
     refused: Counts
-    """Draws that a filter refused while the items were made, by filter."""
     words: Spread
-    """Lengths of prompts."""
     answers: dict[str, Spread]
-    """By unit, as the items have it; a formula by its value in the scene."""
+
+    def __repr__(self) -> str:
+        """Return the number of items and of refused draws."""
+        return f"<Stats: {counted(self.items, 'item')}, {counted(sum(self.refused.values()), 'refused draw')}>"
+
+    def __str__(self) -> str:
+        """Return a line with the counts of each column, and with the spread of prompts and answers."""
+        counts = (
+            f"  {by}: {', '.join(f'{name} {n}' for name, n in found.items())}" for by, found in self.counts.items()
+        )
+        answers = (f"  answers in {unit or 'pure numbers'}: {found}" for unit, found in self.answers.items())
+        return "\n".join([repr(self)[1:-1], *counts, f"  words of prompts: {self.words}", *answers])
 
 
 class _Numbers:
@@ -56,10 +77,22 @@ class _Numbers:
 
 
 def stats(dataset: Dataset | Path | str) -> Stats:
-    """Count a dataset: what its items are, how long their prompts are, and which answers they have.
+    """Count the items of a dataset, and the lengths of their prompts and the sizes of their answers.
+
+    Args:
+        dataset: A dataset, or its folder.
+
+    Returns:
+        The counts by column, and the spread of prompts and answers.
 
     Raises:
-        DatasetError: no finished dataset, or a damaged file.
+        DatasetError: There is no finished dataset, or a file is damaged.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> sim2reason.stats(data).counts["recipe"]
+        {'pulley': 2}
     """
     data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
     counts = {name: Counter[str]() for name in (*COUNTED, "quantity")}

@@ -30,29 +30,61 @@ __all__ = ["WHEEL_RADIUS", "Axes", "Builder", "Frame", "Rim"]
 
 
 class Frame:
-    """A body under construction, or the room; what is made on it moves with it."""
+    """A body under construction, or the room, with the methods that build a mechanism.
+
+    Everything that is made on a frame moves with it. Methods that add to the body return the frame, so that calls can
+    be chained. Vectors are in the axes of the room at the start: x to the right, y away from the reader, z up; lengths
+    are in m, masses in kg, angles in radians.
+
+    Args:
+        builder: Builder that collects the parts.
+        prefix: Address that precedes all names made here.
+        body: Address of the body; None for the room.
+        at: Position of the frame in the room.
+        origin: Position of the entity in the room; by default that of the frame.
+
+    Attributes:
+        prefix: Address that precedes all names made here.
+        name: Address of the body; None for the room.
+        at: Position of the frame in the room.
+        origin: Position of the entity in the room.
+        own_name: Address of the body; ValueError for the room.
+
+    Example:
+        >>> from sim2reason.authoring import X, Z
+        >>> from sim2reason.dsl.builder import Builder
+        >>> builder = Builder()
+        >>> builder.room("floor").body("block", 2.0).rest(X, Z, friction=0.2, speed=3.0)
+        <Frame of 'floor.block' at (0.0, 0.0, 0.0)>
+        >>> builder.finish()
+        <Mechanism: 1 body, 1 coordinate, 1 face>
+    """
 
     def __init__(
         self, builder: Collector, prefix: str, body: str | None, at: Vector, origin: Vector | None = None
     ) -> None:
-        """`prefix` goes before every name made here; it stands at `at` in the room, and its entity at `origin`."""
+        """Create a frame at `at` in the room, for the entity at `origin`; `prefix` precedes every name made here."""
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
         self.origin = at if origin is None else origin
 
+    def __repr__(self) -> str:
+        """Return the name of the body, or that of the room, and the place in the room."""
+        return f"<Frame of {'the room' if self.name is None else repr(self.name)} at {self.at}>"
+
     def address(self, name: str) -> str:
-        """The full address of a name that is made here."""
+        """Return the full address of a name that is made here."""
         return f"{self.prefix}.{name}" if self.prefix else name
 
     def part(self, name: str, at: Vector = ZERO) -> "Frame":
-        """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
+        """Return the same body, shifted by `at`, with `name` before all names: the frame for a part of an entity."""
         return Frame(self._builder, self.address(name), self.name, add(self.at, at), self.origin)
 
     def body(
         self, name: str, mass: float = 0.0, *, at: Vector = ZERO, center: Vector = ZERO, inertia: Tensor = NO_INERTIA
     ) -> "Frame":
-        """A new body carried by this one, its frame at `at`; welded until it is told to move.
+        """Add a body that is carried by this one, with its frame at `at`; it is fixed until it is given a motion.
 
-        `center`, of mass, and `inertia`, about it, are given in the room's axes at the start.
+        The centre of mass, `center`, and the `inertia` about it are in the axes of the room at the start.
         """
         address, where = self.address(name), add(self.at, at)
         relative = self._builder.relative(self.name, where)
@@ -60,7 +92,7 @@ class Frame:
         return Frame(self._builder, self.prefix, address, where, self.origin)
 
     def turned(self, axes: Axes) -> "Frame":
-        """Say where this body's own axes point at the start; nothing but a drawing asks."""
+        """Set the directions of the axes of this body at the start; only drawings use them."""
         self._builder.turned[self._own()] = axes
         return self
 
@@ -259,7 +291,7 @@ class Frame:
 
     @property
     def own_name(self) -> str:
-        """The name of this body; ValueError for the room."""
+        """Return the address of this body; ValueError for the room."""
         return self._own()
 
     def _own(self) -> str:
@@ -278,7 +310,19 @@ def _flat(through: Iterable[str | Rim]) -> list[str]:
 
 
 def axial_inertia(inertia: float) -> Tensor:
-    """Return the inertia tensor of a flat disc about y, kg m², with half of its axial moment of inertia across."""
+    """Return the inertia tensor of a flat disc in the xz plane, whose axis is y.
+
+    Args:
+        inertia: Moment of inertia about the axis, kg m².
+
+    Returns:
+        The components xx, yy, zz, xy, xz and yz, kg m²; about a diameter it is half of `inertia`.
+
+    Example:
+        >>> from sim2reason.authoring import axial_inertia
+        >>> axial_inertia(0.4)
+        (0.2, 0.4, 0.2, 0.0, 0.0, 0.0)
+    """
     return (0.5 * inertia, inertia, 0.5 * inertia, 0.0, 0.0, 0.0)
 
 

@@ -20,7 +20,28 @@ PORT_TYPES = (Port, Inside)
 
 
 class Part(Model):
-    """What several entities share: bodies with their own lines and ports, such as a mass system."""
+    """The base of parts that several entities share: bodies with their own lines and ports.
+
+    The fields of a subclass declare its bodies and numbers. A class with a number that no line states cannot be
+    defined: a TypeError names the number.
+
+    Attributes:
+        says: Lines that describe the part, as templates.
+        words: Words that depend on the value of a field, by name.
+        called: Name of the whole in sentences, as in *the electric field*; empty if no sentence mentions it.
+        untold: Numbers that bodies may have but no line states.
+
+    Example:
+        >>> from sim2reason.authoring import X, Z, Frame, Part, either
+        >>> from sim2reason.bodies.block import Block
+        >>> class Sliding(Part):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z)
+        >>> Sliding(block=Block(mass=2.0))
+        Sliding(block=Block(mass=2.0))
+    """
 
     model_config = ConfigDict(ignored_types=PORT_TYPES)
     says: ClassVar[tuple[Saying, ...]] = ()
@@ -32,7 +53,7 @@ class Part(Model):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        """Refuse a class whose lines leave a number unsaid or name an unknown one; TypeError says which."""
+        """Check that the lines state every number and name no unknown one; TypeError otherwise."""
         if any(name == "says" or isinstance(member, PORT_TYPES) for name, member in vars(cls).items()):
             cls.untold = check_lines(cls)
 
@@ -48,44 +69,76 @@ class Part(Model):
 
     @classmethod
     def told_by_word(cls, parameter: str, value: object) -> bool:
-        """Whether a word of its own lines tells a number specially, so that no other line need say it."""
+        """Return whether a word in the lines states a number specially, so that no other line needs to."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
         lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
         used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
         return any(value in words[name].special for name in used)
 
     def build(self, room: Frame) -> None:
-        """Say in the builder's verbs what there is and how it moves."""
+        """Build the bodies and their possible motions by the methods of the frame.
+
+        Args:
+            room: Frame of the room, or of the body that carries the part.
+        """
         raise NotImplementedError
 
 
 class Entity(Part):
-    """A mechanism that a scene file can name."""
+    """The base of entities: mechanisms that a scene file can name.
+
+    The fields of a subclass declare its bodies and numbers, `says` the lines of its text, ports the places where
+    connections join, and `build` its mechanics. Register the class with `entity`, so that files and texts find it.
+
+    Attributes:
+        units: System of units of the text; by default the SI.
+        schematic: Whether a drawing may choose the lengths of strings and faces; by default it is to scale.
+        clocked: Whether the text says what happens at t = 0, so that a start from rest is no release.
+        tells_taut: Whether the lines say that strings are taut at the start.
+        slackens: Whether a string within the entity may go slack and become taut again.
+
+    Example:
+        >>> import sim2reason
+        >>> from sim2reason.authoring import X, Z, Entity, Frame, either
+        >>> from sim2reason.bodies.block import Block
+        >>> class BlockOnFloor(Entity):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z, speed=3.0)
+        >>> scene = sim2reason.Scene(entities=({"name": "floor", "entity": BlockOnFloor(block=Block(mass=2.0))},))
+        >>> float(sim2reason.simulate(scene, duration=2.0).state.q[-1, 0])
+        6.0
+    """
 
     units: ClassVar[UnitSystem] = SI  # in which its text speaks
     schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
 
     def horizon(self, gravity: float) -> float | None:
-        """Return how long to follow the motion, in the units of its text: a period, a flight; None for the default.
+        """Return the duration for which to follow the motion, such as a period; None for the default.
 
-        `gravity` is that of the scene, in m/s².
+        Args:
+            gravity: Acceleration due to gravity of the scene, m/s².
+
+        Returns:
+            The duration in the units of the text, or None.
         """
         del gravity
         return None
 
     @property
     def clocked(self) -> bool:
-        """Whether its text says what happens at t = 0, so that a start from rest is no release."""
+        """Return whether the text says what happens at t = 0, so that a start from rest is no release."""
         return False
 
     @property
     def tells_taut(self) -> bool:
-        """Whether its own lines say that its strings are taut at the start, so that no other line need say it."""
+        """Return whether the lines say that strings are taut at the start."""
         return False
 
     @property
     def slackens(self) -> bool:
-        """Whether a string of its own may go slack and become taut again, as far as its text tells."""
+        """Return whether a string within the entity may go slack and become taut again."""
         return False
 
 
@@ -101,7 +154,7 @@ class Named(Model):
 
     @cached_property
     def alone(self) -> Builder:
-        """It built with nothing else, to be looked at: scenes that differ in another entity share that."""
+        """Return a builder with this entity alone, which scenes that differ in other entities share."""
         builder = Builder()
         self.entity.build(builder.room(self.name))
         return builder
@@ -112,7 +165,30 @@ ENTITIES: Registry[type[Entity]] = Registry("entities")
 
 
 def entity(cls: type[E]) -> type[E]:
-    """Enter an entity class under its name."""
+    """Register an entity class under its name.
+
+    Args:
+        cls: The class.
+
+    Returns:
+        The same class.
+
+    Raises:
+        ValueError: Another class has the name.
+
+    Example:
+        >>> import sim2reason
+        >>> from sim2reason.authoring import X, Z, Entity, Frame, either, entity
+        >>> from sim2reason.bodies.block import Block
+        >>> @entity
+        ... class BlockOnFloor(Entity):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z)
+        >>> "BlockOnFloor" in [member.name for member in sim2reason.list("entities")["entities"]]
+        True
+    """
     return ENTITIES.add(cls.__name__, cls)
 
 

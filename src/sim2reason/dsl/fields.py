@@ -12,7 +12,25 @@ from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, add, cross, in
 
 @dataclass(frozen=True, slots=True)
 class Profile:
-    """The strength of a field: (value + slope·(axis·r) + rate·t) · cos(frequency·t + phase)."""
+    """The strength of a field as a function of place and time.
+
+    The strength is (value + slope·(axis·r) + rate·t)·cos(frequency·t + phase), in the unit of the field.
+
+    Attributes:
+        value: Strength at the origin at t = 0, without the cosine.
+        slope: Change of the strength per metre along `axis`.
+        axis: Unit vector along which the strength changes.
+        rate: Change of the strength per second.
+        frequency: Angular frequency, rad/s; 0 for a field that does not oscillate.
+        phase: Phase of the oscillation, rad.
+        steady: Whether the strength does not depend on time.
+        uniform: Whether the strength is the same everywhere and always.
+
+    Example:
+        >>> from sim2reason.authoring import Profile
+        >>> Profile(3.0).uniform, Profile(3.0, frequency=2.0).steady
+        (True, False)
+    """
 
     value: float
     slope: float = 0.0
@@ -22,7 +40,7 @@ class Profile:
     phase: float = 0.0  # rad, of what has a frequency
 
     def at(self, place: Triple, time: Number, maths: Maths) -> Number:
-        """The strength at a place and a time."""
+        """Return the strength at a place, m, and a time, s."""
         found: Number = self.value
         if self.slope:
             found = found + self.slope * product(self.axis, place)
@@ -34,55 +52,89 @@ class Profile:
         return found * maths.cos(angle + self.phase if self.phase else angle)
 
     def moved(self, by: Vector) -> "Profile":
-        """The same profile about another origin."""
+        """Return the profile about an origin that is displaced by `by`, m."""
         return replace(self, value=self.value - self.slope * inner(self.axis, by)) if self.slope else self
 
     @property
     def steady(self) -> bool:
-        """Whether it does not depend on time."""
+        """Return whether the strength does not depend on time."""
         return self.rate == 0.0 and self.frequency == 0.0
 
     @property
     def uniform(self) -> bool:
-        """Whether it is the same everywhere and always."""
+        """Return whether the strength is the same everywhere and always."""
         return self.steady and self.slope == 0.0
 
 
 class Law(Protocol):
-    """A force as a function of place, velocity and time."""
+    """The protocol of laws of force: functions of place, velocity and time.
+
+    A law accepts floats, arrays and symbols, with a `maths` that has their square root, sine and cosine.
+
+    Attributes:
+        constant: Whether the force never changes.
+
+    Example:
+        >>> import math
+        >>> from sim2reason.authoring import Law, Profile, Push, X, ZERO
+        >>> law: Law = Push(X, Profile(3.0))
+        >>> law.force(ZERO, ZERO, 0.0, math)
+        (3.0, 0.0, 0.0)
+    """
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """The force, N."""
+        """Return the force, N.
+
+        Args:
+            place: Position, m, in the axes of the room.
+            velocity: Velocity, m/s.
+            time: Time, s.
+            maths: Functions for the type of number: square root, sine and cosine.
+
+        Returns:
+            The components of the force.
+        """
         ...
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """The potential energy, J, of a force that has one; else None."""
+        """Return the potential energy, J, at a place; None for a force that has none."""
         ...
 
     @property
     def constant(self) -> bool:
-        """Whether the force never changes."""
+        """Return whether the force never changes."""
         ...
 
     def moved(self, by: Vector) -> Self:
-        """The same law about another origin."""
+        """Return the law about an origin that is displaced by `by`, m."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Push:
-    """A force along one direction, such as that of an electric field on a charge."""
+    """A force along a fixed direction, such as that of an electric field on a charge.
+
+    Attributes:
+        direction: Unit vector.
+        profile: Strength of the force, N.
+        constant: Whether the force never changes.
+
+    Example:
+        >>> from sim2reason.authoring import Profile, Push, X
+        >>> Push(X, Profile(3.0)).constant
+        True
+    """
 
     direction: Vector
     profile: Profile
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Strength times direction."""
+        """Return the strength times the direction."""
         del velocity
         return times(self.profile.at(place, time, maths), self.direction)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """−∫F·dr where the curl is zero: the strength may change along the direction alone, and not in time."""
+        """Return −∫F·dr; None if the force depends on time, or changes across its direction."""
         del maths
         along = product(self.direction, self.profile.axis)
         if not self.profile.steady or (self.profile.slope and abs(along * along - 1.0) > 1e-12):
@@ -92,49 +144,73 @@ class Push:
 
     @property
     def constant(self) -> bool:
-        """Whether it is uniform."""
+        """Return whether the profile is uniform."""
         return self.profile.uniform
 
     def moved(self, by: Vector) -> "Push":
-        """About another origin."""
+        """Return the law about another origin."""
         return replace(self, profile=self.profile.moved(by))
 
 
 @dataclass(frozen=True, slots=True)
 class Magnetic:
-    """The force v × B on a unit of charge; the profile holds charge times field, T C."""
+    """The force v × B of a magnetic field on a charge.
+
+    Attributes:
+        direction: Unit vector along the field.
+        profile: Charge times field, C T.
+        constant: Whether the force never changes: always False, since it depends on the velocity.
+
+    Example:
+        >>> import math
+        >>> from sim2reason.authoring import X, Z, ZERO, Magnetic, Profile
+        >>> Magnetic(Z, Profile(2.0)).force(ZERO, X, 0.0, math)
+        (0.0, -2.0, 0.0)
+    """
 
     direction: Vector
     profile: Profile
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Square to velocity and field; it does no work."""
+        """Return the force, which is perpendicular to velocity and field and does no work."""
         return times(self.profile.at(place, time, maths), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """Zero: it does no work."""
+        """Return 0, since the force does no work."""
         del place, maths
         return 0.0
 
     @property
     def constant(self) -> bool:
-        """Never."""
+        """Return False, since the force depends on the velocity."""
         return False
 
     def moved(self, by: Vector) -> "Magnetic":
-        """About another origin."""
+        """Return the law about another origin."""
         return replace(self, profile=self.profile.moved(by))
 
 
 @dataclass(frozen=True, slots=True)
 class Resistance:
-    """Drag: −linear·v − quadratic·|v|·v."""
+    """The drag −linear·v − quadratic·|v|·v.
+
+    Attributes:
+        linear: Coefficient of the linear term, N s/m.
+        quadratic: Coefficient of the quadratic term, N s²/m².
+        constant: Whether the force never changes: always False, since it depends on the velocity.
+
+    Example:
+        >>> import math
+        >>> from sim2reason.authoring import X, ZERO, Resistance
+        >>> Resistance(linear=0.5).force(ZERO, X, 0.0, math)
+        (-0.5, -0.0, -0.0)
+    """
 
     linear: float = 0.0  # N s/m
     quadratic: float = 0.0  # N s²/m²
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Against the velocity."""
+        """Return the force, which is opposite to the velocity."""
         del place, time
         factor: Number = -self.linear
         if self.quadratic:
@@ -142,17 +218,17 @@ class Resistance:
         return times(factor, velocity)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """None: it dissipates."""
+        """Return None, since drag dissipates energy."""
         del place, maths
         return None
 
     @property
     def constant(self) -> bool:
-        """Never."""
+        """Return False, since the force depends on the velocity."""
         return False
 
     def moved(self, by: Vector) -> "Resistance":
-        """It is the same everywhere."""
+        """Return the same law, since it does not depend on place."""
         del by
         return self
 
@@ -181,7 +257,7 @@ class Central:
 
     @property
     def constant(self) -> bool:
-        """Never."""
+        """Return False, since the force depends on the place."""
         return False
 
     def moved(self, by: Vector) -> "Central":

@@ -20,20 +20,50 @@ from sim2reason.dsl.units import coherent, parse_unit
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """Where a number is drawn from, both ends included. A field may narrow its alias by one more `Range`."""
+    """The interval from which a number is drawn, both ends included.
+
+    A field may narrow the range of its type by a further `Range`.
+
+    Attributes:
+        low: Least value, in the unit of the measure.
+        high: Greatest value.
+
+    Raises:
+        ValueError: The interval is empty or infinite.
+
+    Example:
+        >>> from typing import Annotated
+        >>> from sim2reason.authoring import Mass, Range
+        >>> Heavy = Annotated[Mass, Range(50.0, 100.0)]
+        >>> Range(2.0, 1.0)
+        Traceback (most recent call last):
+        ValueError: not a range: 2.0 to 1.0
+    """
 
     low: float
     high: float
 
     def __post_init__(self) -> None:
-        """Refuse an empty or infinite range."""
+        """Check that the range is finite and not empty; ValueError otherwise."""
         if not (isfinite(self.low) and isfinite(self.high) and self.low <= self.high):
             raise ValueError(f"not a range: {self.low} to {self.high}")
 
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """How many members a variable-length part may be drawn with, both ends included; `alike`: all of one class."""
+    """The numbers of members with which a variable-length part is drawn, both ends included.
+
+    Attributes:
+        low: Least number of members.
+        high: Greatest number of members.
+        alike: Whether all members are of one class.
+
+    Example:
+        >>> from typing import Annotated
+        >>> from sim2reason.authoring import Count
+        >>> from sim2reason.bodies.block import Block
+        >>> Blocks = Annotated[tuple[Block, ...], Count(1, 3)]
+    """
 
     low: int
     high: int
@@ -42,52 +72,97 @@ class Count:
 
 @dataclass(frozen=True, slots=True)
 class Chance:
-    """How often something optional is drawn where no recipe says so; without it, it never is."""
+    """The probability with which an optional part is drawn if no recipe chooses; without one it never is.
+
+    Attributes:
+        likelihood: Probability, from 0 to 1.
+
+    Raises:
+        ValueError: The value is not a probability.
+
+    Example:
+        >>> from typing import Annotated
+        >>> from sim2reason.authoring import Chance, Friction
+        >>> Rough = Annotated[Friction, Chance(0.2)]
+    """
 
     likelihood: float
 
     def __post_init__(self) -> None:
-        """Refuse what is no probability."""
+        """Check that the value is a probability; ValueError otherwise."""
         if not 0.0 <= self.likelihood <= 1.0:
             raise ValueError(f"not a chance: {self.likelihood}")
 
 
 @dataclass(frozen=True, slots=True)
 class Usually:
-    """A mark of an optional field that is always or never drawn, without a random number, unless a recipe chooses."""
+    """A mark for an optional field that is always or never drawn unless a recipe chooses; it takes no random number.
+
+    Attributes:
+        present: Whether the field is drawn.
+
+    Example:
+        >>> from sim2reason.authoring import StaticFriction, Usually
+        >>> Usually(present=False) in StaticFriction.__metadata__
+        True
+    """
 
     present: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Sized:
-    """Marks a variable-length part that has as many members as the fields before it demand."""
+    """A mark for a variable-length part whose number of members follows from the fields before it.
+
+    Attributes:
+        by: Function that takes the values of those fields by name and returns the number.
+
+    Example:
+        >>> from sim2reason.authoring import Sized
+        >>> Sized(lambda fields: len(fields["gliders"]) - 1).by({"gliders": ["A", "B", "C"]})
+        2
+    """
 
     by: Callable[[Mapping[str, Any]], int]
 
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """Marks an index: that of a member of a field beside it, or beside the part that has the index."""
+    """A mark for an index of a member of another field, beside it or beside the part with the index.
+
+    Attributes:
+        field: Name of the field with the members.
+
+    Example:
+        >>> from typing import Annotated
+        >>> from sim2reason.authoring import Member
+        >>> First = Annotated[int, Member("gliders")]
+    """
 
     field: str
 
 
 @dataclass(frozen=True, slots=True)
 class Above:
-    """A mark of a number that must be greater than the number in another field, which must not be zero."""
+    """A mark for a number that must be greater than the number in another field, which must not be zero."""
 
     field: str
 
 
 @dataclass(frozen=True, slots=True)
 class Hidden:
-    """Marks a number that must not matter to any answer, such as where a scene stands; it is never said."""
+    """A mark for a number that no answer depends on and no text states, such as the position of the scene.
+
+    Example:
+        >>> from sim2reason.authoring import FreeLength, Hidden
+        >>> Hidden() in FreeLength.__metadata__
+        True
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """Symbol and name of a number in scenes that give another, optional number, too: µ_k instead of µ beside µ_s."""
+    """Symbol and name of a number if an optional number is given too, such as µ_k instead of µ beside µ_s."""
 
     field: str
     symbol: str
@@ -96,12 +171,27 @@ class Beside:
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """The meaning of a number.
+    """The meaning of a number: its name, unit and symbol, and the digits with which texts state it.
 
-    `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. A value is spoken with `decimals` places, but at
-    most three significant digits, or, if `decimals` is None, with two significant digits. `called` is the name in a
-    question, if it is not `name`; `beside` has the symbol and name beside another number. `sought` says how often
-    problems leave it unknown, compared with other numbers: people measure some numbers by what happens, others before.
+    Attributes:
+        name: Name of the quantity.
+        unit: Canonical unit, such as ``m/s^2``; empty for a pure number.
+        symbol: Symbol in LaTeX, without dollars.
+        decimals: Number of decimal places, up to three significant digits; by default two significant digits.
+        called: Name in a question, if it is not `name`.
+        beside: Symbol and name if another number is given too.
+        sought: Relative frequency with which problems leave the number unknown.
+        noun: Name in a question.
+
+    Raises:
+        UnitError: The unit is not in the table of units.
+
+    Example:
+        >>> from typing import Annotated
+        >>> from sim2reason.authoring import LEAST, Measure, Range
+        >>> Pressure = Annotated[float, LEAST, Measure("pressure", "Pa", "p"), Range(1e3, 2e3)]
+        >>> Measure("mass", "kg", "m").say(2.0)
+        '2.0 kg'
     """
 
     name: str
@@ -113,12 +203,12 @@ class Measure:
     sought: float = 1.0
 
     def __post_init__(self) -> None:
-        """Refuse a unit outside the table (UnitError)."""
+        """Check that the unit is in the table of units; UnitError otherwise."""
         show_unit(self.unit)
 
     @property
     def noun(self) -> str:
-        """What a question calls it; whatever is counted in degrees is an angle."""
+        """Return the name in a question; a number in degrees is an angle."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":
@@ -129,7 +219,7 @@ class Measure:
         return replace(self, symbol=beside.symbol, called=beside.called, beside=None)
 
     def places(self, value: float) -> int:
-        """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
+        """Return the number of decimal places with which a value is stated, at least 0."""
         if value == 0.0:
             return self.decimals or 0
         if self.decimals is not None:
@@ -137,12 +227,12 @@ class Measure:
         return max(0, 1 - floor(log10(abs(float(f"{value:.1e}")))))
 
     def round(self, value: float) -> float:
-        """`value` as it is spoken, so that what is said is what is simulated; of a large one, three digits."""
+        """Return a value as texts state it, so that the stated value is simulated; a large one has three digits."""
         digits = 2 - floor(log10(abs(value))) if value else 0
         return round(value, min(self.places(value), digits)) + 0.0
 
     def say(self, value: float) -> str:
-        """`value` and its unit as prose has them: ``2.0 kg``, ``30°``; a true minus sign."""
+        """Return a value with its unit as texts have it, ``2.0 kg`` or ``30°``, with a true minus sign."""
         if value == 0.0:
             return join_unit("0", self.unit)
         rounded = round(value, self.places(value))
@@ -152,7 +242,7 @@ class Measure:
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
     def draw(self, rng: np.random.Generator, low: float, high: float) -> float:
-        """A number in [low, high], uniform and rounded as it will be spoken."""
+        """Draw a number in [low, high], uniformly, rounded as texts state it."""
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
 
 
@@ -170,12 +260,12 @@ def in_powers(value: float, unit: str) -> str:
 
 @cache
 def show_unit(unit: str) -> str:
-    """A canonical unit as prose prints it: ``m/s^2`` becomes ``m/s²``; UnitError outside the table of units."""
+    """Return a canonical unit as texts print it: ``m/s^2`` becomes ``m/s²``; UnitError if it is unknown."""
     return parse_unit(unit).display
 
 
 def join_unit(number: str, unit: str) -> str:
-    """A number and its unit with the space, or none, that print wants."""
+    """Return a number with its unit, and a space between them if print requires one."""
     shown = show_unit(unit)
     return number + shown if shown in ("", "°") else f"{number} {shown}"
 

@@ -11,7 +11,7 @@ from sim2reason.dsl.fields import Law
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Region, Tensor, Vector
 from sim2reason.lazy import Memo, cached_property
-from sim2reason.record import record
+from sim2reason.record import counted, record
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)
@@ -130,7 +130,7 @@ class Elastic:
 
     @property
     def side(self) -> float:
-        """The sign of the extension at which it acts; 0 for any."""
+        """Return the sign of the extension at which it acts; 0 for any."""
         return {"both": 0.0, "pushes": -1.0, "pulls": 1.0}[self.acts]
 
 
@@ -218,13 +218,51 @@ class Meeting:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The bodies that meet, without the room."""
+        """Return the names of the two bodies, without the room."""
         return (self.b,) if self.a is None else (self.a, self.b)
 
 
 @record()
 class Mechanism(Memo):
-    """A mechanism with everything that an engine needs; in `bodies` a parent stands before its children."""
+    """Bodies, lines, faces and forces with all numbers that an engine needs.
+
+    All numbers are in the coherent units `units`, the SI by default; angles are in radians. At the start the axes of
+    all frames are those of the room: x to the right, y away from the reader, z up.
+
+    Attributes:
+        bodies: Rigid bodies; a parent comes before its children.
+        sites: Points fixed on bodies or in the room.
+        lines: Parts of strings, rods and springs.
+        faces: Faces on which bodies slide or roll.
+        feet: Points that may stand on a plane of the room.
+        forces: Forces on bodies by a law of place, velocity and time.
+        attractions: Pairs of bodies that attract each other.
+        burns: Bodies that eject mass.
+        meetings: Pairs of bodies that may collide.
+        gravity: Acceleration due to gravity, a vector.
+        units: System of units.
+        coordinates: All coordinates, body by body: the order of q, v and a in every engine and trace.
+        number: Index of each coordinate, by name.
+        body: Bodies by name.
+        site: Sites by name.
+        line: Lines by name.
+        routes: Names of the sites through which each line runs.
+        constraints: Lines that give equations rather than forces.
+        strings: Lines that are inextensible and may go slack.
+        pulls: Lines that are drawn in with a constant tension.
+        half_springs: Springs that only push or only pull, each with its law.
+        face_number: Index of each face, by the name of the body on it.
+        contacts: Faces by the name of the body on them.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> mechanism = scene.scene.mechanism
+        >>> mechanism
+        <Mechanism: 1 body, 1 coordinate, 1 face>
+        >>> [coordinate.name for coordinate in mechanism.coordinates]
+        ['e1.blocks.0.slide']
+    """
 
     bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()
@@ -238,62 +276,79 @@ class Mechanism(Memo):
     gravity: Vector = (0.0, 0.0, -GRAVITY)
     units: UnitSystem = SI
 
+    def __repr__(self) -> str:
+        """Return the numbers of bodies, coordinates, lines and so on; kinds without members are left out."""
+        numbers = [counted(len(self.bodies), "body", "bodies"), counted(len(self.coordinates), "coordinate")]
+        for noun in ("line", "face", "force", "attraction", "burn", "meeting"):
+            number = len(getattr(self, f"{noun}s"))
+            numbers.extend([counted(number, noun)] if number else [])
+        return f"<Mechanism: {', '.join(numbers)}>"
+
+    def __str__(self) -> str:
+        """Return the same with a line for each body: its mass, its parent and its coordinates."""
+        lines = [repr(self)[1:-1]]
+        for body in self.bodies:
+            parent = body.parent or "the room"
+            moves = ", ".join(coordinate.label for coordinate in body.coordinates) or "fixed"
+            lines.append(f"  {body.name}: {body.mass:g} {self.units.mass}, carried by {parent}, {moves}")
+        return "\n".join(lines)
+
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:
-        """All coordinates, body by body: the order of q, v and a in every engine and trace."""
+        """Return all coordinates, body by body: the order of q, v and a in every engine and trace."""
         return tuple(c for body in self.bodies for c in body.coordinates)
 
     @cached_property
     def number(self) -> dict[str, int]:
-        """The place of each coordinate among all, by name."""
+        """Return the index of each coordinate, by name."""
         return {coordinate.name: number for number, coordinate in enumerate(self.coordinates)}
 
     @cached_property
     def body(self) -> dict[str, RigidBody]:
-        """Bodies by name."""
+        """Return the bodies by name."""
         return {body.name: body for body in self.bodies}
 
     @cached_property
     def site(self) -> dict[str, Site]:
-        """Sites by name."""
+        """Return the sites by name."""
         return {site.name: site for site in self.sites}
 
     @cached_property
     def line(self) -> dict[str, Line]:
-        """Lines by name."""
+        """Return the lines by name."""
         return {line.name: line for line in self.lines}
 
     @cached_property
     def routes(self) -> tuple[tuple[str, ...], ...]:
-        """Past which sites each line runs: a string between two slopes needs a pulley unless they are parallel."""
+        """Return the names of the sites through which each line runs."""
         return tuple(line.through for line in self.lines)
 
     @cached_property
     def constraints(self) -> tuple[Line, ...]:
-        """The lines that give equations, not forces."""
+        """Return the lines that give equations rather than forces."""
         return tuple(line for line in self.lines if line.law.row)
 
     @cached_property
     def strings(self) -> tuple[Line, ...]:
-        """The lines that may go slack, by their own law."""
+        """Return the lines that are inextensible and may go slack."""
         return tuple(line for line in self.lines if isinstance(line.law, Inextensible))
 
     @cached_property
     def pulls(self) -> tuple[Line, ...]:
-        """The lines that a hand draws in."""
+        """Return the lines that are drawn in with a constant tension."""
         return tuple(line for line in self.lines if isinstance(line.law, ConstantTension))
 
     @cached_property
     def half_springs(self) -> tuple[tuple[Line, Elastic], ...]:
-        """The springs that act only one way, each with its law."""
+        """Return the springs that only push or only pull, each with its law."""
         return tuple((line, line.law) for line in self.lines if isinstance(line.law, Elastic) and line.law.side)
 
     @cached_property
     def face_number(self) -> dict[str, int]:
-        """The place of each face among all, by the name of the body that lies on its parent."""
+        """Return the index of each face, by the name of the body on it."""
         return {face.subject: number for number, face in enumerate(self.faces)}
 
     @cached_property
     def contacts(self) -> dict[str, Face]:
-        """Faces by the name of the body that lies on its parent."""
+        """Return the faces by the name of the body on them."""
         return {face.subject: face for face in self.faces}

@@ -10,9 +10,13 @@ from functools import lru_cache
 
 @dataclass(frozen=True, kw_only=True)
 class Port:
-    """What a connection can join to something. Each kind of connection joins one type of port.
+    """The base of ports. Each kind of connection joins one type of port.
 
-    `name` is that of the class attribute that holds it.
+    Attributes:
+        name: Name of the class attribute that is the port.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
     """
 
     name: str = field(default="", init=False, compare=False)
@@ -21,21 +25,21 @@ class Port:
     needs: str = ""  # the optional field of its entity that is given where the port is used, and only there
 
     def __set_name__(self, owner: type, name: str) -> None:
-        """Python tells the attribute's name once, as the class is made."""
+        """Store the name of the attribute."""
         del owner
         object.__setattr__(self, "name", name)
 
 
 @dataclass(frozen=True, kw_only=True)
 class SitePort(Port):
-    """A port at sites of its entity."""
+    """A port at sites of its entity; the sites are listed from the inside out."""
 
     sites: tuple[str, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Attachment(SitePort):
-    """A point that a spring, a rod or a string can hold; `tied` names what it is on."""
+    """A point to which a spring, a rod or a string can be attached; `tied` names the body there."""
 
     tied: str
 
@@ -47,9 +51,26 @@ class StringPort(Port):
 
 @dataclass(frozen=True, kw_only=True)
 class StringEnd(SitePort, StringPort):
-    """One end of a string. Without `tied` it is always told last; without `leaves` it is told last if it can be.
+    """A port for one end of a string.
 
-    With `hangs`, what it is tied to can be said to hang on the string, and how the string leaves need not be said.
+    The clauses are verb phrases whose subject is the string, except `tied`.
+
+    Attributes:
+        sites: Sites through which the string runs, from the inside out.
+        arrives: Clause for a string that ends here, as in ``reaches {block}``.
+        tied: The body to which the string is tied, as in ``{block}``; empty if no sentence can start here.
+        leaves: Clause for a string that starts here, as in ``runs horizontally``; empty if the end is described last.
+        hangs: Whether the body may be said to hang from the string, without a clause for how the string leaves.
+        can_begin: Whether a sentence can start here.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Example:
+        >>> from sim2reason.authoring import StringEnd
+        >>> winch = StringEnd(sites=("drum",), arrives="is wound on a winch")
+        >>> winch.can_begin
+        False
     """
 
     arrives: str
@@ -59,16 +80,36 @@ class StringEnd(SitePort, StringPort):
 
     @property
     def can_begin(self) -> bool:
-        """Whether a sentence can start here."""
+        """Return whether a sentence can start here."""
         return bool(self.tied)
 
 
 @dataclass(frozen=True, kw_only=True)
 class End(StringEnd, Attachment):
-    """One end of a string, at something that a spring or a rod can hold as well."""
+    """A port for one end of a string, or for a spring or a rod.
+
+    Attributes:
+        sites: The single site of the port.
+        arrives: Clause for a string that ends here, as in ``reaches {block}``.
+        tied: The body to which the connection is attached, as in ``{block}``.
+        leaves: Clause for a string that starts here; empty if the end is described last.
+        hangs: Whether the body may be said to hang from the string, without a clause for how the string leaves.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Raises:
+        ValueError: `tied` is empty, or there is more than one site.
+
+    Example:
+        >>> from sim2reason.authoring import End
+        >>> left = End(sites=("tail",), tied="{block}", leaves="runs horizontally", arrives="reaches {block}")
+        >>> left.can_begin
+        True
+    """
 
     def __post_init__(self) -> None:
-        """Refuse an end that nothing names, and one whose string turns a corner, which no spring does; ValueError."""
+        """Check that the end is named and is a single point; ValueError otherwise."""
         if not self.tied:
             raise ValueError("an end must say what a string is tied to there; else it is a StringEnd")
         if len(self.sites) > 1:
@@ -77,7 +118,22 @@ class End(StringEnd, Attachment):
 
 @dataclass(frozen=True, kw_only=True)
 class Pass(SitePort, StringPort):
-    """A place where a string goes on. `sides` name its two directions in files, in the order of `sites`."""
+    """A port through which a string runs, such as a pulley.
+
+    Attributes:
+        sites: The two sites of the port.
+        passes: Clause for the string, as in ``passes over {pulley}``.
+        sides: Names of the two directions in scene files, in the order of `sites`.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Example:
+        >>> from sim2reason.authoring import Pass
+        >>> over = Pass(sites=("pulley.left", "pulley.right"), passes="passes over {pulley}")
+        >>> over.sides
+        ('left', 'right')
+    """
 
     sites: tuple[str, str]
     passes: str
@@ -86,21 +142,59 @@ class Pass(SitePort, StringPort):
 
 @dataclass(frozen=True, kw_only=True)
 class Chain(StringPort):
-    """A port that consists of others, from the inside out: an end and what the string passes on its way out."""
+    """A port for a string that consists of other ports: an end, and what the string passes on its way out.
+
+    Attributes:
+        stops: Names of the other ports, from the inside out.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Example:
+        >>> from sim2reason.authoring import Chain
+        >>> Chain(stops=("system.tail", "over"), required=True).stops
+        ('system.tail', 'over')
+    """
 
     stops: tuple[str, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Mount(SitePort):
-    """A point of a body that can carry another entity; `place` names what it is on."""
+    """A point of a body on which another entity can stand or hang.
+
+    Attributes:
+        sites: The site of the port.
+        place: The place in words, as in ``the far end of {arm}``.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Example:
+        >>> from sim2reason.authoring import Mount
+        >>> Mount(sites=("tip",), place="the far end of {arm}").place
+        'the far end of {arm}'
+    """
 
     place: str
 
 
 @dataclass(frozen=True, kw_only=True)
 class Base(SitePort):
-    """The point by which an entity is carried, its origin; `held` names it."""
+    """The point at which an entity is mounted on another: its origin.
+
+    Attributes:
+        sites: Not used; the point is the origin of the entity.
+        held: The part that is mounted, in words, as in ``{arm}``.
+        required: Whether the port must be connected.
+        unless: Name of a field of the entity; the port does not exist if it is given.
+        needs: Name of an optional field of the entity that is given if and only if the port is connected.
+
+    Example:
+        >>> from sim2reason.authoring import Base
+        >>> Base(held="{arm}", required=True).held
+        '{arm}'
+    """
 
     sites: tuple[str, ...] = ()
     held: str
@@ -108,7 +202,7 @@ class Base(SitePort):
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """A port at its place in a scene: `owner` is the address of the entity or part that declares it."""
+    """A port of a part or an entity in a scene; `owner` is the address of the part or entity."""
 
     owner: str
     port: SitePort
@@ -116,8 +210,21 @@ class Stop:
 
     @property
     def sites(self) -> tuple[str, ...]:
-        """Full site addresses in the order of travel; an end is listed from the inside out."""
+        """Return full site addresses in the order of travel; an end is listed from the inside out."""
         return _addressed(self.owner, self.port.sites, self.flipped)
+
+
+def reversed_stops(stops: list[Stop]) -> list[Stop]:
+    """Return the stops in the opposite order of travel; a pass within a chain is then passed from its far side."""
+    return [Stop(s.owner, s.port, not s.flipped if isinstance(s.port, Pass) else s.flipped) for s in reversed(stops)]
+
+
+def travelled(stops: list[Stop]) -> list[Stop]:
+    """Return the stops of an inner rope in the order of travel; the last port was listed from the inside out."""
+    if not isinstance(stops[-1].port, StringEnd):
+        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
+        return [*stops[:inner], *reversed_stops(stops[inner:])]
+    return stops
 
 
 @lru_cache(maxsize=1024)

@@ -15,11 +15,12 @@ from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.dsl.model import Model, Parameter, parameters, rebuilt
-from sim2reason.dsl.ports import Chain, Pass, Port, Stop, StringEnd
+from sim2reason.dsl.ports import Pass, Port, Stop, reversed_stops, travelled
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.dsl.vacancies import idle_fields, vacated
 from sim2reason.errors import SceneError
 from sim2reason.lazy import cached_property
+from sim2reason.record import abridged, counted
 
 MAX_ENTITIES = 8
 
@@ -33,7 +34,39 @@ class World(Model):
 class Scene(Model):
     """Entities by name, the connections between their ports, and the world.
 
-    `glued` names bodies that are welded to what carries them: an ablation, honoured once, in the builder.
+    A scene is immutable, and checked when it is made. Numbers, bodies and connections have addresses, such as
+    ``ramp.block.mass``, which `value`, `having` and `without` take.
+
+    Attributes:
+        name: Name of the scene.
+        entities: The entities with their names; 1 to 8.
+        connections: Strings, rods, springs and so on between ports of entities.
+        world: Gravity, in m/s².
+        glued: Addresses of bodies that are welded to their carriers.
+        joints: All connections by address, including those within entities.
+        builder: The builder that contains all parts, from which the positions of sites can be read.
+        units: System of units of the text and of the mechanism.
+        horizon: Default duration of a simulation, in the unit of time of the text.
+        mechanism: The mechanism that engines simulate; SceneError if the parts do not fit together or nothing can move.
+        starts_from_rest: Whether nothing moves at t = 0 and the text may speak of a release.
+        bodies: All bodies that the text can mention, by address.
+        parameters: All declared numbers with their addresses and meanings.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.load('''
+        ... scene:
+        ...   entities:
+        ...   - name: ramp
+        ...     type: TwoSideMassPlane
+        ...     parameters: {plane: {angle: 30.0, friction: 0.2}, blocks: [{mass: 2.0}]}
+        ... ''')
+        >>> scene.value("ramp.plane.angle")
+        30.0
+        >>> print(scene.having("world.gravity", 1.6))
+        Scene 'scene'
+          ramp: TwoSideMassPlane, plane.angle = 30°, plane.friction = 0.20, blocks.0.mass = 2.0 kg
+          world: World, gravity = 1.6 m/s²
     """
 
     name: Name = "scene"
@@ -62,7 +95,7 @@ class Scene(Model):
         return self
 
     def _check_links(self) -> None:
-        """Every link leads to a port, no port is used twice, and none that must be used stays open."""
+        """Check that every link leads to a port, no port is used twice, and no required port is open."""
         used: set[tuple[str, str]] = set()
         for number, connection in enumerate(self.connections):
             for index, link in enumerate(connection.links):
@@ -88,7 +121,7 @@ class Scene(Model):
                 raise SceneError(f"entities.{named.name}", problem, f"leave {field} out, or connect the port")
 
     def _check_place(self, port: Port, link: Link, place: str) -> None:
-        """Where optional fields decide whether a port is there."""
+        """Check that the optional fields which decide whether a port exists allow it."""
         held = self.entity(link.entity)
         if port.needs and getattr(held, port.needs) is None:
             problem = f"{link} needs {port.needs}, which {link.entity!r} leaves out"
@@ -98,7 +131,7 @@ class Scene(Model):
             raise SceneError(place, problem, f"leave {port.unless} out")
 
     def _check_order(self, connection: Connection, place: str) -> None:
-        """A path begins and ends at ends, and passes only what can be passed."""
+        """Check that a path begins and ends at ends, and passes only ports that can be passed."""
         last = len(connection.links) - 1
         if last < 1:
             raise SceneError(place, "it has fewer than two ends", "give it two")
@@ -111,7 +144,7 @@ class Scene(Model):
                 raise SceneError(place, f"{link} is an end and has no sides to flip", "leave flipped out")
 
     def _check_forest(self) -> None:
-        """Strings may branch at entities, but not close a ring: a ring would fix where entities stand twice."""
+        """Check that connections form no ring, which would fix the positions of entities twice."""
         leader = {named.name: named.name for named in self.entities}
 
         def find(name: str) -> str:
@@ -127,7 +160,18 @@ class Scene(Model):
                 leader[first] = second
 
     def entity(self, name: str, place: str = "entities") -> Entity:
-        """An entity by name; SceneError, at `place`, if there is none."""
+        """Return an entity.
+
+        Args:
+            name: Name of the entity.
+            place: Path to name in the error.
+
+        Returns:
+            The entity.
+
+        Raises:
+            SceneError: There is no such entity.
+        """
         for named in self.entities:
             if named.name == name:
                 return named.entity
@@ -137,7 +181,7 @@ class Scene(Model):
 
     @cached_property
     def joints(self) -> dict[str, Joint]:
-        """All connections by address, those inside entities included, at their places."""
+        """Return all connections by address, including those within entities."""
         found: list[Joint] = []
         for named in self.entities:
             for name, inner in inside(type(named.entity)).items():
@@ -149,7 +193,7 @@ class Scene(Model):
 
     @cached_property
     def builder(self) -> Builder:
-        """The builder with everything in it: where sites are and which way strings must leave them."""
+        """Return the builder that contains all parts, from which the positions of sites can be read."""
         builder = Builder((0.0, 0.0, -self.world.gravity), self.glued, self.units)
         paths = [(connection, self.joints[name].stops) for name, connection in self._named_connections().items()]
         placed(self.entities, paths, builder)
@@ -159,7 +203,7 @@ class Scene(Model):
 
     @property
     def units(self) -> UnitSystem:
-        """The units in which its text speaks, and its mechanism counts; SceneError if its entities differ on them."""
+        """Return the units of the text and the mechanism; SceneError if the entities have several systems."""
         found = {named.entity.units for named in self.entities}
         if len(found) > 1:
             names = " and ".join(sorted(units.name for units in found))
@@ -168,13 +212,13 @@ class Scene(Model):
 
     @property
     def horizon(self) -> float:
-        """Return the default duration for which the motion of the scene is followed, in the units of its text."""
+        """Return the default duration of a simulation, in the unit of time of the text."""
         found = horizon((named.entity for named in self.entities), self.world.gravity)
         return within_oscillations(found, self.mechanism)
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """What an engine simulates; SceneError if the parts do not fit together or nothing can move."""
+        """Return the mechanism for engines; SceneError if parts do not fit together or nothing can move."""
         found = self.builder.finish()
         if not found.coordinates:
             place = "glued" if self.glued else "entities"
@@ -183,17 +227,17 @@ class Scene(Model):
 
     @property
     def starts_from_rest(self) -> bool:
-        """Whether nothing moves at t = 0, so that the text speaks of a release; not where it says what happens then."""
+        """Return whether nothing moves at t = 0 and the text may speak of a release."""
         clocked = any(named.entity.clocked for named in self.entities)
         return not clocked and all(coordinate.speed == 0.0 for coordinate in self.mechanism.coordinates)
 
     def check(self) -> None:
-        """Build it, to see whether its parts fit together; SceneError if they do not."""
+        """Build the mechanism; SceneError if the parts do not fit together or nothing can move."""
         _ = self.mechanism
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
-        """Every body that the text can mention, by address, those that strings bring included."""
+        """Return all bodies that the text can mention, by address, including those of strings."""
         found: dict[str, Body] = {}
         for named in self.entities:
             found.update(_bodies(named.entity, named.name))
@@ -203,26 +247,67 @@ class Scene(Model):
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Every declared number, with its address (``ramp.block.mass``)."""
+        """Return all declared numbers with their addresses (``ramp.block.mass``) and meanings."""
         entities = [p for named in self.entities for p in parameters(named.entity, named.name)]
         own = [p for name, connection in self._named_connections().items() for p in parameters(connection, name)]
         return (*entities, *own, *parameters(self.world, "world"))
 
     def value(self, path: str) -> Any:
-        """What stands at an address."""
+        """Return the value at an address.
+
+        Args:
+            path: Address of a number, a body, an entity or a connection, such as ``ramp.block.mass`` or
+                ``world.gravity``.
+
+        Returns:
+            The value; of an absent optional part, None.
+
+        Raises:
+            SceneError: There is no such address.
+        """
         head, _, rest = path.partition(".")
         holder = self.world if head == "world" else self._named_connections().get(head) or self.entity(head, path)
         return lookup(holder, rest) if rest else holder
+
+    def __repr__(self) -> str:
+        """Return the name, the entities with their types and the number of connections on one line."""
+        entities = ", ".join(f"{named.name} {type(named.entity).__name__}" for named in self.entities)
+        joined = f"; {counted(len(self.connections), 'connection')}" if self.connections else ""
+        return f"<Scene {self.name!r}: {abridged(f'{entities}{joined}', 140)}>"
+
+    def __str__(self) -> str:
+        """Return a line for each entity with its numbers, for each connection, and for the world."""
+        lines = [f"Scene {self.name!r}", *(f"  {_line(named.entity, named.name)}" for named in self.entities)]
+        for name, connection in self._named_connections().items():
+            lines.append(f"  {_line(connection, name)}, {' - '.join(map(str, connection.links))}")
+        lines.append(f"  {_line(self.world, 'world')}")
+        return "\n".join([*lines, *([f"  glued: {', '.join(self.glued)}"] if self.glued else [])])
 
     def _named_connections(self) -> dict[str, Connection]:
         return {f"{connection.key}_{number}": connection for number, connection in enumerate(self.connections, 1)}
 
     def having(self, path: str, value: object) -> "Scene":
-        """The same scene with another value at an address, validated again."""
+        """Return the scene with another value at an address.
+
+        Args:
+            path: The address.
+            value: The new value, in the unit that the field declares.
+
+        Returns:
+            A new scene.
+
+        Raises:
+            SceneError: There is no such address, or the new scene is impossible.
+            ValidationError: The value is out of range.
+        """
         return self.having_all({path: value})
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
-        """The same scene with other values at some addresses, validated once."""
+        """Return the scene with other values at some addresses, validated once; see `having`.
+
+        Args:
+            values: New values by address.
+        """
         world, connections = self.world, self._named_connections()
         entities = {named.name: named for named in self.entities}  # those that stay share what is known of them
         changes: dict[str, dict[str, object]] = {}
@@ -240,9 +325,18 @@ class Scene(Model):
         return rebuilt(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
 
     def without(self, address: str) -> "Scene":
-        """The scene without an entity, an optional part, or a member of a variable-length part.
+        """Return the scene without an entity, an optional part, or a member of a variable-length part.
 
-        A string that passed the entity goes on to its next stop; one that ended there is gone.
+        A string that passed the entity goes on to its next stop; a string that ended there is removed.
+
+        Args:
+            address: Address of the entity or part.
+
+        Returns:
+            A new scene.
+
+        Raises:
+            SceneError: There is no such address, or the scene is impossible without it.
         """
         if "." in address:
             self.value(address)
@@ -259,8 +353,25 @@ class Scene(Model):
         return rebuilt(self, entities=kept, connections=tuple(connections))
 
     def gluing(self, *addresses: str) -> "Scene":
-        """The scene with bodies welded to what carries them."""
+        """Return the scene with bodies welded to their carriers.
+
+        Args:
+            addresses: Addresses of the bodies.
+
+        Returns:
+            A new scene.
+
+        Raises:
+            SceneError: An address is not that of a movable body.
+        """
         return rebuilt(self, glued=tuple(sorted({*self.glued, *addresses})))
+
+
+def _line(value: Model, name: str) -> str:
+    """Return a name, the type of the value, and its numbers with addresses and units, without hidden ones."""
+    shown = (p for p in parameters(value) if not p.hidden)
+    numbers = (f"{p.path} = {p.measure.say(p.value)}" for p in shown if p.value is not None)
+    return f"{name}: {', '.join((type(value).__name__, *numbers))}"
 
 
 def _bodies(value: Model, address: str) -> dict[str, Body]:
@@ -278,23 +389,10 @@ def _bodies(value: Model, address: str) -> dict[str, Body]:
 
 
 def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
-    """The stops of a path of links in the order of travel."""
+    """Return the stops of a path of links in the order of travel."""
     found: list[Stop] = []
     for index, link in enumerate(links):
         stops = stops_of(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)
         last = index == len(links) - 1
         found.extend(reversed_stops(stops) if last and index > 0 else stops)
     return found
-
-
-def reversed_stops(stops: list[Stop]) -> list[Stop]:
-    """The same stops travelled the other way; a pass inside a chain is then passed from its far side."""
-    return [Stop(s.owner, s.port, not s.flipped if isinstance(s.port, Pass) else s.flipped) for s in reversed(stops)]
-
-
-def travelled(stops: list[Stop]) -> list[Stop]:
-    """The stops of an inner rope; its last port was listed from the inside out, too."""
-    if not isinstance(stops[-1].port, StringEnd):
-        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
-        return [*stops[:inner], *reversed_stops(stops[inner:])]
-    return stops

@@ -12,13 +12,13 @@ from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.dsl.vectors import Triple, minus, product
 from sim2reason.lazy import cached_property
-from sim2reason.record import record
+from sim2reason.record import counted, record
 
 Array = NDArray[np.float64]
 
 
 class Dynamics(NamedTuple):
-    """What forces do at n instants."""
+    """Accelerations and forces at n instants."""
 
     a: Array
     constraint_tension: Mapping[str, Array]
@@ -30,11 +30,25 @@ class Dynamics(NamedTuple):
 class State:
     """The motion of a mechanism at n instants.
 
-    `q`, `v`, `a` have the shape (n, number of coordinates), in the order of `mechanism.coordinates`.
-    At an instant of an event the values are those just after it. A force that the mechanism does not
-    determine (three supports, two unknown frictions) is NaN; everything else is finite.
+    Positions and forces are evaluated when they are first read. At the time of an event the values are those just after
+    it. A force that the mechanism does not determine, as with three supports or two unknown frictions, is NaN; all
+    other values are finite.
 
-    All is read off a motion when it is asked for: many look at places alone, at whose instants forces cost the most.
+    Attributes:
+        mechanism: The mechanism.
+        times: The instants (n,), s.
+        kinematics: Function that returns q and v.
+        dynamics: Function of q and v that returns accelerations and forces.
+        q: Coordinates (n, number of coordinates), m or rad, in the order of `mechanism.coordinates`.
+        v: Rates of the coordinates, m/s or rad/s.
+        a: Accelerations, m/s² or rad/s².
+        constraint_tension: Tensions (n,) of lines that give equations, N, by line.
+        normal: Normal forces (n,), N, by the body that rests.
+        friction: Forces of friction (n,), N, by the body that rests.
+        tension: Tensions (n,) of all lines, N, by line.
+        frames: Positions and velocities of all parts.
+        began: Positions of all parts at the start.
+        known: Quantities evaluated so far, by quantity and subject.
     """
 
     mechanism: Mechanism
@@ -42,9 +56,15 @@ class State:
     kinematics: Callable[[], tuple[Array, Array]] = field(repr=False)  # gives q and v
     dynamics: Callable[[Array, Array], Dynamics] = field(repr=False)  # of q and v
 
+    def __repr__(self) -> str:
+        """Return the number of coordinates and of instants, and the first and the last instant."""
+        count, unit = counted(len(self.mechanism.coordinates), "coordinate"), self.mechanism.units.time
+        span = f", {self.times[0]:g} to {self.times[-1]:g} {unit}" if len(self.times) else ""
+        return f"<State: {count} at {counted(len(self.times), 'instant')}{span}>"
+
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
-        """What is known already."""
+        """Return a state whose values are known already."""
         return cls(mechanism, times, lambda: kinematics, lambda _, __: dynamics)
 
     @cached_property
@@ -57,52 +77,52 @@ class State:
 
     @property
     def q(self) -> Array:
-        """Coordinates, m or rad."""
+        """Return the coordinates, m or rad, (n, number of coordinates)."""
         return self._kinematics[0]
 
     @property
     def v(self) -> Array:
-        """Their rates."""
+        """Return the rates of the coordinates, m/s or rad/s, (n, number of coordinates)."""
         return self._kinematics[1]
 
     @property
     def a(self) -> Array:
-        """The rates of these."""
+        """Return the accelerations, m/s² or rad/s², (n, number of coordinates)."""
         return self._dynamics.a
 
     @property
     def constraint_tension(self) -> Mapping[str, Array]:
-        """By line that gives an equation, N; of a rod negative where it pushes."""
+        """Return the tension, N, of each line that gives an equation; negative for a rod that pushes."""
         return self._dynamics.constraint_tension
 
     @property
     def normal(self) -> Mapping[str, Array]:
-        """By the body that rests, N, ≥ 0 unless its face holds both ways."""
+        """Return the normal force, N, on each resting body; negative only on faces that hold both ways."""
         return self._dynamics.normal
 
     @property
     def friction(self) -> Mapping[str, Array]:
-        """By the body that rests, N, on that body, positive along its slip."""
+        """Return the friction, N, on each resting body, positive along its slip."""
         return self._dynamics.friction
 
     @cached_property
     def frames(self) -> Frames:
-        """Where the parts are at all instants: components are arrays (n,), or floats where they never change."""
+        """Return the positions of all parts: components are arrays (n,), or floats if they never change."""
         return Frames(self.mechanism, list(self.q.T), list(self.v.T), np)
 
     @cached_property
     def began(self) -> Frames:
-        """Where the parts were at the start."""
+        """Return the positions of all parts at the start."""
         return start(self.mechanism)
 
     @cached_property
     def known(self) -> "dict[tuple[str, str], Array]":
-        """What quantities have been read off it, by quantity and subject, for those that build on them."""
+        """Return the quantities evaluated so far, by quantity and subject, on which others build."""
         return {}
 
     @cached_property
     def tension(self) -> Mapping[str, Array]:
-        """By line, N; of a rod or a spring negative where it pushes. Springs and hands give theirs by their own law."""
+        """Return the tension, N, of each line, (n,); negative for a rod or a spring that pushes."""
         given = [line for line in self.mechanism.lines if not line.law.row]
         return {**self.constraint_tension, **{line.name: self._given(line) for line in given}}
 
@@ -116,7 +136,7 @@ class State:
         return np.where(law.side * tension >= 0.0, tension, 0.0)
 
     def mass(self, body: str) -> Array | float:
-        """The mass of a body: of one that burns, what is left at each instant, (n,)."""
+        """Return the mass of a body; for a body that burns, the remaining mass at each instant, (n,)."""
         found: Array | float = self.mechanism.body[body].mass
         for burn in self.mechanism.burns:
             if burn.body == body:
@@ -124,16 +144,16 @@ class State:
         return found
 
     def vector(self, components: Triple) -> Array:
-        """Three components as one array, (n, 3)."""
+        """Return three components as one array, (n, 3)."""
         found = np.empty((len(self.times), 3))
         for number, part in enumerate(components):
             found[:, number] = part
         return found
 
     def length(self, line: Line) -> tuple[Array, Array]:
-        """The sum of the distances between the sites of a line, m, and its rate, m/s; both (n,).
+        """Return the total distance between the sites of a line, m, and its rate, m/s; both (n,).
 
-        Where two sites coincide their distance has no rate, and 0 stands for it.
+        Where two sites coincide, the rate of their distance is undefined and 0 is used.
         """
         length, rate = np.zeros(len(self.times)), np.zeros(len(self.times))
         for first, last in pairwise(line.through):
@@ -146,7 +166,7 @@ class State:
         return length, rate
 
     def free_length(self, line: Line) -> tuple[Array, Array]:
-        """The length of a line with what its wheels give out, m, and its rate, m/s; both (n,)."""
+        """Return the length of a line with the amount given out by its wheels, m, and its rate, m/s; both (n,)."""
         length, rate = self.length(line)
         for wheel in line.wheels:
             number = self.mechanism.number[wheel.coordinate]

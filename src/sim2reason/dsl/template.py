@@ -48,9 +48,20 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word in place of a number or a choice: `special` by value, `otherwise` for all other values.
+    """A word that depends on the value of a field, such as *smooth* for a friction of 0.
 
-    Both are templates of the body. A value that has a special word is said by that word alone.
+    Both templates are in the terms of the body. A value with a special word is stated by that word alone.
+
+    Attributes:
+        parameter: Name of the field.
+        special: Templates by value.
+        otherwise: Template for all other values.
+
+    Example:
+        >>> from sim2reason.authoring import Word
+        >>> surface = Word("friction", {0.0: "smooth"}, "rough")
+        >>> surface.text(0.0), surface.text(0.3)
+        ('smooth', 'rough')
     """
 
     parameter: str
@@ -58,7 +69,7 @@ class Word:
     otherwise: str = ""
 
     def text(self, value: float | str | None) -> str:
-        """The template to be said for a value."""
+        """Return the template for a value."""
         return self.special.get(value, self.otherwise) if value is not None else self.otherwise
 
 
@@ -106,7 +117,20 @@ Saying = str | Wordings | Each | PartLines
 
 
 def either(*wordings: str) -> Wordings:
-    """One sentence that can be said in several ways."""
+    """Return a sentence with alternative wordings.
+
+    Args:
+        *wordings: Templates of the sentence, of which a seed selects one.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import either
+        >>> line = either("{block} lies on {plane}.", "{block} rests on {plane}.")
+        >>> len(line.wordings)
+        2
+    """
     return Wordings(wordings)
 
 
@@ -116,27 +140,92 @@ def rarely(*wordings: str) -> Wordings:
 
 
 def among(field: str, *wordings: str) -> Wordings:
-    """A sentence on the members of `field` that is said only of several; one alone is told where a port names it."""
+    """Return a sentence on the members of a part that is only said if there are several.
+
+    A single member is described where a port names it.
+
+    Args:
+        field: Name of the field with the members.
+        *wordings: Templates of the sentence, of which a seed selects one.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import among
+        >>> line = among("blocks", "{blocks} are stacked.")
+        >>> line.several
+        'blocks'
+    """
     return Wordings(wordings, several=field)
 
 
 def starting(*wordings: str, topic: Topic | None = None) -> Wordings:
-    """A sentence on how the motion begins: the last line of its entity, which reads well after *suppose that*."""
+    """Return a sentence on the start of the motion: the last line of an entity, which may follow *suppose that*.
+
+    Args:
+        *wordings: Templates of the sentence, of which a seed selects one.
+        topic: Topic that matters to some questions only: ``axes``, ``slack`` or ``start``; by default none.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import starting
+        >>> starting("at t = 0 {block} moves to the right at {speed}.").role
+        'start'
+    """
     return Wordings(wordings, "start", topic=topic)
 
 
 def placing(*wordings: str) -> Wordings:
-    """A sentence on where something is at first, which no question about small oscillations needs."""
+    """Return a sentence on an initial position, which questions about small oscillations do not need.
+
+    Args:
+        *wordings: Templates of the sentence, of which a seed selects one.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import placing
+        >>> placing("initially {spring} is stretched by {strain}.").topic
+        'start'
+    """
     return Wordings(wordings, topic="start")
 
 
 def defining_axes(*wordings: str) -> Wordings:
-    """A sentence on which way axes point along which no other sentence says anything."""
+    """Return a sentence on the directions of axes that no other sentence mentions.
+
+    Args:
+        *wordings: Templates of the sentence, of which a seed selects one.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import defining_axes
+        >>> defining_axes("the x axis points to the right.").topic
+        'axes'
+    """
     return Wordings(wordings, topic="axes")
 
 
 def assuming(*wordings: str) -> Wordings:
-    """A sentence on what holds throughout and names nothing new; a prompt may say it after the question."""
+    """Return a sentence on an assumption that introduces nothing new; a prompt may place it after the question.
+
+    Args:
+        *wordings: Templates of the sentence, of which a seed selects one.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import assuming
+        >>> assuming("air resistance is negligible.").role
+        'assumption'
+    """
     return Wordings(wordings, "assumption")
 
 
@@ -151,12 +240,39 @@ def topic_of(saying: Saying) -> Topic | None:
 
 
 def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:
-    """One sentence for each member of `field`, called ``{field.*}``; a table from three members on."""
+    """Return a sentence for each member of a part; from three members on, a table of their numbers.
+
+    Args:
+        field: Name of the field; a member is called ``{field.*}`` in the templates.
+        *wordings: Templates of the sentence, of which a seed selects one.
+        table: Templates that introduce the table, with ``{noun}`` for its rows and ``{columns}`` for the names of the
+            numbers; by default there is no table.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import each
+        >>> each("pucks", "{pucks.*} moves at {pucks.*.speed}.").field
+        'pucks'
+    """
     return Each(field, wordings, table)
 
 
 def lines_of(field: str) -> PartLines:
-    """The place in its entity's text where the parts of a field are told."""
+    """Return the place in the text of an entity for the lines of the parts in a field.
+
+    Args:
+        field: Name of the field.
+
+    Returns:
+        A line for `says` of an entity.
+
+    Example:
+        >>> from sim2reason.authoring import lines_of
+        >>> lines_of("system").field
+        'system'
+    """
     return PartLines(field)
 
 

@@ -19,7 +19,19 @@ def unit(vector: Vector) -> Vector:
 
 
 def add(*vectors: Vector) -> Vector:
-    """The sum of vectors."""
+    """Return the sum of vectors.
+
+    Args:
+        *vectors: Vectors of three components.
+
+    Returns:
+        The sum.
+
+    Example:
+        >>> from sim2reason.authoring import X, Z, add
+        >>> add(X, Z, Z)
+        (1.0, 0.0, 2.0)
+    """
     if len(vectors) == 2:  # as nearly always
         a, b = vectors
         return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
@@ -30,17 +42,56 @@ def add(*vectors: Vector) -> Vector:
 
 
 def scale(factor: float, vector: Vector) -> Vector:
-    """`factor` times `vector`."""
+    """Return a multiple of a vector.
+
+    Args:
+        factor: The factor.
+        vector: The vector.
+
+    Returns:
+        `factor` times `vector`.
+
+    Example:
+        >>> from sim2reason.authoring import X, scale
+        >>> scale(2.0, X)
+        (2.0, 0.0, 0.0)
+    """
     return (factor * vector[0], factor * vector[1], factor * vector[2])
 
 
 def inner(a: Vector, b: Vector) -> float:
-    """The scalar product."""
+    """Return the dot product of two vectors.
+
+    Args:
+        a: The first vector.
+        b: The second vector.
+
+    Returns:
+        The sum of the products of their components.
+
+    Example:
+        >>> from sim2reason.authoring import inner
+        >>> inner((1.0, 2.0, 3.0), (0.0, 1.0, 1.0))
+        5.0
+    """
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def outer(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
+    """Return the cross product of two vectors.
+
+    Args:
+        a: The first vector.
+        b: The second vector.
+
+    Returns:
+        The vector a × b, at right angles to both.
+
+    Example:
+        >>> from sim2reason.authoring import X, Y, outer
+        >>> outer(X, Y)
+        (0.0, 0.0, 1.0)
+    """
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 

@@ -19,17 +19,27 @@ def figure(
     seed: int | None = None,
     wording: Wording | None = None,
 ) -> None:
-    """Draw the initial state of a scene into a .svg, .png or .pdf file, with labels from its text.
+    """Draw the initial state of a scene into a file, with the names of its text.
 
-    The text has the given `seed`; by default the seed of `wording`, or 0. `wording` is by default the wording in the
-    scene's file, which `wording_of` reads where a file, its text or an item is given. Numbers that the wording replaces
-    by symbols are shown as symbols. `numbers` writes masses, too. A FigureWarning names features that the figure can
-    only hint at.
+    Numbers that the wording replaces by symbols are shown as symbols. A FigureWarning names features that the figure
+    can only suggest.
+
+    Args:
+        scene: A scene, the path of its file, its YAML text, an item about it, or the result of `parse_scene`.
+        out: File with the ending .svg, .png or .pdf.
+        numbers: Whether to write the masses, too.
+        seed: Seed of the text, on which names depend; by default that of `wording`, or 0.
+        wording: Wording of the text; by default that in the scene's file, if there is one.
 
     Raises:
-        TypeError: neither a scene nor the path of its file, its text or an item.
+        TypeError: `scene` is of another type.
         MissingExtraError: matplotlib is not installed.
-        UnsupportedError: `out` ends otherwise.
+        UnsupportedError: `out` has another ending.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> sim2reason.figure(scene, "scene.svg")
     """
     check(Path(out))
     scene, wording = _given(scene, wording, "figure")
@@ -45,14 +55,26 @@ def plot(
     seed: int | None = None,
     wording: Wording | None = None,
 ) -> None:
-    """Plot the motion of a scene into a .svg, .png or .pdf file; `both` engines: the exact one's, cut where they part.
+    """Plot displacement, velocity, acceleration and tension over time into a file.
 
-    Names are those of the text, as in `figure`.
+    Args:
+        scene: A scene, the path of its file, its YAML text, an item about it, or the result of `parse_scene`.
+        out: File with the ending .svg, .png or .pdf.
+        duration: Duration in the scene's unit of time (s unless its text uses another); by default its horizon.
+        engine: ``exact``, ``mujoco``, or ``both``: the motion of the exact engine, cut where the engines part.
+        seed: Seed of the text, on which names depend; by default that of `wording`, or 0.
+        wording: Wording of the text; by default that in the scene's file, if there is one.
 
     Raises:
+        TypeError: `scene` is of another type.
         MissingExtraError: matplotlib is not installed.
-        UnsupportedError: `out` ends otherwise.
-        SceneError, SimulationError, UnknownNameError: as `simulate`.
+        UnsupportedError: `out` has another ending.
+        SceneError, SimulationError, UnknownNameError: The scene cannot be simulated, as in `simulate`.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> sim2reason.plot(scene, "motion.svg", duration=1.0)
     """
     check(Path(out))
     scene, wording = _given(scene, wording, "plot")

@@ -47,22 +47,33 @@ def formula(
     positive: str = "",
     tolerance: float = 1e-6,
 ) -> Score:
-    r"""Grade a boxed formula against `reference` by value.
+    r"""Grade the formula in the box of a response by its values.
 
     Args:
-        response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
-        reference: LaTeX or plain text; one without symbols is graded as a number.
-        bindings: values for all symbols, one mapping or several. Others are drawn around them from a hash of the
+        response: The whole text with its thinking, or a list of messages, of which the last counts. Any other object
+            has no answer.
+        reference: The right formula, in LaTeX or plain text; one without symbols is graded as a number.
+        bindings: Values of all symbols, one mapping or several. Further values are drawn around them from a hash of the
             reference; beside eight or more, a response need not have a value there. None: drawn over `ranges`.
-        symbols: the item's table, in any spelling (``\mu_k``, ``mu_k``); by default the names that the bindings
-            have, or else those in the reference. ``e`` is Euler's number unless it is in the table.
-        ranges: where the symbols may lie, lowest and highest; of the others, everywhere within a few decades.
-        positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
-        tolerance: relative, at each of the bindings.
+        symbols: Symbols of the problem, in any spelling (``\mu_k``, ``mu_k``); by default those of the bindings, or
+            else those in the reference. ``e`` is Euler's number unless it is among them.
+        ranges: Least and greatest value of symbols; others are drawn over a few decades.
+        positive: Direction that counts as positive, in the words of the question; empty for a magnitude.
+        tolerance: Relative difference that is allowed at each of the bindings.
+
+    Returns:
+        The score, with the text of the formula that was read.
 
     Raises:
-        FormulaError: for a reference that cannot be read or has no value, bindings that leave symbols out, or a
-            tolerance outside [0, 1).
+        FormulaError: The reference cannot be read or has no value, a binding lacks a symbol, or the tolerance is
+            outside [0, 1).
+
+    Example:
+        >>> from sim2reason.grading import formula
+        >>> formula(r"\boxed{\frac{1}{2} g t^2}", r"g t^2 / 2", {"g": 9.8, "t": 2.0}).reward
+        1.0
+        >>> formula(r"\boxed{g t^2}", r"g t^2 / 2", {"g": 9.8, "t": 2.0}).reward
+        0.0
     """
     if not 0 <= tolerance < 1:
         raise FormulaError("the tolerance must be in [0, 1)")

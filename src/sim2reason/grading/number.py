@@ -63,19 +63,30 @@ def number(
     positive: str = "",
     lenient: bool = False,
 ) -> Score:
-    """Grade a boxed number against `reference`, which is in `unit`.
+    r"""Grade the number in the box of a response.
 
     Args:
-        response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
-        reference: the true value, finite.
-        unit: a unit, or the name of one of the table; "" for a pure number, None where the unit is not known and a
-            stated one is ignored (but for per cent).
-        tolerance: of |x - reference| relative to |reference|, inclusive; there is no absolute slack.
-        positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
-        lenient: without a box, take the last number. For evaluation, never for a reward.
+        response: The whole text with its thinking, or a list of messages, of which the last counts. Any other object
+            has no answer.
+        reference: The right value, finite, in `unit`.
+        unit: A unit or its name, such as ``m/s^2``; "" for a pure number. If it is None, a stated unit is ignored,
+            except for per cent.
+        tolerance: Greatest |x - reference| relative to |reference|; there is no absolute tolerance.
+        positive: Direction that counts as positive, in the words of the question; empty for a magnitude.
+        lenient: Whether to take the last number if there is no box; for evaluation, never for a reward.
+
+    Returns:
+        The score, with the number that was read in `unit`.
 
     Raises:
-        ValueError: for a reference that is not finite, a tolerance outside [0, 1), or a unit outside the table.
+        ValueError: The reference is not finite, the tolerance is outside [0, 1), or the unit is unknown.
+
+    Example:
+        >>> from sim2reason.grading import number
+        >>> number(r"The speed is \boxed{36 km/h}.", 10.0, "m/s")
+        <Score 1: correct, parsed=10.0>
+        >>> number(r"\boxed{10 kg}", 10.0, "m/s").outcome.value
+        'wrong unit'
     """
     if not math.isfinite(reference) or not 0 <= tolerance < 1:
         raise ValueError("the reference must be finite and the tolerance in [0, 1)")

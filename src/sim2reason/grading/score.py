@@ -5,9 +5,11 @@ from enum import StrEnum
 
 __all__ = ["Outcome", "Refused", "Score"]
 
+SHOWN = 80  # characters of what was read that a repr shows
+
 
 class Outcome(StrEnum):
-    """How a response ended; only `CORRECT` is paid, but for the right parts of a problem that is graded in part."""
+    """The outcomes of a response; only `CORRECT`, or right parts under partial credit, earn a reward."""
 
     CORRECT = "correct"
     WRONG = "wrong"
@@ -19,10 +21,23 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Score:
-    """The grade of one response.
+    r"""The grade of one response.
 
-    `parsed` is what was read: a number in the asked unit, the text of a formula, or None if nothing was. Where a
-    problem has several parts, `parts` are their scores.
+    Attributes:
+        reward: 1 for a right answer and 0 for any other; with partial credit, the share of the right parts.
+        outcome: How the response ended: ``correct``, ``wrong``, ``wrong unit``, ``no answer``, ``unreadable`` or
+            ``too long``.
+        parsed: The value that was read: a number in the requested unit, the text of a formula, or None.
+        why: The reason in words.
+        parts: Scores of the parts of a problem with several; empty otherwise.
+
+    Example:
+        >>> from sim2reason.grading import number
+        >>> score = number(r"\boxed{9.81}", 9.8)
+        >>> score
+        <Score 1: correct, parsed=9.81>
+        >>> print(score)
+        correct (reward 1): the answer is 9.81; expected 9.8 within 5 %
     """
 
     reward: float
@@ -33,8 +48,28 @@ class Score:
 
     @classmethod
     def of(cls, outcome: Outcome, parsed: float | str | None, why: str) -> "Score":
-        """One for a correct answer and zero for any other."""
+        """Return a score with a reward of 1 for a correct answer and of 0 for any other.
+
+        Args:
+            outcome: The outcome.
+            parsed: The value that was read, or None.
+            why: The reason in words.
+
+        Returns:
+            The score, without parts.
+        """
         return cls(1.0 if outcome is Outcome.CORRECT else 0.0, outcome, parsed, why)
+
+    def __repr__(self) -> str:
+        """Return the reward, the outcome, the value read, and the number of parts if there are several."""
+        parsed = repr(self.parsed)
+        shown = parsed if len(parsed) <= SHOWN else f"{parsed[: SHOWN - 1]}…"
+        parts = f", parts={len(self.parts)}" if self.parts else ""
+        return f"<Score {self.reward:g}: {self.outcome}, parsed={shown}{parts}>"
+
+    def __str__(self) -> str:
+        """Return the outcome, the reward and the reason."""
+        return f"{self.outcome} (reward {self.reward:g}): {self.why}"
 
 
 class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, not an error of the library
@@ -47,5 +82,5 @@ class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, 
 
     @property
     def score(self) -> Score:
-        """The grade that this refusal stands for."""
+        """Return the score of a response that is refused."""
         return Score.of(self.outcome, None, self.why)

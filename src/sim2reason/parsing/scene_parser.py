@@ -35,10 +35,14 @@ SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 
 @dataclass(frozen=True)
 class ParsedScene:
-    """A scene as its text tells it; `mentions` is what bodies are called (*block A*), by address.
+    """A scene that was read from a text, with the names in the text.
 
-    `unknown` has the symbol, without dollars, of a number that the text leaves open, by its address; the scene has some
-    number of its range there.
+    Attributes:
+        scene: The scene; a number that the text leaves open has some value in its range.
+        mentions: Names of bodies in the text, such as *block A*, by address.
+        unknown: Symbols, in LaTeX without dollars, of numbers that the text leaves open, by address.
+        without: Topics that the text does not cover.
+        names: Addresses by name; if bodies without letters share a name, that of the first.
     """
 
     scene: Scene
@@ -46,9 +50,18 @@ class ParsedScene:
     unknown: dict[str, str] = field(default_factory=dict[str, str])
     without: frozenset[Topic] = frozenset()  # topics on which the text says nothing; its scene has some start then
 
+    def __repr__(self) -> str:
+        """Return the scene on one line, with the symbols of numbers that the text leaves open."""
+        unknown = f", unknown {', '.join(self.unknown.values())}" if self.unknown else ""
+        return f"<ParsedScene: {repr(self.scene)[1:-1]}{unknown}>"
+
+    def __str__(self) -> str:
+        """Return the scene in lines, with the names of bodies in the text."""
+        return "\n".join([str(self.scene), *(f"  {address} is {name}" for address, name in self.mentions.items())])
+
     @property
     def names(self) -> dict[str, str]:
-        """Addresses by name; of bodies without letters that share a name, the first one has it."""
+        """Return addresses by name; if bodies without letters share a name, that of the first."""
         return {name: address for address, name in reversed(self.mentions.items())}
 
 
@@ -59,16 +72,31 @@ def parse_scene(
     *,
     startless: bool = False,
 ) -> ParsedScene:
-    """The one scene that a text tells; numbers that are never said are drawn with `rng`.
+    """Read the scene that a text describes.
 
-    A `startless` text may leave out where things are at first and how they are sent off, as some questions do.
-    `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
-    Readings that move alike and call things alike are one; the first is returned. Other texts may be in ordinary
-    English, where each sentence says neither more nor less than one of the library, or the whole is one of the kinds of
-    scene in `textbook_scenes`.
+    The text may be in the words of the library, as `describe` writes it, or in ordinary English. In the latter each
+    sentence must mean exactly what a sentence of the library says, or the whole must be one of the kinds of scene that
+    ``sim2reason.list("textbook_scenes")`` returns. Readings that move alike and use the same names count as one.
+
+    Args:
+        text: The text, without a question.
+        rng: Generator from which numbers are drawn that texts never state; by default one with the seed 0.
+        given: Number with its unit for each symbol, in LaTeX without dollars, that the text has in place of a number.
+        startless: Whether the text may omit initial positions and velocities, as some questions do.
+
+    Returns:
+        The scene with the names of its bodies.
 
     Raises:
-        TextError: the text tells no scene, or more than one; the message has the nearest sentence of the library.
+        TextError: The text describes no scene, or several; the message has the nearest sentence of the library.
+
+    Example:
+        >>> import sim2reason
+        >>> parsed = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> parsed
+        <ParsedScene: Scene 'scene': e1 TwoSideMassPlane>
+        >>> parsed.names
+        {'the plane': 'e1.plane', 'the block': 'e1.blocks.0'}
     """
     rng = rng if rng is not None else np.random.default_rng(0)
     said = pieces(text)

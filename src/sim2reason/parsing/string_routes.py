@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.dsl.connection import Connection, Inside, Leg, Link
 from sim2reason.dsl.entity import Part, outer_ports, ports_of
-from sim2reason.dsl.ports import Chain, Pass, SitePort, Stop, StringEnd, StringPort
-from sim2reason.dsl.scene import reversed_stops, travelled
+from sim2reason.dsl.ports import Chain, Pass, SitePort, Stop, StringEnd, StringPort, reversed_stops, travelled
 from sim2reason.parsing.parse_state import ParseState
 
 

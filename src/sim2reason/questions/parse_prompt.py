@@ -38,9 +38,21 @@ _FORMS = [
 
 @dataclass(frozen=True)
 class ParsedPrompt:
-    """The meaning of a prompt: its scene, motion, question and shape, and the unit of the answer.
+    """The meaning of a prompt: its scene, its question, and the simulated motion.
 
-    If the event asked about never occurs, or does not occur within a limit of work, `work` says so.
+    Attributes:
+        reading: The scene with the names in the text.
+        study: The motion with the data derived from it.
+        asked: The question with its mode.
+        unit: Unit of the answer; empty for a pure number.
+        shape: Order in which the prompt gives the scene, the question and the form of the answer.
+        work: Why the event asked about never occurs, or not within a limit of work; empty if it occurs.
+        scene: The scene, with hidden numbers of its own.
+        query: The query that is asked, or stated as a condition.
+        words: Names and symbols of the text.
+        answer: The answer that follows from the text alone, in `unit`; None if there is none.
+        counted: The answer in the unit of the scene.
+        reason: Why there is no answer; empty if there is one.
     """
 
     reading: ParsedScene
@@ -50,41 +62,52 @@ class ParsedPrompt:
     shape: str
     work: str = ""
 
+    def __repr__(self) -> str:
+        """Return the mode, the quantity or the kind of question, its subjects and the unit of the answer."""
+        query = self.query
+        name = query.kind if query.target is None else query.target.quantity
+        of = f" of {subjects}" if (subjects := ", ".join(filter(None, query.subjects))) else ""
+        return f"<ParsedPrompt: {self.asked.mode}, {name}{of}{f' in {self.unit}' if self.unit else ''}>"
+
+    def __str__(self) -> str:
+        """Return the same with the lines of the scene."""
+        return f"{repr(self)[1:-1]}\n{self.reading}"
+
     @property
     def scene(self) -> Scene:
-        """The scene, with hidden numbers of its own."""
+        """Return the scene, with hidden numbers of its own."""
         return self.reading.scene
 
     @property
     def query(self) -> Query:
-        """What is asked, or stated as a condition."""
+        """Return the query that is asked, or stated as a condition."""
         return self.asked.query
 
     @property
     def words(self) -> Words:
-        """What a question about its scene needs to know of its text."""
+        """Return the names and symbols of the text."""
         return _words(self.reading)
 
     @property
     def answer(self) -> float | None:
-        """The answer that the text alone leads to, in its unit."""
+        """Return the answer that follows from the text alone, in its unit; None if there is none."""
         found = self.counted
         return found * self._factor(_words(self.reading)) if found is not None else None
 
     @property
     def counted(self) -> float | None:
-        """The answer as the scene counts it."""
+        """Return the answer in the unit of the scene."""
         return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
     @property
     def reason(self) -> str:
-        """Return a clause explaining why there is no answer; empty if there is an answer."""
+        """Return why there is no answer, as a clause; empty if there is an answer."""
         if self.counted is not None:
             return ""
         return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))
 
     def _factor(self, words: Words) -> float:
-        """What to multiply by what the scene and its motion count in, to have it in the unit that the text asks for."""
+        """Return the factor from the unit of the scene and its motion to the unit that the text asks for."""
         unknown = next((found for found in words.unknowns if found.path != self.query.hides), None)
         if self.asked.given is not None and unknown is not None:
             unit = unknown.unit
@@ -96,13 +119,25 @@ class ParsedPrompt:
 def parse_prompt(
     text: str, rng: np.random.Generator | None = None, given: Mapping[str, str] = NONE_GIVEN
 ) -> ParsedPrompt:
-    """Read a prompt: its scene is rebuilt from the words alone, hidden numbers drawn by `rng`, and simulated.
+    """Read a prompt, rebuild its scene from the words alone, and simulate it.
 
-    What is returned has the `scene` and its motion (`study`), the `query`, and the `answer` in its `unit`.
-    `given` has the number, with its unit, of each symbol (LaTeX without dollars) of a prompt whose numbers are symbols.
+    Args:
+        text: The prompt, whose last sentence says how to give the answer.
+        rng: Generator from which numbers are drawn that texts never state; by default one with the seed 0.
+        given: Number with its unit for each symbol, in LaTeX without dollars, of a prompt with symbols.
+
+    Returns:
+        The scene, the question, and the answer that follows from the text.
 
     Raises:
-        TextError: the text means no scene, more than one, or asks nothing that this library asks.
+        TextError: The text describes no scene, or several, or asks no question that the library knows.
+
+    Example:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> parsed = sim2reason.parse_prompt(problem.prompt)
+        >>> abs(parsed.answer / problem.answer.value - 1.0) < 1e-6
+        True
     """
     body, unit = without_form(text)
     refused: list[TextError] = []
@@ -119,7 +154,7 @@ def parse_prompt(
 
 
 def without_form(text: str) -> tuple[str, str]:
-    """A prompt without its last sentence, and the unit that this sentence asks for; TextError if it is none of ours."""
+    """Return a prompt without its last sentence, and the unit in that sentence; TextError if it is unknown."""
     form = next((match for pattern in _FORMS if (match := pattern.search(text))), None)
     if form is None:
         raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
@@ -127,14 +162,14 @@ def without_form(text: str) -> tuple[str, str]:
 
 
 def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
-    """All that a prompt may say, by the shape that it would have."""
+    """Yield all that a prompt may mean, with the name of the shape that it would have."""
     for shape in shapes_to_try():
         for draft in shape.drafts(text):
             yield shape.name, draft
 
 
 def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
-    """With the numbers of symbols of which the story speaks."""
+    """Return a draft with the numbers of the symbols in its story."""
     told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
     return replace(draft, story=without_names(draft.story), given={**draft.given, **told})
 
@@ -142,7 +177,7 @@ def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
 def _understood(
     draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
 ) -> ParsedPrompt:
-    """What a draft means; TextError for one that means nothing."""
+    """Return the meaning of a draft; TextError if it has none."""
     reading = parse_scene(draft.story, rng, draft.given, startless=True)
     motion = _begun(reading)
     study = motion.study
@@ -199,7 +234,7 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
-    """Words that know the symbols of the scene, and the question's own with their values."""
+    """Return words that know the symbols of the scene, and those of the question with their values."""
     own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
     return replace(words, symbolic=True, own=dict(filter(None, own)))
 

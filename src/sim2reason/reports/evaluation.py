@@ -8,6 +8,7 @@ from sim2reason.benchmarks.runs.config import Evaluation, evaluation_from
 from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.benchmarks.runs.run import run
 from sim2reason.errors import PolicyError, Sim2ReasonError
+from sim2reason.record import counted
 from sim2reason.reports.report import write_report
 from sim2reason.reports.results import RunReport
 
@@ -16,11 +17,26 @@ __all__ = ["Evaluated", "evaluate"]
 
 @dataclass(frozen=True)
 class Evaluated:
-    """A run with its report; `open` says of each sample without an answer why there is none."""
+    """An evaluation with its report.
+
+    Attributes:
+        folder: The folder of the run.
+        report: Accuracies of each policy on each benchmark, as a whole and by tags of problems.
+        open: Reasons for the samples without an answer, a line for each.
+    """
 
     folder: RunFolder
     report: RunReport
     open: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        """Return the folder and the number of results."""
+        return f"<Evaluated {str(self.folder.path)!r}: {counted(len(self.report.results), 'result')}>"
+
+    def __str__(self) -> str:
+        """Return a line with the accuracy for each policy on each benchmark."""
+        lines = (f"  {each.policy} on {each.benchmark}: {each.accuracy.shown} %" for each in self.report.results)
+        return "\n".join([repr(self)[1:-1], *lines])
 
 
 def evaluate(
@@ -30,14 +46,35 @@ def evaluate(
     begun: Callable[[int], object] = lambda _: None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Evaluated:
-    """Have policies answer benchmarks, and report: into the folder `out`, or the one that the configuration names.
+    r"""Evaluate policies on benchmarks, and write a report.
 
-    What was answered before is not asked again. Whatever ends the run, what was finished is kept, and reported on.
+    ``sim2reason.eval`` is this function. Answers of an earlier run in the same folder are reused. If a run ends early,
+    its finished answers are stored and reported.
+
+    Args:
+        config: A YAML file, a mapping with its contents, or an `Evaluation`.
+        out: Folder of the run; by default the folder in the configuration.
+        begun: Callback that takes the number of answers to come.
+        advance: Callback that takes the number of further answers that are finished.
+
+    Returns:
+        The folder and the report.
 
     Raises:
-        EvaluationError, UnknownNameError: a configuration, benchmark or folder that can't be used.
-        PolicyError: a policy that can't be asked, or whose limit is reached.
-        MissingExtraError: a package that a policy or a rule of scoring needs.
+        EvaluationError, UnknownNameError: A configuration, benchmark or folder is invalid.
+        PolicyError: A policy cannot be asked, or its limit is reached.
+        MissingExtraError: A policy or a scoring rule needs a package that is not installed.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> run = sim2reason.eval({
+        ...     "out": "run",
+        ...     "policies": [{"kind": "constant", "name": "one", "text": r"\boxed{1}"}],
+        ...     "benchmarks": [{"kind": "synthetic", "name": "ours", "dataset": "problems"}],
+        ... })
+        >>> [(each.policy, each.benchmark, each.accuracy.value) for each in run.report.results]
+        [('one', 'ours', 0.0)]
     """
     evaluation = evaluation_from(config, out)
     try:
@@ -50,7 +87,7 @@ def evaluate(
 
 
 def _reported(out: Path) -> bool:
-    """Report on what is there, if that is a run with an answer."""
+    """Write a report on the answers so far; return whether there are any."""
     try:
         return bool(write_report(RunFolder(out)).results)
     except (Sim2ReasonError, OSError):

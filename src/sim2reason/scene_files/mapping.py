@@ -36,19 +36,38 @@ ENTITY_KEYS = ("name", "type", "position", "parameters")
 
 
 def load(source: str | Path) -> Scene:
-    """The scene of a text, or of the file at a path; its mechanism can be built.
+    """Read a scene from YAML text or from a file.
 
-    A `str` of one line that ends in .yaml, .yml or .json is the path of a file; any other is the text itself.
+    Args:
+        source: The path of a file, or the text itself. A string of one line that ends in .yaml, .yml or .json is a
+            path.
+
+    Returns:
+        The scene; its mechanism can be built.
 
     Raises:
-        SceneError: what is wrong, at which path in the file and in which line, and what to do about it.
-        OSError: the file can't be read.
+        SceneError: The text is invalid; the message names the path in the file, the line and a remedy.
+        OSError: The file cannot be read.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.load('''
+        ... scene:
+        ...   entities:
+        ...   - name: ramp
+        ...     type: TwoSideMassPlane
+        ...     parameters: {plane: {angle: 30.0, friction: 0.2}, blocks: [{mass: 2.0}]}
+        ... ''')
+        >>> scene
+        <Scene 'scene': ramp TwoSideMassPlane>
+        >>> sim2reason.load(sim2reason.dump(scene)) == scene
+        True
     """
     return loads(source_text(source))
 
 
 def loads(text: str) -> Scene:
-    """The scene of a text, whatever it looks like; SceneError as `load`."""
+    """Read a scene from YAML text, even if it looks like a path; errors as in `load`."""
     data = parse(text)
     try:
         return _scene(data)
@@ -57,7 +76,32 @@ def loads(text: str) -> Scene:
 
 
 def dump(scene: Scene, wording: Wording | None = None) -> str:
-    """Return a scene as YAML, with the wording of its problem if there is one; absent optional parts are left out."""
+    """Return a scene as YAML text, which `load` reads as an equal scene.
+
+    Args:
+        scene: The scene.
+        wording: Wording of the problem about the scene, from which figures take their names; by default none is
+            written.
+
+    Returns:
+        The YAML text; the same scene always gives the same text. Absent optional parts are left out.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> print(sim2reason.dump(scene.scene))
+        scene:
+          name: scene
+          entities:
+          - name: e1
+            type: TwoSideMassPlane
+            parameters:
+              plane: {angle: 30.0, friction: 0.0}
+              blocks:
+              - {mass: 2.0}
+          world: {gravity: 9.8}
+        <BLANKLINE>
+    """
     classes = {named.name: type(named.entity) for named in scene.entities}
     entities: list[Plain] = [_told_entity(named) for named in scene.entities]
     connections: list[Plain] = []

@@ -71,7 +71,17 @@ def is_many(annotation: Any) -> bool:
 
 
 def schema() -> Json:
-    """The schema of a whole scene file, with ranges of validity, units and descriptions."""
+    """Return the JSON schema of scene files.
+
+    Returns:
+        The schema, as plain JSON values, with the ranges, units and descriptions of all entities and connections.
+
+    Example:
+        >>> import sim2reason
+        >>> schema = sim2reason.schema()
+        >>> schema["title"], schema["required"]
+        ('sim2reason scene', ['scene'])
+    """
     parts = _Definitions()
     entities = [_entity(cls, parts) for cls in ENTITIES.values()]
     scene = _object(

@@ -17,8 +17,9 @@ from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import Quantity
+from sim2reason.record import counted
 from sim2reason.simulation.channels import Channel, channels
-from sim2reason.simulation.trace import ENGINES, Event, Trace
+from sim2reason.simulation.trace import ENDINGS, ENGINES, Event, Trace
 
 Flags = NDArray[np.bool_]
 
@@ -30,7 +31,7 @@ RECORDED, WITNESS = "exact", "mujoco"
 
 
 class Match(NamedTuple):
-    """One event as both engines saw it."""
+    """An event that both engines recorded."""
 
     event: Event
     apart: float  # s, the witness's time less the recorded one
@@ -38,41 +39,94 @@ class Match(NamedTuple):
 
 @dataclass(frozen=True)
 class Certificate:
-    """What two engines agree on.
+    """The agreement of two engines on a motion.
 
-    `agreement` holds each channel's worst difference, relative to the scene's largest value of that quantity,
-    over all that was compared, but for quantities that only people ask for; `until` the time from which the channel is
-    not to be trusted. Samples in the `blind` intervals, around events, were not compared.
+    Times are in the unit of the mechanism, s by default. A channel is a quantity of a subject.
+
+    Attributes:
+        engines: Names of the engine that recorded the motion and of its witness.
+        tolerance: Relative difference that is allowed.
+        stable_until: Time until which the engines agree.
+        reason: Why that is before the end of the motion: the kind of an event, or the channel on which they disagree.
+        matched: Events that both engines have, with the differences in time.
+        blind: Intervals around events in which samples were not compared.
+        agreement: Greatest difference of each channel that recipes ask for, relative to the scene's largest value of
+            the quantity.
+        until: Time from which each channel is not to be trusted.
+        others: Function that compares the other channels; called when one of them is first needed.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> trace, certificate = sim2reason.certify(scene, duration=1.0)
+        >>> print(certificate)
+        Certificate: exact and mujoco agree until t = 1 within 0.0001 on ... channels
+          largest difference: ... of the scale, ... of e1.blocks.0
+          0 events matched
     """
 
     engines: tuple[str, str]
     tolerance: float
-    stable_until: float  # s
-    reason: str  # why it ends before the duration: an event's kind, or what the engines disagree on; else ""
+    stable_until: float
+    reason: str
     matched: tuple[Match, ...] = ()
-    blind: tuple[tuple[float, float], ...] = ()  # s
+    blind: tuple[tuple[float, float], ...] = ()
     agreement: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
     until: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
     others: Callable[[], Mapping[Channel, float]] = field(default=dict[Channel, float], repr=False, compare=False)
-    """Compares the channels that recipes do not draw, and returns their `until`; called when one is first asked for."""
+
+    def __repr__(self) -> str:
+        """Return the engines, the time until which they agree, the tolerance, and the number of channels compared."""
+        channels, until = counted(len(self.agreement), "channel"), f"until t = {self.stable_until:.6g}"
+        return f"<Certificate: {' and '.join(self.engines)} agree {until} within {self.tolerance:g} on {channels}>"
+
+    def __str__(self) -> str:
+        """Return the same with the largest difference, the matched events and the reason for an early end."""
+        lines = [repr(self)[1:-1]]
+        if self.agreement:
+            worst = max(self.agreement, key=lambda channel: self.agreement[channel])
+            size = f"{self.agreement[worst]:.1e} of the scale"
+            lines.append(f"  largest difference: {size}, {worst.quantity} of {worst.subject}")
+        lines.append(f"  {counted(len(self.matched), 'event')} matched")
+        end = [f"  ends because {ENDINGS.get(self.reason, self.reason)}"] if self.reason else []
+        return "\n".join([*lines, *end])
 
     @cached_property
     def _until_of_others(self) -> Mapping[Channel, float]:
         return self.others()
 
     def trusted(self, channel: Channel) -> float:
-        """Return the time, s, up to which both engines agree on a channel; negative if it was not compared."""
+        """Return the time up to which both engines agree on a channel.
+
+        Args:
+            channel: The channel.
+
+        Returns:
+            The time; negative if the channel was not compared.
+        """
         found = self.until.get(channel)
         return min(self.stable_until, self._until_of_others.get(channel, -1.0) if found is None else found)
 
     def covers(self, channel: Channel, time: float) -> bool:
-        """Whether a channel's value at a time, s, is vouched for by both engines."""
+        """Return whether both engines agree on a channel at a time.
+
+        Args:
+            channel: The channel.
+            time: The time.
+
+        Returns:
+            Whether the time is before `trusted` and in no blind interval.
+        """
         if any(start <= time <= stop for start, stop in self.blind):
             return False
         return time <= self.trusted(channel)
 
     def document(self) -> dict[str, object]:
-        """The same as plain JSON values."""
+        """Return the certificate as plain JSON values.
+
+        Returns:
+            A mapping with the fields by name; `agreement` and `until` together are ``channels``.
+        """
         return {
             "engines": list(self.engines),
             "tolerance": self.tolerance,
@@ -85,19 +139,24 @@ class Certificate:
 
 
 def certify(mechanism: Mechanism, times: Array) -> tuple[Trace, Certificate]:
-    """Simulate by both engines at `times` (n,), s, and compare; gives the exact trace, cut where they part.
+    """Simulate a mechanism with both engines and compare the two motions.
 
-    A mechanism that the witness can't simulate has nothing certified: the certificate then ends at 0 and its
-    reason is the witness's.
+    Args:
+        mechanism: The mechanism.
+        times: Instants (n,), strictly increasing from 0.
+
+    Returns:
+        The trace of the exact engine, cut where the engines part, and the certificate. If the witness cannot simulate
+        the mechanism, the certificate ends at 0 and its reason is that of the witness.
 
     Raises:
-        UnsupportedError, SimulationError, SceneError: what the recorded engine raises.
+        UnsupportedError, SimulationError, SceneError: The exact engine cannot simulate the mechanism.
     """
     return witnessed(ENGINES[RECORDED](mechanism, times))
 
 
 def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
-    """The second half of `certify`, for a motion that the recorded engine has already found."""
+    """Compare a recorded motion with the motion of the second engine, as `certify` does."""
     try:
         witness = ENGINES[WITNESS](recorded.mechanism, recorded.state.times)
     except (SimulationError, UnsupportedError) as error:
@@ -108,7 +167,7 @@ def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
 
 
 def truncated(trace: Trace, certificate: Certificate) -> Trace:
-    """The trace, to be used no longer than its certificate holds."""
+    """Return the trace, valid no longer than its certificate."""
     if certificate.stable_until >= trace.stable_until:
         return trace
     return replace(trace, stable_until=certificate.stable_until, cut="certificate")

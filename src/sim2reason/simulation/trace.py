@@ -9,8 +9,10 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.lazy import cached_property
+from sim2reason.record import counted
 from sim2reason.registry import Registry
 
+SHOWN = 10  # events that the text of a trace lists
 AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it
 
 
@@ -58,7 +60,7 @@ def in_order(times: Array) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something of one of the `EVENT_KINDS` that happens at an instant, to `subjects` in the order of engines."""
+    """An event of one of the `EVENT_KINDS`, at an instant; `subjects` are in the order of engines."""
 
     time: float  # s
     kind: str
@@ -66,44 +68,94 @@ class Event:
 
     @property
     def changes_motion(self) -> bool:
-        """Whether forces, velocities or their equations change: all events do that but turns."""
+        """Return whether forces, velocities or their equations change, as in all events but turns."""
         return self.kind != "turn"
 
 
 def happened(events: Iterable[Event], until: float) -> tuple[Event, ...]:
-    """What happens before a time, s, and not just then, in order; turns change nothing and are left out."""
+    """Return the events before a time, s, in order, without turns and without events at that time."""
     return tuple(event for event in events if event.time < until * (1.0 - AT_ONCE) and event.changes_motion)
 
 
 @dataclass(frozen=True)
 class Trace:
-    """A motion, its events in order of time, and until when it may be used."""
+    """A recorded motion with its events, in order of time, and the time until which it is valid.
+
+    Attributes:
+        engine: Name of the engine.
+        state: The motion at the recorded instants: `times` (n,), and q, v and a (n, number of coordinates).
+        events: Events in order of time, each with its time, its kind and its subjects.
+        stable_until: Time, s, until which the motion is valid; later samples are for plots only.
+        cut: Why the motion ends before the requested duration: the kind of an event, ``statistics`` or ``certificate``;
+            empty if it does not.
+        sample: Function that gives the motion at other times (m,), s, from 0 to `stable_until`.
+        knots: Function that gives the instants, s, between which the motion is smooth; empty if there are none.
+        tolerance: Relative step tolerance, if the caller chose one; otherwise 0.
+        record: Data of the engine itself, or None.
+        mechanism: The mechanism that moves.
+        scan: The motion at instants so close together that no quantity turns more than once between two of them.
+
+    Example:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> trace = sim2reason.simulate(scene, duration=1.0)
+        >>> trace
+        <Trace by the exact engine: 1 coordinate, 101 samples, 0 events, valid until 1 s>
+        >>> trace.at(0.25).v.round(6)
+        array([[-1.225]])
+    """
 
     engine: str
     state: State
     events: tuple[Event, ...]
-    stable_until: float  # s; samples after it are there to be looked at, not to be asked about
-    cut: str = ""  # why it ends before the duration that was asked for: an event's kind, "statistics", "certificate"
+    stable_until: float
+    cut: str = ""
     sample: "Callable[[Array], State]" = field(repr=False, compare=False, default=lambda _: _unsampled())
-    # the same motion at any other times, up to `stable_until`; before t = 0 is not defined
     knots: "Callable[[], Array]" = field(repr=False, compare=False, default=lambda: np.zeros(0))
-    # instants, s, between which the motion is one smooth piece: ends of the engine's own steps; none if it has none
-    tolerance: float = 0.0  # what a step may err by, relative, if the caller was content with that
+    tolerance: float = 0.0
     record: object = field(repr=False, compare=False, default=None)
-    # what the engine itself has of the motion, as far as it followed it; None if it keeps nothing else
+
+    def __repr__(self) -> str:
+        """Return the engine, the numbers of coordinates, samples and events, and the time until which it is valid."""
+        count = counted(len(self.mechanism.coordinates), "coordinate")
+        samples, events = counted(len(self.state.times), "sample"), counted(len(self.events), "event")
+        until = f"valid until {self.stable_until:.6g} {self.mechanism.units.time}"
+        return f"<Trace by the {self.engine} engine: {count}, {samples}, {events}, {until}>"
+
+    def __str__(self) -> str:
+        """Return the same with a line for each of the first events, and the reason if the motion ends early."""
+        unit, more = self.mechanism.units.time, len(self.events) - SHOWN
+        events = [f"  {e.time:.6g} {unit}: {e.kind} ({', '.join(e.subjects)})" for e in self.events[:SHOWN]]
+        rest = [f"  and {counted(more, 'more event')}"] if more > 0 else []
+        end = [f"  ends because {ending(self)}"] if self.cut else []
+        return "\n".join([repr(self)[1:-1], *events, *rest, *end])
 
     @property
     def mechanism(self) -> Mechanism:
-        """What moved."""
+        """Return the mechanism that moves."""
         return self.state.mechanism
 
     def story(self, until: float | None) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """What happens to whom before a time, s, in order; without one, as long as it may be used."""
+        """List the events before a time that change the motion.
+
+        Args:
+            until: Time, s; None: as long as the motion is valid.
+
+        Returns:
+            The kind and the subjects of each event, in order.
+        """
         end = self.stable_until if until is None else until
         return tuple((event.kind, event.subjects) for event in happened(self.events, end))
 
     def through(self, time: float) -> "Trace":
-        """The same motion recorded no longer than to the second sample after a time, s."""
+        """Return the motion recorded up to the second sample after a time.
+
+        Args:
+            time: Time, s.
+
+        Returns:
+            A shorter trace, or this trace if it ends before.
+        """
         times = self.state.times
         count = int(np.searchsorted(times, time, side="right")) + 2
         if count >= len(times):
@@ -111,7 +163,14 @@ class Trace:
         return self.until(float(times[count - 1]))
 
     def until(self, time: float) -> "Trace":
-        """The same motion as if it had been followed no longer than to a time, s."""
+        """Return the motion recorded up to a time, as a simulation of that duration would.
+
+        Args:
+            time: Time, s.
+
+        Returns:
+            A shorter trace, or this trace if it ends before.
+        """
         times = self.state.times
         if time >= times[-1]:
             return self
@@ -126,11 +185,21 @@ class Trace:
 
     @cached_property
     def _instants(self) -> dict[float, State]:
-        """What was looked at before."""
+        """Return the states at single instants that were requested before."""
         return {}
 
     def at(self, time: float) -> State:
-        """The motion at one instant, s; several readers look at the same ones."""
+        """Return the motion at one instant, cached for further calls.
+
+        Args:
+            time: Time, s, from 0 to `stable_until`.
+
+        Returns:
+            A state with one instant: q, v and a have the shape (1, number of coordinates).
+
+        Raises:
+            ValueError: The trace was read from a file, which has only its samples.
+        """
         found = self._instants.get(time)
         if found is None:
             found = self._instants[time] = self.sample(np.array([time]))
@@ -138,9 +207,9 @@ class Trace:
 
     @cached_property
     def scan(self) -> State:
-        """The motion at the engine's own knots, on both sides of every event, and at instants between them.
+        """Return the motion at the knots of the engine, on both sides of every event, and at instants between them.
 
-        Between two neighbours nothing turns more than once, so that whoever looks for an instant need not look closer.
+        No quantity turns more than once between two neighbours, so that searches need no finer steps.
         """
         end = min(self.stable_until, float(self.state.times[-1]))
         events = np.array([event.time for event in self.events])

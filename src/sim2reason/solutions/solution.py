@@ -7,6 +7,7 @@ from typing import Literal
 
 from sim2reason.lazy import cached_property
 from sim2reason.questions.need import Need, greatest
+from sim2reason.record import abridged, counted
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Number
@@ -185,6 +186,16 @@ class Solution:
     whole: bool = False  # the answer is a count
     applies: bool = True  # whether the strategy has a way to the question at all
 
+    def __repr__(self) -> str:
+        """Return the strategy, the number of steps and the answer, or the reason why there is none."""
+        if self.answer is None:
+            return f"<Solution: none, {abridged(self.reason, 120)}>"
+        return f"<Solution by {self.strategy}: {counted(len(self.steps), 'step')}, answer {self.answer:.6g}>"
+
+    def __str__(self) -> str:
+        """Return the text of the solution, or the reason why there is none."""
+        return self.text if self.answer is not None else f"No worked solution: {self.reason}"
+
     @cached_property
     def needs(self) -> Need:
         """Return the most advanced mathematics in any step; INTEGRATION if the solution has no answer."""
@@ -192,12 +203,12 @@ class Solution:
 
     @property
     def derived(self) -> bool:
-        """Whether no phase of the motion is integrated numerically."""
+        """Return whether no phase of the motion is integrated numerically."""
         return self.answer is not None and all(step.integration is None for step in self.steps)
 
     @property
     def text(self) -> str:
-        """All steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
+        """Return all steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
         told = [step.text for step in self.steps if step.text]
         if self.answer is not None:
             goal = rf"\left|{self.goal}\right|" if self.is_modulus else self.goal
@@ -221,7 +232,7 @@ class Solution:
 
     @property
     def relations(self) -> list[Relation]:
-        """All equations, in order."""
+        """Return all equations, in order."""
         return [relation for step in self.steps for relation in step.relations]
 
 

@@ -21,22 +21,31 @@ def check_entity(
     skip: Iterable[str] = (),
     deep: bool = False,
 ) -> None:
-    """Hold an entity class to everything that the library promises of entities.
+    """Check that an entity class conforms to all that the library promises of entities.
 
-    Random scenes are drawn from what the class declares, one for each of `seeds`; everything optional is there half
-    of the time, and its ports are closed by what other entities and connections declare. On them are made the
-    `checks` named, by default all but those to `skip` (``sim2reason list checks`` shows them): the text says all that
-    answers depend on, and is read back; no sentence and no number can be left out; no two givens share a symbol; both
-    engines agree; energy and momentum balance with what acts; the mirror image and the scene in other units move
-    alike; hidden numbers do not matter, and each range does; ablations work; it is drawn, plotted and asked about.
+    Random scenes are drawn from the declarations of the class, one for each seed: each optional part is present half of
+    the time, and ports are connected to other entities. The checks then test, among other things, that the text states
+    all numbers on which answers depend and is read back, that both engines agree, that energy and momentum balance, and
+    that ablations, drawings and questions work. The class must be registered with `entity`, since files and texts find
+    it by its name. With the defaults it takes 2 to 5 s.
 
-    The class must be entered by `@entity`, since files and texts find it by its name. It takes 2 to 5 s; with `deep`,
-    which looks at all scenes in every check, and say ``range(40)`` for seeds, a minute.
+    Args:
+        cls: The entity class.
+        seeds: Seeds of the scenes.
+        checks: Names of the checks, which ``sim2reason.list("checks")`` returns; by default all.
+        skip: Names of checks to skip.
+        deep: Whether each check looks at all scenes; with ``seeds=range(40)`` this takes a minute.
 
     Raises:
-        ConformanceError: something does not hold; an AssertionError, whose message tells every finding with the
-            scene's file, what was expected, what was found and a remedy.
-        UnknownNameError: no such check.
+        ConformanceError: The class does not conform. It is an AssertionError, whose message has all findings, each with
+            the scene, what was expected and a remedy.
+        UnknownNameError: There is no such check.
+
+    Example:
+        >>> import sim2reason
+        >>> from sim2reason.testing import check_entity
+        >>> scene = sim2reason.sample("incline", "easy")
+        >>> check_entity(type(scene.entities[0].entity), seeds=[0], checks=["symbols"])
     """
     conformance(cls, seeds=seeds, checks=checks, skip=skip, deep=deep).raise_for_findings()
 
@@ -49,7 +58,7 @@ def conformance(
     skip: Iterable[str] = (),
     deep: bool = False,
 ) -> Report:
-    """The same as `check_entity`, as a report that does not raise; UnknownNameError for a check that is not known."""
+    """Run the checks of `check_entity`, and return a report instead of raising an error."""
     seeds, left_out = tuple(seeds), set(skip)
     names = tuple(name for name in (CHECKS if checks is None else tuple(checks)) if name not in left_out)
     made = [CHECKS[name] for name in names]
@@ -68,7 +77,7 @@ def conformance(
 
 
 def _drawn(cls: type[Entity], seed: int) -> Specimen | Finding:
-    """A scene of the class, or why there is none."""
+    """Draw a scene of the class; return a finding if there is none."""
     expected = "random scenes can be drawn from what the class declares"
     try:
         return specimen(cls, seed)
@@ -84,7 +93,7 @@ REMEDY = "raise SceneError, or let a validator refuse the values, where somethin
 
 
 def _caught(name: str, findings: Iterator[Finding]) -> Iterator[Finding]:
-    """The findings of a check; one more if it was stopped by an exception that only the class can have raised."""
+    """Yield the findings of a check, and one more if it was stopped by an exception of the class."""
     try:
         yield from findings
     except Exception as error:  # noqa: BLE001 - the same

@@ -21,7 +21,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """In words, the scene's file below."""
+        """Return the finding in words, followed by the file of the scene."""
         where = "" if self.seed is None else f" (seed {self.seed})"
         lines = f"{self.check}{where}: {self.found}\n  expected: {self.expected}\n  remedy: {self.remedy}"
         return lines + ("\n  scene:\n" + _indented(self.scene) if self.scene else "")
@@ -44,9 +44,18 @@ class Report:
         """How many findings there are."""
         return len(self.findings)
 
+    def __repr__(self) -> str:
+        """Return the entity and the numbers of checks, scenes and findings."""
+        made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
+        return f"<Report on {self.entity}: {len(self.findings)} findings by {made}>"
+
+    def __str__(self) -> str:
+        """Return the findings in words, as `text`."""
+        return self.text
+
     @property
     def text(self) -> str:
-        """The findings in words, check by check."""
+        """Return the findings in words, check by check."""
         made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
         if not self.findings:
             return f"{self.entity}: {made}, nothing found"

@@ -34,7 +34,21 @@ DUPLICATE, BEYOND = "duplicate", "beyond keep"
 
 
 class Sampled(Record):
-    """What a pass has found; ``sampled.json``."""
+    """The result of `sample_solutions`, as written to ``sampled.json``.
+
+    Attributes:
+        plan: The dataset, the policy and the seed.
+        splits: Splits whose problems were asked.
+        tries: Number of tries for each problem.
+        keep: Greatest number of solutions to keep for each problem.
+        items: Number of problems.
+        solved: Number of problems with a solution that was kept.
+        kept: Number of solutions.
+        left_out: Numbers of other tries by outcome, including duplicates and right responses beyond `keep`.
+        samples: SHA-256 of the journal of responses.
+        solutions: SHA-256 of the solutions.
+        versions: Versions of the packages.
+    """
 
     plan: PolicyPass
     splits: tuple[str, ...]
@@ -65,17 +79,37 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
     seed: int = 0,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Sampled:
-    """Ask `policy` `k` times for each problem of a dataset, and keep its right responses: at most `keep` of a problem.
+    r"""Ask a policy to solve the problems of a dataset, and keep its right responses to learn from.
 
-    Right is what earns the whole reward and ends of its own accord; the same text a second time is left out. Of more
-    than `keep` the first tries are taken. `policy` may be a YAML file with its settings. What was answered before is
-    not asked again: with more tries, another `keep`, further splits or after a kill, the same call goes on. `advance`
-    is told how many more answers are finished.
+    A response is kept if it earns the whole reward, ends of its own accord, and repeats no other. Responses of an
+    earlier call with the same folder are reused: with more tries, another `keep`, further splits, or after an
+    interruption.
+
+    Args:
+        dataset: A folder that `generate` has finished.
+        out: Folder for the responses and the solutions.
+        policy: A policy, a mapping with its settings, or a YAML file with them.
+        k: Number of tries for each problem.
+        keep: Greatest number of solutions for each problem; the first tries are taken.
+        split: Splits whose problems are asked: one name, several, or ``all``.
+        seed: Seed of the samples.
+        advance: Callback that takes the number of further responses that are finished.
+
+    Returns:
+        The numbers of problems, solutions and other responses.
 
     Raises:
-        EvaluationError: numbers that make no sense, or a folder that holds something else.
-        PolicyError: a policy that can't be asked; what was finished is kept.
-        DatasetError: no finished dataset, a damaged one, or no such split.
+        EvaluationError: `k` or `keep` is invalid, or the folder contains something else.
+        PolicyError: The policy cannot be asked; finished responses are stored.
+        DatasetError: There is no finished dataset, a file is damaged, or there is no such split.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> one = {"kind": "constant", "name": "one", "text": r"\boxed{1}"}
+        >>> result = sim2reason.sample_solutions("problems", "solutions", one, k=1)
+        >>> result.items, result.kept, result.left_out
+        (2, 0, {'wrong': 2})
     """
     if not 1 <= k <= MOST_TRIES or not 1 <= keep <= MOST_TRIES:
         raise EvaluationError(f"{k} tries of which {keep} are kept: give numbers from 1 to {MOST_TRIES}")
@@ -87,7 +121,7 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
 
 
 def _finished(items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str, ...], k: int, keep: int) -> Sampled:
-    """Grade all answers, and write what follows from them."""
+    """Grade all responses and write the solutions."""
     (out / RESULT).unlink(missing_ok=True)
     left_out = Counter[str]()
     rows = list(_kept(items, out / SAMPLES, k, keep, left_out))
@@ -120,7 +154,7 @@ def _put_rows(out: Path, rows: list[dict[str, str | int]]) -> None:
 def _kept(
     items: list[Item], journal: Path, k: int, keep: int, left_out: Counter[str]
 ) -> Iterator[dict[str, str | int]]:
-    """The solutions in the order of the items and of their tries, whatever order answers came in."""
+    """Yield the solutions in the order of the items and of their tries, whatever the order of responses."""
     by_id = {item.id: list[FinishedSample]() for item in items}
     for found in finished(journal):
         if found.sample < k and found.id in by_id:
@@ -142,7 +176,7 @@ def _kept(
 
 
 def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
-    """Why a response is no solution to be kept; empty if it is one."""
+    """Return why a response is not kept as a solution; empty if it is kept."""
     asked_for = benchmark_item(item)
     ending = ending_of(said, SCORINGS[asked_for.scoring].award(said.whole, asked_for.reference))
     if ending is not Ending.CORRECT:
@@ -155,5 +189,5 @@ def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
 
 
 def _told(said: Completion) -> str:
-    """A response up to its white space."""
+    """Return a response with all white space reduced to single spaces."""
     return " ".join(said.whole.split())

@@ -21,15 +21,31 @@ def train(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> Any:  # noqa: ANN401 - each method has a result of its own
-    """Train by a method, ``rl``, ``sft`` or ``study``, as a YAML file, or settings, say: ``train METHOD CONFIG``.
+    """Train a model with one of the methods of the library.
 
-    `out` stands for the folder that they name. `begun` is told what comes next and how many steps it has,
-    `advance` how many more are done. The same call goes on where a run was broken off.
+    The same call continues a run that was interrupted.
+
+    Args:
+        method: ``rl`` (reinforcement learning), ``sft`` (supervised fine-tuning) or ``study`` (several runs).
+        config: A YAML file, or a mapping with its contents.
+        out: Folder of the run; by default the folder in the configuration.
+        begun: Callback that takes the name of the next phase and its number of steps.
+        advance: Callback that takes the number of further steps that are finished.
+
+    Returns:
+        The result of the method.
 
     Raises:
-        UnknownNameError: no such method.
-        TrainingError: a configuration, a model, a corpus or a folder that cannot be used.
-        MissingExtraError: a library of the extra [train] is missing.
+        UnknownNameError: There is no such method.
+        TrainingError: A configuration, model, corpus or folder is invalid.
+        MissingExtraError: A package of the extra [train] is missing.
+
+    Example:
+        >>> import sim2reason
+        >>> sim2reason.train("sft", "sft.yaml")  # doctest: +SKIP
+        >>> sim2reason.train("dpo", "dpo.yaml")
+        Traceback (most recent call last):
+        sim2reason.errors.UnknownNameError: no such method of training: 'dpo'; there are: rl, sft, study
     """
     if method not in METHODS:
         raise UnknownNameError(f"no such method of training: {method[:80]!r}; there are: {', '.join(METHODS)}")

@@ -28,7 +28,13 @@ Parts = Literal["together", "separate"]
 
 @dataclass(frozen=True)
 class Exported:
-    """What was written, and where."""
+    """The result of an export.
+
+    Attributes:
+        folder: The folder that was written.
+        rows: Number of rows by split; a split without rows has no file.
+        left_out: Number of items that the format cannot represent.
+    """
 
     folder: Path
     rows: dict[str, int]
@@ -46,23 +52,32 @@ def export(
     parts: Parts = "together",
     advance: Callable[[int], object] = lambda _: None,
 ) -> Exported:
-    """Write a dataset as another library reads it: into the folder `out`, which must be new or empty.
+    """Export a dataset to a folder in the format of another library.
 
-    The same dataset gives the same bytes. Shards are read one after the other, and a kill leaves no half of a folder.
+    The same dataset gives the same bytes. If the process is killed, no partial folder remains.
 
     Args:
-        dataset: a folder that `generate` has finished.
-        out: the folder to be written.
-        to: the name of an export, as ``sim2reason list exports`` has it.
-        split: those to be written: one name, several, or ``all``.
-        parts: whether a problem with several parts is one row, with an answer for each part, or a row for each part,
-            which gives the answers to those before it: ``together`` or ``separate``.
-        advance: called with the number of items that are done.
+        dataset: A folder that `generate` has finished.
+        out: The folder to write; it must be new or empty.
+        to: Name of the format; ``sim2reason.list("exports")`` returns all of them.
+        split: Splits to export: one name, several, or ``all``.
+        parts: How to write a problem with several parts: ``together``, as one row with all answers, or ``separate``, as
+            a row for each part, which states the answers to the parts before it.
+        advance: Callback that takes the number of further items that are finished.
+
+    Returns:
+        The folder, the number of rows by split, and the number of items left out.
 
     Raises:
-        UnknownNameError: no such export.
-        DatasetError: no finished dataset, no such split, no item that fits, another word for the parts, or a folder
-            that holds anything or is the current one.
+        UnknownNameError: There is no such format.
+        DatasetError: There is no finished dataset, no such split or no item that fits, `parts` is invalid, or `out` has
+            contents or is the current folder.
+
+    Example:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> sim2reason.export("problems", "problems-hf", to="hf").rows
+        {'train': 2}
     """
     if parts not in get_args(Parts):
         raise DatasetError(f"parts: {parts!r} is none of {', '.join(get_args(Parts))}; give one of them")
@@ -80,7 +95,7 @@ def export(
 
 @dataclass
 class _Writing:
-    """The writing of one export, with a count of what it leaves out."""
+    """The state of an export: what to write, where, and the number of items left out."""
 
     export: Export
     dataset: Dataset

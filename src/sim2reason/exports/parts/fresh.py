@@ -35,15 +35,42 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
     decontaminate: Path | str | Sequence[Path | str] = (),
     maker: str = MAKER,
 ) -> "FreshRows":
-    """Return rows of fresh problems for a trainer, in the format of the export `to`, from position `start` on.
+    """Return fresh problems for a trainer, as rows in the format of an export.
 
-    The rows are endless unless `items` limits them. Problems are drawn as in `generate`; give another `seed` than to
-    the problems that you evaluate on. The same arguments give the same rows, on any machine.
+    Problems are drawn on request, as in `generate`, and endless unless `items` limits them. The same arguments give the
+    same rows on any machine. Give another `seed` than to the problems that you evaluate on.
+
+    Args:
+        to: Name of the format; ``sim2reason.list("exports")`` returns all of them.
+        items: Number of positions; by default unlimited.
+        recipe: Kinds of scenes: one name, several, or ``all``.
+        difficulty: ``easy``, ``medium``, ``hard``, several of these, or ``all``.
+        mode: Modes of questions: one name, several, or ``all``.
+        seed: Seed of the problems, 0 or greater.
+        start: Position at which to start, from 0.
+        weights: Relative frequencies of kinds of question, as in ``{"period": 2, "reverse.count": 0}``.
+        units: System of units of the texts: ``SI``, ``cgs`` or ``mixed``.
+        tolerance: Relative error that an answer may have, from 0.005 to 0.05; the filters apply it, too.
+        needs: Mathematics that solutions may need, as in `item`.
+        solutions: Whether problems have worked solutions.
+        decontaminate: Files of benchmarks with which no problem may share a run of words.
+        maker: Function that makes items, as a dotted path.
+
+    Returns:
+        The rows: iterate over them, index them, or convert them with `to_hugging_face`.
 
     Raises:
-        UnknownNameError: no such export, recipe, difficulty, mode, units or need.
-        DatasetError: an invalid argument.
-        DrawError: a negative number of items or start, or one that is far too large.
+        UnknownNameError: There is no such export, recipe, difficulty, mode, system of units or need.
+        DatasetError: An argument is invalid.
+        DrawError: `items` or `start` is negative or far too large.
+
+    Example:
+        >>> import sim2reason
+        >>> rows = sim2reason.iterable("hf", recipe="pulley", difficulty="easy", seed=1)
+        >>> rows[0]["id"]
+        'pulley-easy-numeric-1-0'
+        >>> rows
+        <FreshRows for 'hf' from position 0 on>
     """
     order = Order(recipe=recipe, difficulty=difficulty, mode=mode, seed=seed, weights=weights, units=units)
     order |= {"tolerance": tolerance, "needs": needs, "solutions": solutions, "maker": maker}
