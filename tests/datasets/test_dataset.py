@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from os import fspath
 from pathlib import Path
 
 import pytest
@@ -108,3 +109,9 @@ def test_pandas_gets_a_row_for_each_item(halves: Dataset, monkeypatch: pytest.Mo
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(MissingExtraError, match="pandas is not installed; install it with: pip install pandas"):
         halves.to_pandas()
+
+
+def test_a_dataset_is_accepted_where_a_folder_is(data: Path) -> None:
+    whole = Dataset(data)
+    assert fspath(whole) == str(data)
+    assert Dataset(whole).path == data

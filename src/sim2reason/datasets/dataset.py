@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
+from os import PathLike
 from pathlib import Path
 from typing import Any, overload
 
@@ -51,10 +52,14 @@ class Dataset:
         ['pulley-easy-numeric-0-0', 'pulley-easy-numeric-0-...']
     """
 
-    def __init__(self, path: Path | str) -> None:
+    def __init__(self, path: PathLike[str] | str) -> None:
         """Open the dataset in a folder; DatasetError if there is none, or its manifest was changed."""
         self.path = Path(path)
         self.manifest: Manifest = load_sealed(self.path)
+
+    def __fspath__(self) -> str:
+        """Return the folder, so that every function that takes a folder accepts a dataset, too."""
+        return str(self.path)
 
     def __repr__(self) -> str:
         """Return the folder, and the number of items in each split."""

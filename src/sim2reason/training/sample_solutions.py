@@ -69,7 +69,7 @@ class Sampled(Record):
 
 
 def sample_solutions(  # noqa: PLR0913 - what the command takes
-    dataset: Path | str,
+    dataset: Dataset | Path | str,
     out: Path | str,
     policy: PolicySource,
     *,
@@ -86,7 +86,7 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
     interruption.
 
     Args:
-        dataset: A folder that `generate` has finished.
+        dataset: A dataset, or the folder that `generate` has finished.
         out: Folder for the responses and the solutions.
         policy: A policy, a mapping with its settings, or a YAML file with them.
         k: Number of tries for each problem.

@@ -44,7 +44,7 @@ class Exported:
 
 
 def export(
-    dataset: Path | str,
+    dataset: Dataset | Path | str,
     out: Path | str,
     *,
     to: str,
@@ -57,7 +57,7 @@ def export(
     The same dataset gives the same bytes. If the process is killed, no partial folder remains.
 
     Args:
-        dataset: A folder that `generate` has finished.
+        dataset: A dataset, or the folder that `generate` has finished.
         out: The folder to write; it must be new or empty.
         to: Name of the format; ``sim2reason.list("exports")`` returns all of them.
         split: Splits to export: one name, several, or ``all``.
