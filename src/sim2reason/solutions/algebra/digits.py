@@ -7,6 +7,7 @@ from functools import lru_cache
 GUARDED = 7  # the same where differences of numbers are formed
 DIGITS = 5  # significant ones that a worked solution carries
 SIMPLE = 60  # the largest denominator of a number that is no accident
+LARGEST = 1e9  # a larger number is written with a power of ten
 EXACT = 1e-12  # relative, of a number not near zero: what rounding may have left of a simple fraction
 
 
@@ -41,6 +42,8 @@ def with_guard_digits(value: float) -> str:
 def simple_fraction(x: float) -> Fraction | None:
     """The fraction that a number is; None if it is no simple one."""
     fraction = Fraction(x).limit_denominator(SIMPLE)
+    if (x and not fraction) or abs(fraction) > LARGEST:
+        return None
     return fraction if abs(float(fraction) - x) <= EXACT * max(1.0, abs(x)) else None
 
 

@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 
-LARGEST = 10**6  # the greatest denominator of a number that is written as a fraction
+LARGEST_DENOMINATOR = 10**6  # the greatest denominator of a number that is written as a fraction
 EXACT = 1e-13  # relative: what rounding leaves of such a number
 NEVER_NEGATIVE = {"m", "M", "k", "g", "R", "d", "t", r"\mu", r"\ell", r"\rho"}
 """Letters of masses, stiffnesses, lengths, times and coefficients, which no scene has with a minus sign."""
@@ -86,7 +86,7 @@ def whole_sides(number: float) -> tuple[float, float]:
     """Return the numerator, signed, and denominator of a number; itself and 1 if it is no simple fraction."""
     if number.is_integer():
         return number, 1.0
-    fraction = Fraction(number).limit_denominator(LARGEST)
+    fraction = Fraction(number).limit_denominator(LARGEST_DENOMINATOR)
     if abs(float(fraction) - number) > EXACT * abs(number):
         return number, 1.0
     return float(fraction.numerator), float(fraction.denominator)

@@ -18,6 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
 )
 from sim2reason.solutions.algebra.factors import (
+    LARGEST_DENOMINATOR,
     Factors,
     factors_of,
     has_fraction,
@@ -157,6 +158,8 @@ def _as_fraction(held: Sum) -> Expression:
         for base, power in term.powers.items():
             below[base] = max(below.get(base, 0), -power)
     number = float(lcm(*(int(whole_sides(term.number)[1]) for term in terms)))
+    if number > LARGEST_DENOMINATOR:  # then the numbers are no fractions, but decimals
+        return held
     common = Factors(number, {base: power for base, power in below.items() if power})
     above = added(*((term * common).product() for term in _together(terms, common)))
     shared = _shared(above)
