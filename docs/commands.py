@@ -20,7 +20,7 @@ same text. The exit code is 0 for success, 1 for a negative result such as a dam
 
 def commands(command: click.Command, parent: click.Context | None, name: str) -> Iterator[click.Context]:
     """Yield the context of a command and of its subcommands, in alphabetical order."""
-    context = click.Context(command, parent=parent, info_name=name)
+    context = click.Context(command, parent=parent, info_name=name, **command.context_settings)
     if parent is not None:
         yield context
     if isinstance(command, click.Group):
@@ -58,9 +58,10 @@ def section(context: click.Context) -> str:
     level = "##" if context.parent is not None and context.parent.parent is None else "###"
     title = context.command_path.split(" ", 1)[1]
     usage = " ".join(("sim2reason", title, *command.collect_usage_pieces(context)))
-    records = [record for parameter in command.get_params(context) if (record := parameter.get_help_record(context))]
-    options = [f"| `{_cell(names)}` | {_escaped(' '.join(text.split()))} |" for names, text in records]
-    table = "\n".join(("| option | effect |", "| --- | --- |", *options))
+    listed = [parameter for parameter in command.params if isinstance(parameter, click.Option)]
+    records = [record for option in listed if (record := option.get_help_record(context))]
+    rows = [f"| `{_cell(names)}` | {_escaped(' '.join(text.split()))} |" for names, text in records]
+    table = "\n".join(("| option | effect |", "| --- | --- |", *rows)) if rows else ""
     parts = [f"{level} {title}", paragraphs(command.help), f"```text\n{usage}\n```", table, paragraphs(command.epilog)]
     return "\n\n".join(filter(None, parts))
 
