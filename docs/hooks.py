@@ -1,4 +1,4 @@
-"""Hooks of the documentation site: links to files of the repository, formulas, and headings as on a repository's pages.
+"""Define the hooks of the documentation site: links to files of the repository, formulas and names of headings.
 
 Pages link to files outside docs/ by relative paths, which also work in a clone. Each linked file becomes a page of the
 site under ``repository/``; a linked folder becomes a page that lists its files.
@@ -24,6 +24,7 @@ ALWAYS = "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"  # pages of the naviga
 LARGEST = 100_000  # bytes of a file that is shown as a page
 IMAGES = ".png", ".svg"
 LINK = re.compile(r"(\]\()(?![a-z]+:|#|/)([^)#\s]+)((?:#[^)\s]*)?\))")
+LISTS = re.compile(r"^((?![ \t]*(?:[-*]|\d+\.) |[ \t]|#|\|)[^\n]+)\n((?:[-*]|1\.) )", re.MULTILINE)  # after a paragraph
 FENCE = re.compile(r"^(```.*?^```$)", re.DOTALL | re.MULTILINE)
 LANGUAGES = {".py": "python", ".yaml": "yaml", ".json": "json", ".sh": "bash", ".cff": "yaml"}
 MATH = re.compile(r'<(span|div) class="arithmatex">\\[(\[](.*?)\\[)\]]</\1>', re.DOTALL)
@@ -55,13 +56,15 @@ def on_files(files: Files, config: "MkDocsConfig") -> Files:
 
 
 def on_page_markdown(markdown: str, page: "Page", config: "MkDocsConfig", files: Files) -> str:
-    """Direct links to the pages of `on_files`; adapt what this Markdown writes otherwise."""
+    """Point links at the pages of `on_files`, and adapt fences, details and lists to this dialect of Markdown."""
     del config, files
     uri = page.file.src_uri
+    if (source := _source(uri)).is_file() and source.suffix != ".md":
+        return markdown  # a page that `_text` wrote
     markdown = re.sub(r"^```(\w+) [\w.-]+$", r"```\1", markdown, flags=re.MULTILINE)
     markdown = markdown.replace("<details>", '<details markdown="1">')
     parts = FENCE.split(markdown)
-    parts[::2] = (_LISTS.sub(r"\1\n\n\2", LINK.sub(lambda link: _directed(link, uri), part)) for part in parts[::2])
+    parts[::2] = (LISTS.sub(r"\1\n\n\2", LINK.sub(lambda link: _directed(link, uri), part)) for part in parts[::2])
     return "".join(parts)
 
 
@@ -69,9 +72,6 @@ def on_page_content(html: str, page: "Page", config: "MkDocsConfig", files: File
     """Write formulas as MathML, which browsers draw without scripts."""
     del page, config, files
     return MATH.sub(_formula, html)
-
-
-_LISTS = re.compile(r"^((?![ \t]*(?:[-*]|\d+\.) |[ \t]|#|\|)[^\n]+)\n((?:[-*]|1\.) )", re.MULTILINE)
 
 
 def _formula(found: re.Match[str]) -> str:
@@ -133,5 +133,5 @@ def _text(path: Path) -> str:
         inside = [held.relative_to(path).as_posix() for held in _listed(path)]
         return "\n".join([f"# {name}", "", *(f"- [{each}]({each})" for each in inside)])
     language = LANGUAGES.get(path.suffix, "text")
-    text = path.read_text(encoding="utf-8")
+    text = path.read_text(encoding="utf-8", errors="replace")
     return f"---\nsearch: {{exclude: true}}\n---\n\n# {path.name}\n\n`{name}`\n\n````{language}\n{text}\n````\n"
