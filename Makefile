@@ -138,7 +138,7 @@ docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
 	@touch $@
 
 site: .venv-site/done ## build the documentation site in site/, in an environment of its own
-	NO_MKDOCS_2_WARNING=1 .venv-site/bin/mkdocs build --quiet --strict
+	NO_MKDOCS_2_WARNING=1 .venv-site/bin/mkdocs build --strict
 
 site-serve: .venv-site/done ## serve the documentation site on this machine and rebuild it after changes
 	NO_MKDOCS_2_WARNING=1 .venv-site/bin/mkdocs serve
