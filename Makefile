@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs format clean
+.PHONY: help demo test test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs site site-serve format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -126,12 +126,26 @@ docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
 	$(BIN)/sim2reason schema --reference -o docs/questions.md
 	$(BIN)/python docs/grading_examples.py
 	$(BIN)/python docs/gallery.py
+	$(BIN)/python docs/commands.py
 	$(BIN)/python tests/support/readme.py README.md docs/for-language-models.md --write
+	$(BIN)/python tests/support/readme.py docs/index.md --write
+	$(BIN)/python tests/support/readme.py docs/tutorial.md --write
 	$(BIN)/python tests/support/readme.py docs/howto/*.md --write
+
+.venv-site/done: .venv/pip requirements/site.txt
+	$(PYTHON) -m venv .venv-site
+	.venv-site/bin/python -m pip install --quiet --no-deps --requirement requirements/site.txt
+	@touch $@
+
+site: .venv-site/done ## build the documentation site in site/, in an environment of its own
+	NO_MKDOCS_2_WARNING=1 .venv-site/bin/mkdocs build --strict
+
+site-serve: .venv-site/done ## serve the documentation site on this machine and rebuild it after changes
+	NO_MKDOCS_2_WARNING=1 .venv-site/bin/mkdocs serve
 
 format: .venv/dev ## mend what can be mended by itself
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
 clean: ## remove what was made, but not the virtual environment
-	rm -rf $(DEMO) build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(DEMO) build dist site .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,7 +1,11 @@
 """The pages at the root and in docs agree with the code, and their links resolve."""
 
+import importlib
 import re
+import subprocess
+import sys
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +27,7 @@ PAGES = [*ROOT.glob("*.md"), *ROOT.rglob("docs/**/*.md"), ROOT / "experiments/RE
 SCENES = sorted((ROOT / "examples/scenes").glob("*.yaml"))
 MOST_WORDS = 900  # of the README, without blocks of code
 MOST_WORDS_OF_A_CHANGE = 25
+LEAST_TERMS = 35  # of the glossary
 LINK = re.compile(r"\]\((?![a-z]+:)([^)#\s]*)(?:#([^)\s]*))?\)")
 
 
@@ -89,6 +94,51 @@ def test_issue_forms_ask_for_what_has_a_name_of_its_own() -> None:
 def test_continuous_integration_runs_all_pages() -> None:
     script = read(".ci/run")
     assert all(pages in script for pages in ("README.md", "docs/*.md", "docs/integrations/*.md", "docs/howto/*.md"))
+
+
+def navigated(entry: object) -> Iterator[str]:
+    """Yield the pages of a part of the navigation of the documentation site."""
+    if isinstance(entry, str):
+        yield entry
+    elif isinstance(entry, dict):
+        yield from navigated(list(entry.values()))
+    elif isinstance(entry, list):
+        for child in entry:
+            yield from navigated(child)
+
+
+def test_the_site_has_every_page_of_the_docs_once() -> None:
+    settings: dict[str, Any] = yaml.safe_load(read("mkdocs.yml"))
+    pages = [page for page in navigated(settings["nav"]) if not page.startswith("repository/")]
+    docs = {path.relative_to(ROOT / "docs").as_posix() for path in ROOT.rglob("docs/**/*.md")}
+    assert sorted(pages) == sorted(docs - set(settings["exclude_docs"].split()))
+    assert "make site" in read(".ci/run")
+
+
+def test_the_glossary_has_distinct_terms_in_alphabetical_order_with_links() -> None:
+    sections = re.split(r"^## ", read("docs/concepts.md"), flags=re.MULTILINE)[1:]
+    terms = [section.splitlines()[0].lower() for section in sections]
+    assert len(terms) >= LEAST_TERMS
+    assert terms == sorted(set(terms))
+    assert [term for term, section in zip(terms, sections, strict=True) if not LINK.search(section)] == []
+
+
+def test_the_reference_has_every_public_name() -> None:
+    assert sorted(re.findall(r"^::: sim2reason\.(\w+)$", read("docs/reference/api.md"), re.MULTILINE)) == sorted(
+        sim2reason.__all__
+    )
+
+
+@pytest.mark.parametrize("name", ["rewards", "grading", "authoring", "testing"])
+def test_the_reference_has_every_name_of_a_public_module(name: str) -> None:
+    page = read(f"docs/reference/{name}.md")
+    members = re.findall(r"^ +- (\w+)$", page, re.MULTILINE)
+    own = re.findall(rf"^::: sim2reason\.{name}\.(\w+)\.\1$", page, re.MULTILINE)  # named as their modules
+    assert sorted(members + own) == sorted(importlib.import_module(f"sim2reason.{name}").__all__)
+
+
+def test_the_reference_of_the_commands_is_up_to_date() -> None:
+    subprocess.run([sys.executable, ROOT / "docs/commands.py", "--check"], check=True)
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
