@@ -4,7 +4,7 @@ from math import inf
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sim2reason.simulation.engines.exact.glide import Approach, crossing, halt
@@ -87,6 +87,7 @@ def test_when_a_speed_passes_zero() -> None:
 
 @settings(max_examples=300)
 @given(seed=seeds)
+@example(seed=15997)  # the hit comes after 978 s
 def test_the_first_hit_among_all_times(seed: int) -> None:
     """Against a fine scan of the distance, for straight and bent paths, from apart and from touching."""
     rng = np.random.default_rng(seed)
@@ -106,7 +107,8 @@ def test_the_first_hit_among_all_times(seed: int) -> None:
     assert gaps.size == 0 or gaps.min() > -1e-9
     if 0.0 < hit < inf:
         end = apart + velocity * hit + acceleration * hit**2 / 2.0
-        assert np.linalg.norm(end) == pytest.approx(near.distance, rel=1e-9)
+        speed = float(np.linalg.norm(velocity + acceleration * hit))  # times are right to 1e-12, however late
+        assert np.linalg.norm(end) == pytest.approx(near.distance, rel=1e-9, abs=1e-12 * speed * hit)
     if hit == 0.0:
         assert touching
         assert near.rate < 0.0
