@@ -61,7 +61,7 @@ class Count:
     Example:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import Count
-        >>> from sim2reason.bodies.block import Block
+        >>> from sim2reason.bodies.sliders import Block
         >>> Blocks = Annotated[tuple[Block, ...], Count(1, 3)]
     """
 
