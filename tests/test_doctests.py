@@ -26,7 +26,7 @@ NAMES = [
     *(f"sim2reason.{name}" for name in (*sim2reason.__all__, "list", "eval")),  # open is Dataset
     *(f"{module}.{name}" for module, names in FURTHER.items() for name in names),
 ]
-SECTION = re.compile(r"^(Args|Attributes|Returns|Yields|Raises|Example):$", re.MULTILINE)
+SECTION = re.compile(r"^(Args|Attributes|Returns|Yields|Raises|Examples):$", re.MULTILINE)
 ENTRY = re.compile(r"^    \*{0,2}(\w+): ", re.MULTILINE)
 VAGUE = re.compile(r"(?i)(what|whether|who|whose|of|by|as|its|it|those|where|the same)\b")
 """Words with which no summary begins, since it must be understood by itself."""
@@ -109,7 +109,7 @@ def test_a_docstring_is_complete(name: str) -> None:
     found = public(name)
     text = sections(found)
     assert not VAGUE.match(text[""])
-    assert ">>> " in text["Example"]
+    assert ">>> " in text["Examples"]
     assert parameters(found) <= described(found, "Args", "Attributes")
     if isinstance(found, type):
         assert fields(found) <= described(found, "Attributes")

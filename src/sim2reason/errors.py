@@ -29,7 +29,7 @@ class Sim2ReasonError(Exception):
 
     The message is one line that names the place and the remedy. The command line prints it and exits with code 2.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> try:
         ...     sim2reason.item("pully")

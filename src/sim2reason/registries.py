@@ -34,7 +34,7 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
     Raises:
         UnknownNameError: There is no such kind.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> [member.name for member in sim2reason.list("engines")["engines"]]
         ['exact', 'mujoco']

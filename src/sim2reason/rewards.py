@@ -121,7 +121,7 @@ def accuracy(
         The rewards (n,). A row without a right answer, as in another dataset of a mixture, has None, which TRL leaves
         out.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> from sim2reason.rewards import accuracy, ground_truth
         >>> problem = sim2reason.item("pulley", "easy")

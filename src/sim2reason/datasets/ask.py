@@ -69,7 +69,7 @@ def ask(
         UnknownNameError: There is no such mode.
         SceneError, UnsupportedError, SimulationError: The scene cannot be built, modelled or solved.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.sample("incline", "easy")
         >>> problems = sim2reason.ask(scene, items=2)

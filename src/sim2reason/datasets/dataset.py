@@ -39,7 +39,7 @@ class Dataset:
         path: The folder.
         manifest: Configuration, counts and checksums of the dataset.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         <Dataset 'problems': 2 train>

@@ -65,7 +65,7 @@ def explain(
         UnsupportedError: A file name has another ending.
         OSError: A file cannot be written.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> explanation = sim2reason.explain(data, "pulley-easy-numeric-0-0")

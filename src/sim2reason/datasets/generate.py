@@ -129,7 +129,7 @@ def generate(
         TypeError: There is no such option.
         MissingExtraError: The place needs a package that is not installed.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         <Dataset 'problems': 2 train>

@@ -72,7 +72,7 @@ def grade(
     Raises:
         DatasetError: The row has no readable answer.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> problem = sim2reason.item("pulley", "easy")
         >>> score = sim2reason.grade(problem, r"So the answer is \boxed{123 m/s^2}.")

@@ -294,7 +294,7 @@ class Item(Record):
         provenance: Coordinates, versions and settings from which the item was made.
         kinds: Kinds of question of all parts; the kind of the question if there are no parts.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> problem = sim2reason.item("pulley", "easy")
         >>> problem.id, problem.kind, problem.answer.unit

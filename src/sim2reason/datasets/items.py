@@ -58,7 +58,7 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
             last case take another index.
         DatasetError: A weight is invalid.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> problem = sim2reason.item("pulley", "easy", seed=7)
         >>> print(problem)
@@ -111,7 +111,7 @@ def sample(  # noqa: PLR0913 - the same
         DrawError: The seed or index is negative, the tolerance is out of range, or no draw passed the filters.
         DatasetError: A weight is invalid.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.sample("incline", "easy", seed=3)
         >>> scene.value("world.gravity")
@@ -164,7 +164,7 @@ def stream(  # noqa: PLR0913 - the same
         DrawError: The seed or start is negative.
         DatasetError: A weight is invalid.
 
-    Example:
+    Examples:
         >>> from itertools import islice
         >>> import sim2reason
         >>> [problem.id for problem in islice(sim2reason.stream("pulley", "easy"), 2)]

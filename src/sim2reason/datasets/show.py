@@ -46,7 +46,7 @@ def show(  # noqa: PLR0913 - filters, by name
     Raises:
         DatasetError: There is no finished dataset, a file is damaged, a name does not occur, or no problem matches.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         <Dataset 'problems': 2 train>

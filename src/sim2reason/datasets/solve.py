@@ -110,7 +110,7 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
         TextError: The question is not understood.
         DrawError: The id is invalid, or there is no such problem.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> solved = sim2reason.solve(scene, question="How fast is the block after 2 s?")

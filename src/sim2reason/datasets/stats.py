@@ -88,7 +88,7 @@ def stats(dataset: Dataset | Path | str) -> Stats:
     Raises:
         DatasetError: There is no finished dataset, or a file is damaged.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> sim2reason.stats(data).counts["recipe"]

@@ -23,7 +23,7 @@ def verify(dataset: Dataset | Path | str) -> Findings:
     Raises:
         DatasetError: `dataset` is not a finished dataset.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> print(sim2reason.verify(data))

@@ -50,7 +50,7 @@ class Frame:
         origin: Position of the entity in the room.
         own_name: Address of the body; ValueError for the room.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import X, Z
         >>> from sim2reason.dsl.builder import Builder
         >>> builder = Builder()
@@ -318,7 +318,7 @@ def axial_inertia(inertia: float) -> Tensor:
     Returns:
         The components xx, yy, zz, xy, xz and yz, kg m²; about a diameter it is half of `inertia`.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import axial_inertia
         >>> axial_inertia(0.4)
         (0.2, 0.4, 0.2, 0.0, 0.0, 0.0)

@@ -31,7 +31,7 @@ class Part(Model):
         called: Name of the whole in sentences, as in *the electric field*; empty if no sentence mentions it.
         untold: Numbers that bodies may have but no line states.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import X, Z, Frame, Part, either
         >>> from sim2reason.bodies.sliders import Block
         >>> class Sliding(Part):
@@ -97,7 +97,7 @@ class Entity(Part):
         tells_taut: Whether the lines say that strings are taut at the start.
         slackens: Whether a string within the entity may go slack and become taut again.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> from sim2reason.authoring import X, Z, Entity, Frame, either
         >>> from sim2reason.bodies.sliders import Block
@@ -176,7 +176,7 @@ def entity(cls: type[E]) -> type[E]:
     Raises:
         ValueError: Another class has the name.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> from sim2reason.authoring import X, Z, Entity, Frame, either, entity
         >>> from sim2reason.bodies.sliders import Block

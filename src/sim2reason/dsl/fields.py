@@ -26,7 +26,7 @@ class Profile:
         steady: Whether the strength does not depend on time.
         uniform: Whether the strength is the same everywhere and always.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Profile
         >>> Profile(3.0).uniform, Profile(3.0, frequency=2.0).steady
         (True, False)
@@ -74,7 +74,7 @@ class Law(Protocol):
     Attributes:
         constant: Whether the force never changes.
 
-    Example:
+    Examples:
         >>> import math
         >>> from sim2reason.authoring import Law, Profile, Push, X, ZERO
         >>> law: Law = Push(X, Profile(3.0))
@@ -119,7 +119,7 @@ class Push:
         profile: Strength of the force, N.
         constant: Whether the force never changes.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Profile, Push, X
         >>> Push(X, Profile(3.0)).constant
         True
@@ -161,7 +161,7 @@ class Magnetic:
         profile: Charge times field, C T.
         constant: Whether the force never changes: always False, since it depends on the velocity.
 
-    Example:
+    Examples:
         >>> import math
         >>> from sim2reason.authoring import X, Z, ZERO, Magnetic, Profile
         >>> Magnetic(Z, Profile(2.0)).force(ZERO, X, 0.0, math)
@@ -199,7 +199,7 @@ class Resistance:
         quadratic: Coefficient of the quadratic term, N s²/m².
         constant: Whether the force never changes: always False, since it depends on the velocity.
 
-    Example:
+    Examples:
         >>> import math
         >>> from sim2reason.authoring import X, ZERO, Resistance
         >>> Resistance(linear=0.5).force(ZERO, X, 0.0, math)

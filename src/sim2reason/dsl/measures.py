@@ -31,7 +31,7 @@ class Range:
     Raises:
         ValueError: The interval is empty or infinite.
 
-    Example:
+    Examples:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import Mass, Range
         >>> Heavy = Annotated[Mass, Range(50.0, 100.0)]
@@ -58,7 +58,7 @@ class Count:
         high: Greatest number of members.
         alike: Whether all members are of one class.
 
-    Example:
+    Examples:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import Count
         >>> from sim2reason.bodies.sliders import Block
@@ -80,7 +80,7 @@ class Chance:
     Raises:
         ValueError: The value is not a probability.
 
-    Example:
+    Examples:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import Chance, Friction
         >>> Rough = Annotated[Friction, Chance(0.2)]
@@ -101,7 +101,7 @@ class Usually:
     Attributes:
         present: Whether the field is drawn.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import StaticFriction, Usually
         >>> Usually(present=False) in StaticFriction.__metadata__
         True
@@ -117,7 +117,7 @@ class Sized:
     Attributes:
         by: Function that takes the values of those fields by name and returns the number.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Sized
         >>> Sized(lambda fields: len(fields["gliders"]) - 1).by({"gliders": ["A", "B", "C"]})
         2
@@ -133,7 +133,7 @@ class Member:
     Attributes:
         field: Name of the field with the members.
 
-    Example:
+    Examples:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import Member
         >>> First = Annotated[int, Member("gliders")]
@@ -153,7 +153,7 @@ class Above:
 class Hidden:
     """A mark for a number that no answer depends on and no text states, such as the position of the scene.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import FreeLength, Hidden
         >>> Hidden() in FreeLength.__metadata__
         True
@@ -186,7 +186,7 @@ class Measure:
     Raises:
         UnitError: The unit is not in the table of units.
 
-    Example:
+    Examples:
         >>> from typing import Annotated
         >>> from sim2reason.authoring import LEAST, Measure, Range
         >>> Pressure = Annotated[float, LEAST, Measure("pressure", "Pa", "p"), Range(1e3, 2e3)]

@@ -254,7 +254,7 @@ class Mechanism(Memo):
         face_number: Index of each face, by the name of the body on it.
         contacts: Faces by the name of the body on them.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> mechanism = scene.scene.mechanism

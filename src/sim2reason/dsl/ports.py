@@ -66,7 +66,7 @@ class StringEnd(SitePort, StringPort):
         unless: Name of a field of the entity; the port does not exist if it is given.
         needs: Name of an optional field of the entity that is given if and only if the port is connected.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import StringEnd
         >>> winch = StringEnd(sites=("drum",), arrives="is wound on a winch")
         >>> winch.can_begin
@@ -101,7 +101,7 @@ class End(StringEnd, Attachment):
     Raises:
         ValueError: `tied` is empty, or there is more than one site.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import End
         >>> left = End(sites=("tail",), tied="{block}", leaves="runs horizontally", arrives="reaches {block}")
         >>> left.can_begin
@@ -128,7 +128,7 @@ class Pass(SitePort, StringPort):
         unless: Name of a field of the entity; the port does not exist if it is given.
         needs: Name of an optional field of the entity that is given if and only if the port is connected.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Pass
         >>> over = Pass(sites=("pulley.left", "pulley.right"), passes="passes over {pulley}")
         >>> over.sides
@@ -150,7 +150,7 @@ class Chain(StringPort):
         unless: Name of a field of the entity; the port does not exist if it is given.
         needs: Name of an optional field of the entity that is given if and only if the port is connected.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Chain
         >>> Chain(stops=("system.tail", "over"), required=True).stops
         ('system.tail', 'over')
@@ -170,7 +170,7 @@ class Mount(SitePort):
         unless: Name of a field of the entity; the port does not exist if it is given.
         needs: Name of an optional field of the entity that is given if and only if the port is connected.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Mount
         >>> Mount(sites=("tip",), place="the far end of {arm}").place
         'the far end of {arm}'
@@ -190,7 +190,7 @@ class Base(SitePort):
         unless: Name of a field of the entity; the port does not exist if it is given.
         needs: Name of an optional field of the entity that is given if and only if the port is connected.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Base
         >>> Base(held="{arm}", required=True).held
         '{arm}'

@@ -52,7 +52,7 @@ class Scene(Model):
         bodies: All bodies that the text can mention, by address.
         parameters: All declared numbers with their addresses and meanings.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.load('''
         ... scene:

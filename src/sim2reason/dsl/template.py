@@ -57,7 +57,7 @@ class Word:
         special: Templates by value.
         otherwise: Template for all other values.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import Word
         >>> surface = Word("friction", {0.0: "smooth"}, "rough")
         >>> surface.text(0.0), surface.text(0.3)
@@ -125,7 +125,7 @@ def either(*wordings: str) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import either
         >>> line = either("{block} lies on {plane}.", "{block} rests on {plane}.")
         >>> len(line.wordings)
@@ -151,7 +151,7 @@ def among(field: str, *wordings: str) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import among
         >>> line = among("blocks", "{blocks} are stacked.")
         >>> line.several
@@ -170,7 +170,7 @@ def starting(*wordings: str, topic: Topic | None = None) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import starting
         >>> starting("at t = 0 {block} moves to the right at {speed}.").role
         'start'
@@ -187,7 +187,7 @@ def placing(*wordings: str) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import placing
         >>> placing("initially {spring} is stretched by {strain}.").topic
         'start'
@@ -204,7 +204,7 @@ def defining_axes(*wordings: str) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import defining_axes
         >>> defining_axes("the x axis points to the right.").topic
         'axes'
@@ -221,7 +221,7 @@ def assuming(*wordings: str) -> Wordings:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import assuming
         >>> assuming("air resistance is negligible.").role
         'assumption'
@@ -251,7 +251,7 @@ def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import each
         >>> each("pucks", "{pucks.*} moves at {pucks.*.speed}.").field
         'pucks'
@@ -268,7 +268,7 @@ def lines_of(field: str) -> PartLines:
     Returns:
         A line for `says` of an entity.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import lines_of
         >>> lines_of("system").field
         'system'

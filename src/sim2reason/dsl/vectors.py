@@ -27,7 +27,7 @@ def add(*vectors: Vector) -> Vector:
     Returns:
         The sum.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import X, Z, add
         >>> add(X, Z, Z)
         (1.0, 0.0, 2.0)
@@ -51,7 +51,7 @@ def scale(factor: float, vector: Vector) -> Vector:
     Returns:
         `factor` times `vector`.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import X, scale
         >>> scale(2.0, X)
         (2.0, 0.0, 0.0)
@@ -69,7 +69,7 @@ def inner(a: Vector, b: Vector) -> float:
     Returns:
         The sum of the products of their components.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import inner
         >>> inner((1.0, 2.0, 3.0), (0.0, 1.0, 1.0))
         5.0
@@ -87,7 +87,7 @@ def outer(a: Vector, b: Vector) -> Vector:
     Returns:
         The vector a × b, at right angles to both.
 
-    Example:
+    Examples:
         >>> from sim2reason.authoring import X, Y, outer
         >>> outer(X, Y)
         (0.0, 0.0, 1.0)

@@ -36,7 +36,7 @@ def figure(
         MissingExtraError: matplotlib is not installed.
         UnsupportedError: `out` has another ending.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> sim2reason.figure(scene, "scene.svg")
@@ -71,7 +71,7 @@ def plot(
         UnsupportedError: `out` has another ending.
         SceneError, SimulationError, UnknownNameError: The scene cannot be simulated, as in `simulate`.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> sim2reason.plot(scene, "motion.svg", duration=1.0)

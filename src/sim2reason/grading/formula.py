@@ -68,7 +68,7 @@ def formula(
         FormulaError: The reference cannot be read or has no value, a binding lacks a symbol, or the tolerance is
             outside [0, 1).
 
-    Example:
+    Examples:
         >>> from sim2reason.grading import formula
         >>> formula(r"\boxed{\frac{1}{2} g t^2}", r"g t^2 / 2", {"g": 9.8, "t": 2.0}).reward
         1.0

@@ -81,7 +81,7 @@ def number(
     Raises:
         ValueError: The reference is not finite, the tolerance is outside [0, 1), or the unit is unknown.
 
-    Example:
+    Examples:
         >>> from sim2reason.grading import number
         >>> number(r"The speed is \boxed{36 km/h}.", 10.0, "m/s")
         <Score 1: correct, parsed=10.0>

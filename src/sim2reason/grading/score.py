@@ -31,7 +31,7 @@ class Score:
         why: The reason in words.
         parts: Scores of the parts of a problem with several; empty otherwise.
 
-    Example:
+    Examples:
         >>> from sim2reason.grading import number
         >>> score = number(r"\boxed{9.81}", 9.8)
         >>> score

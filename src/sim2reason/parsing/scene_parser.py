@@ -90,7 +90,7 @@ def parse_scene(
     Raises:
         TextError: The text describes no scene, or several; the message has the nearest sentence of the library.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> parsed = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> parsed

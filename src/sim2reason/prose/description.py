@@ -118,7 +118,7 @@ def describe(
         TypeError: `scene` is of another type.
         SceneError: `hide` has an address at which the text states no number.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> print(sim2reason.describe(scene))

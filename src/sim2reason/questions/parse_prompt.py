@@ -132,7 +132,7 @@ def parse_prompt(
     Raises:
         TextError: The text describes no scene, or several, or asks no question that the library knows.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> problem = sim2reason.item("pulley", "easy")
         >>> parsed = sim2reason.parse_prompt(problem.prompt)

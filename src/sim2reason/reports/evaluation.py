@@ -65,7 +65,7 @@ def evaluate(
         PolicyError: A policy cannot be asked, or its limit is reached.
         MissingExtraError: A policy or a scoring rule needs a package that is not installed.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> run = sim2reason.eval({

@@ -49,7 +49,7 @@ def load(source: str | Path) -> Scene:
         SceneError: The text is invalid; the message names the path in the file, the line and a remedy.
         OSError: The file cannot be read.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.load('''
         ... scene:
@@ -86,7 +86,7 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
     Returns:
         The YAML text; the same scene always gives the same text. Absent optional parts are left out.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> print(sim2reason.dump(scene.scene))

@@ -76,7 +76,7 @@ def schema() -> Json:
     Returns:
         The schema, as plain JSON values, with the ranges, units and descriptions of all entities and connections.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> schema = sim2reason.schema()
         >>> schema["title"], schema["required"]

@@ -55,7 +55,7 @@ class Certificate:
         until: Time from which each channel is not to be trusted.
         others: Function that compares the other channels; called when one of them is first needed.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> trace, certificate = sim2reason.certify(scene, duration=1.0)

@@ -34,7 +34,7 @@ def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMP
         TypeError: `scene` is of another type.
         SceneError, UnsupportedError, SimulationError: The scene cannot be built, modelled or solved.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> trace, certificate = sim2reason.certify(scene, duration=1.0)
@@ -75,7 +75,7 @@ def simulate(
         UnknownNameError: There is no such engine.
         SceneError, UnsupportedError, SimulationError: The scene cannot be built, modelled or solved.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> trace = sim2reason.simulate(scene, duration=1.0, samples=3)

@@ -95,7 +95,7 @@ class Trace:
         mechanism: The mechanism that moves.
         scan: The motion at instants so close together that no quantity turns more than once between two of them.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
         >>> trace = sim2reason.simulate(scene, duration=1.0)

@@ -41,7 +41,7 @@ def check_entity(
             the scene, what was expected and a remedy.
         UnknownNameError: There is no such check.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> from sim2reason.testing import check_entity
         >>> scene = sim2reason.sample("incline", "easy")

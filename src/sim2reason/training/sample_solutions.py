@@ -103,7 +103,7 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
         PolicyError: The policy cannot be asked; finished responses are stored.
         DatasetError: There is no finished dataset, a file is damaged, or there is no such split.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> one = {"kind": "constant", "name": "one", "text": r"\boxed{1}"}

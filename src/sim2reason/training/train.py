@@ -40,7 +40,7 @@ def train(
         TrainingError: A configuration, model, corpus or folder is invalid.
         MissingExtraError: A package of the extra [train] is missing.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> sim2reason.train("sft", "sft.yaml")  # doctest: +SKIP
         >>> sim2reason.train("dpo", "dpo.yaml")

@@ -73,7 +73,7 @@ def export(
         DatasetError: There is no finished dataset, no such split or no item that fits, `parts` is invalid, or `out` has
             contents or is the current folder.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
         >>> sim2reason.export("problems", "problems-hf", to="hf").rows

@@ -64,7 +64,7 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
         DatasetError: An argument is invalid.
         DrawError: `items` or `start` is negative or far too large.
 
-    Example:
+    Examples:
         >>> import sim2reason
         >>> rows = sim2reason.iterable("hf", recipe="pulley", difficulty="easy", seed=1)
         >>> rows[0]["id"]
